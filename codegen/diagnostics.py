@@ -1,0 +1,96 @@
+"""What the stages have to say about their input: values with a rule, a place and a hint, never exceptions."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+from enum import StrEnum
+
+from codegen.source import Place
+
+
+class Severity(StrEnum):
+    """How bad a finding is: an error stops the build, a warning does not."""
+
+    ERROR = "error"
+    WARNING = "warning"
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One kind of finding: its id as printed, its severity, and the text that ``codegen explain ID`` shows.
+
+    ``unreadable`` marks the rules whose finding means that the input could not be read at all
+    (exit code 2 instead of 1).
+    """
+
+    id: str
+    explanation: str
+    severity: Severity = Severity.ERROR
+    unreadable: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One finding at one place. ``related`` are further places that explain it, each with a short text."""
+
+    place: Place
+    rule: Rule
+    message: str
+    hint: str | None = None
+    related: tuple[tuple[Place, str], ...] = ()
+
+
+class Report:
+    """Collects the diagnostics of one run, so that all of them are shown and not only the first."""
+
+    def __init__(self) -> None:
+        self._diagnostics: list[Diagnostic] = []
+
+    def add(
+        self,
+        rule: Rule,
+        place: Place,
+        message: str,
+        hint: str | None = None,
+        related: Iterable[tuple[Place, str]] = (),
+    ) -> None:
+        """Record one finding."""
+        self._diagnostics.append(Diagnostic(place, rule, message, hint, tuple(related)))
+
+    def extend(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Record the findings of a rule."""
+        self._diagnostics.extend(diagnostics)
+
+    def __iter__(self) -> Iterator[Diagnostic]:
+        """The findings without repetitions, ordered by place."""
+        return iter(sorted(set(self._diagnostics), key=lambda found: (found.place, found.rule.id, found.message)))
+
+    @property
+    def has_errors(self) -> bool:
+        """Whether anything was found that must stop the build."""
+        return any(found.rule.severity is Severity.ERROR for found in self._diagnostics)
+
+    @property
+    def exit_code(self) -> int:
+        """0 without errors, 2 if an input could not be read, 1 for every other error (design, section 6)."""
+        errors = [found.rule for found in self._diagnostics if found.rule.severity is Severity.ERROR]
+        if not errors:
+            return 0
+        return 2 if any(rule.unreadable for rule in errors) else 1
+
+
+def did_you_mean(written: str, candidates: Iterable[str]) -> str | None:
+    """A hint that names the nearest candidates, or lists them where none is near (at most eight)."""
+    names = sorted(set(candidates))
+    near = get_close_matches(written, names, n=3, cutoff=0.6)
+    if near:
+        return f"did you mean {_listed(near)}?"
+    if not names:
+        return None
+    shown = names[:8]
+    more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
+    return f"known: {', '.join(shown)}{more}"
+
+
+def _listed(names: list[str]) -> str:
+    return " or ".join(names)

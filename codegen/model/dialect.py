@@ -1,0 +1,232 @@
+"""A dialect as its XML files state it, before includes are read and wire order is computed."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Lifecycle:
+    """Whether a message, enum or entry is still to be used: ``wip``, ``deprecated`` and ``superseded``."""
+
+    wip: bool = False
+    deprecated_since: str | None = None
+    superseded_since: str | None = None
+    replaced_by: str | None = None
+    remark: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class EnumEntry:
+    """One entry of an enum; ``value`` is the number of the XML (``0x``, ``0b`` and ``2**n`` already read).
+
+    ``is_implicit`` marks an entry without a ``value`` attribute: the previous value plus one, as mavgen does.
+    """
+
+    name: str
+    value: int
+    description: str
+    place: Place
+    lifecycle: Lifecycle = Lifecycle()
+    is_implicit: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class EnumDefinition:
+    """An enum of one XML file, or, after resolving, of the whole dialect (entries of all files merged)."""
+
+    name: str
+    entries: tuple[EnumEntry, ...]
+    is_bitmask: bool
+    description: str
+    place: Place
+    lifecycle: Lifecycle = Lifecycle()
+
+    def entry(self, name: str) -> EnumEntry | None:
+        """The entry called ``name``, or None."""
+        return next((entry for entry in self.entries if entry.name == name), None)
+
+
+@dataclass(frozen=True, slots=True)
+class FieldDefinition:
+    """One ``<field>`` in XML order. Attributes are as written; None where the attribute is absent.
+
+    ``type`` is the element type (``uint16_t``), ``length`` the number of elements or None for a scalar.
+    ``maximum``, ``minimum``, ``multiplier`` and ``invalid`` keep their text: their meaning depends on the type.
+    """
+
+    name: str
+    type: str
+    length: int | None
+    is_extension: bool
+    place: Place
+    units: str | None = None
+    enum: str | None = None
+    is_bitmask: bool = False
+    is_instance: bool = False
+    multiplier: str | None = None
+    minimum: str | None = None
+    maximum: str | None = None
+    invalid: str | None = None
+    print_format: str | None = None
+    description: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class MessageDefinition:
+    """One ``<message>``, fields in XML order."""
+
+    id: int
+    name: str
+    fields: tuple[FieldDefinition, ...]
+    description: str
+    place: Place
+    lifecycle: Lifecycle = Lifecycle()
+
+
+@dataclass(frozen=True, slots=True)
+class Include:
+    """One ``<include>`` as written: a path relative to the file that holds it."""
+
+    path: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class DialectFile:
+    """One XML file: ``version`` and ``number`` are its ``<version>`` and ``<dialect>``."""
+
+    path: str
+    version: int | None
+    number: int | None
+    includes: tuple[Include, ...]
+    enums: tuple[EnumDefinition, ...]
+    messages: tuple[MessageDefinition, ...]
+
+
+class Kind(Enum):
+    """What the bytes of a wire type mean."""
+
+    UNSIGNED = "unsigned"
+    SIGNED = "signed"
+    FLOAT = "float"
+    CHAR = "char"
+
+
+@dataclass(frozen=True, slots=True)
+class WireType:
+    """An element type of the wire: size in bytes, ``struct`` code (little-endian), name hashed into CRC_EXTRA.
+
+    ``minimum`` and ``maximum`` bound what an integer type can hold; both are 0 for float types.
+    """
+
+    name: str
+    size: int
+    code: str
+    kind: Kind
+    minimum: int
+    maximum: int
+
+    @property
+    def is_integer(self) -> bool:
+        """Whether values are whole numbers with the given bounds."""
+        return self.kind in (Kind.UNSIGNED, Kind.SIGNED)
+
+
+class SentinelForm(Enum):
+    """How ``invalid`` was written (facts of the wire format, section 1)."""
+
+    VALUE = "V"
+    EACH = "[V]"
+    FIRST = "[V:]"
+    POSITIONS = "[V1,,V3]"
+
+
+@dataclass(frozen=True, slots=True)
+class Sentinel:
+    """The value(s) that mean "unknown" in one field.
+
+    ``values`` has one item per element (a scalar has one): the number on the wire, NaN for floats, or None where
+    that element has no sentinel. With ``FIRST`` only item 0 is set; it speaks for the whole array.
+    ``written`` is the attribute as it stands in the XML or in a correction.
+    """
+
+    form: SentinelForm
+    values: tuple[int | float | None, ...]
+    written: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class WireField:
+    """A field with its place in the payload.
+
+    ``offset`` is in bytes from the start of the payload, ``count`` the number of elements (1 for a scalar) and
+    ``definition`` the field as the dialect (after corrections) states it.
+    """
+
+    definition: FieldDefinition
+    type: WireType
+    offset: int
+    count: int
+    sentinel: Sentinel | None
+
+    @property
+    def name(self) -> str:
+        """The name in the dialect."""
+        return self.definition.name
+
+    @property
+    def is_array(self) -> bool:
+        """Whether the dialect declares an array (of one element, too)."""
+        return self.definition.length is not None
+
+    @property
+    def size(self) -> int:
+        """Bytes in the payload."""
+        return self.type.size * self.count
+
+
+@dataclass(frozen=True, slots=True)
+class WireMessage:
+    """A message as it goes over the wire.
+
+    ``fields`` are in wire order (base fields by element size, then extensions as written); ``crc_extra`` is the
+    byte that closes the checksum; ``base_length`` and ``length`` are payload bytes without and with extensions.
+    """
+
+    definition: MessageDefinition
+    fields: tuple[WireField, ...]
+    crc_extra: int
+    base_length: int
+    length: int
+
+    @property
+    def name(self) -> str:
+        """The name in the dialect."""
+        return self.definition.name
+
+    @property
+    def id(self) -> int:
+        """The message id, 0 to 16777215; up to 255 the message can be sent in MAVLink 1."""
+        return self.definition.id
+
+    def field(self, name: str) -> WireField | None:
+        """The field called ``name``, or None."""
+        return next((field for field in self.fields if field.name == name), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """A dialect with all its includes, overlays and corrections applied.
+
+    ``messages`` by name in order of id, ``enums`` by name, ``files`` every XML file that was read (absolute paths,
+    each once), ``version`` the value of ``uint8_t_mavlink_version`` fields.
+    """
+
+    name: str
+    version: int
+    messages: dict[str, WireMessage]
+    enums: dict[str, EnumDefinition]
+    files: tuple[str, ...]

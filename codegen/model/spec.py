@@ -1,0 +1,251 @@
+"""The specification as its YAML and Markdown files state it, every record with its places.
+
+These dataclasses are the only description of the file formats: the decoder and the JSON Schemas both read them.
+Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any, NewType
+
+from codegen.source import Written
+
+Amount = NewType("Amount", str)
+"""A number with a unit, written as one string: ``3.3 V``, ``10 Hz``, ``2 ms``."""
+
+
+def described(doc: str, key: str | None = None, **rest: Any) -> Any:
+    """A dataclass field with the text that editors show for it, and its YAML key if that differs."""
+    return field(metadata={"doc": doc, "key": key}, **rest)
+
+
+class Rounding(StrEnum):
+    """How a value between two wire steps is rounded; a half goes away from zero with ``nearest``."""
+
+    NEAREST = "nearest"
+    DOWN = "down"
+    UP = "up"
+    TOWARD_ZERO = "toward_zero"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Project(Written):
+    """``codegen.yaml``: what is built from what. Paths are relative to this file."""
+
+    project: str = described("Name of the vehicle's firmware, printed in the generated headers.")
+    dialect: str = described("A dialect that pymavlink ships (common, ardupilotmega, ...) or the path of an XML file.")
+    overlays: tuple[str, ...] = described("XML files whose messages and enums are added to the dialect.", default=())
+    corrections: tuple[str, ...] = described("YAML files that correct attributes of the dialect.", default=())
+    output: str = described("Folder that the generated files go to.", default="../generated")
+    system_id: int = described("MAVLink system id of the vehicle, 1 to 255.", default=1)
+    component_id: str = described("Entry of MAV_COMPONENT that is sent as.", default="MAV_COMP_ID_AUTOPILOT1")
+    protocol: int = described("MAVLink version that is sent, 1 or 2.", default=2)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class QuantitySpec(Written):
+    """One quantity of the vehicle state, kept by the firmware as an integer of ``stored`` units."""
+
+    doc: str = described("What the quantity is, for people.")
+    unit: str | None = described("Unit that people and documents use (V, A, %); absent for pure numbers.", default=None)
+    stored: str | None = described("Unit of one integer step in the firmware (mV, cA). Default: unit.", default=None)
+    enum: str | None = described("Enum of the dialect whose values the quantity takes.", default=None)
+    boolean: bool = described("True for a yes/no quantity; it can only decide flags.", default=False)
+    min: Fraction | None = described("Smallest value, in unit.", default=None)
+    max: Fraction | None = described("Largest value, in unit.", default=None)
+    initial: str | bool | Fraction | None = described(
+        "Value until it is set and whenever it is set to unknown: a number, an enum entry or a boolean. "
+        "Without it the quantity starts unknown.",
+        default=None,
+    )
+    adc: str | None = described("ADC channel of the board that measures it.", default=None)
+    multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
+    warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
+    invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
+    stale_after: Amount | None = described("Age after which the last reading is unknown, such as 1 s.", default=None)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ComponentSpec(Written):
+    """A part of the vehicle state with its quantities; ``instances`` of it exist."""
+
+    doc: str = described("What the component is, for people.")
+    instances: int = described("How many of them the vehicle has.", default=1)
+    update_rate: Amount | None = described("How often its readings are taken, such as 10 Hz.", default=None)
+    quantities: Mapping[str, QuantitySpec] = described("The quantities by name.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StateSpec(Written):
+    """``state.yaml``: the vehicle state."""
+
+    components: Mapping[str, ComponentSpec] = described("The components by name.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AdcSpec(Written):
+    """One ADC channel."""
+
+    gpio: int = described("GPIO number of the pin, 26 to 29 on RP2040 and RP2350.")
+    bits: int = described("Resolution of one count.")
+    reference: Amount = described("Voltage of full scale, such as 3.3 V.")
+    samples: int = described("Readings whose mean is one reading of the battery.", default=1)
+    read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoardSpec(Written):
+    """``board.yaml``: the board and what is connected to it."""
+
+    board: str = described("Name of the board.")
+    mcu: str = described("Name of the microcontroller.")
+    adc: Mapping[str, AdcSpec] = described("ADC channels by name.", default_factory=dict)
+    facts: Mapping[str, Mapping[str, str | Fraction]] = described(
+        "Facts about the connected hardware by component: enum entries, numbers or amounts.", default_factory=dict
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterSpec(Written):
+    """One parameter that a ground station can read and set."""
+
+    doc: str = described("What it does, for people.")
+    default: Fraction = described("Value on a new board, in unit.")
+    min: Fraction = described("Smallest value that is accepted, in unit.")
+    max: Fraction = described("Largest value that is accepted, in unit.")
+    step: Fraction = described("Resolution: the firmware keeps the value as a whole number of steps.")
+    unit: str | None = described("Unit, absent for pure numbers.", default=None)
+    reboot: bool = described("Whether a new value is used only after a restart.", default=False)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParametersSpec(Written):
+    """``parameters.yaml``: the parameters by name (at most 16 characters)."""
+
+    parameters: Mapping[str, ParameterSpec] = described("The parameters by name.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StreamSpec(Written):
+    """A group of messages that are sent at one rate: a fixed one, or one that a parameter sets."""
+
+    doc: str = described("What the stream is for, for people.")
+    rate: Amount | None = described("Fixed rate, such as 1 Hz.", default=None)
+    parameter: str | None = described("Parameter that sets the rate in Hz; 0 switches the stream off.", default=None)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StreamsSpec(Written):
+    """``streams.yaml``: the streams by name."""
+
+    streams: Mapping[str, StreamSpec] = described("The streams by name.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FieldAnswer(Written):
+    """Where one field, or some elements of it, take their value from: exactly one of the first eight keys.
+
+    The short form ``field: unknown`` stands for ``field: {unknown: true}``.
+    """
+
+    state: str | None = described("A quantity of the vehicle state: component.quantity.", default=None)
+    parameter: str | None = described("A parameter.", default=None)
+    board: str | None = described("A fact of the board: component.fact.", default=None)
+    enum: str | None = described("An entry of the field's enum.", default=None)
+    flags: tuple[str, ...] | None = described(
+        "Entries of the field's bitmask; 'ENTRY if component.quantity' sets one only while the quantity is true.",
+        default=None,
+    )
+    constant: str | Fraction | None = described(
+        "A number, an amount with its unit, or text for a char field.", default=None
+    )
+    dialect: str | None = described("A fact of the dialect: version.", default=None)
+    unknown: bool | None = described("The dialect's sentinel.", default=None)
+    split: bool = described("Spill a value that one element cannot hold over the following ones.", default=False)
+    min: str | Fraction | None = described("Smallest value sent, in the source's unit or as an amount.", default=None)
+    max: str | Fraction | None = described("Largest value sent, in the source's unit or as an amount.", default=None)
+    rounding: Rounding = described("How a value between two wire steps is rounded.", default=Rounding.NEAREST)
+    requirement: str | None = described("Criterion that asks for this field, such as FR-00068.3.", default=None)
+    note: str | None = described("Why the field is answered so, for reviewers.", default=None)
+
+    SOURCES = ("state", "parameter", "board", "enum", "flags", "constant", "dialect", "unknown")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PopulationSpec(Written):
+    """``messages/*.yaml``: how one message is populated. Keys of ``fields``: name, name[2] or name[1..9]."""
+
+    message: str = described("Name of the message in the dialect.")
+    requirement: str = described("Requirement, or criterion of one, that asks for the message.")
+    for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
+    stream: str = described("Stream that the message belongs to.")
+    fields: Mapping[str, FieldAnswer] = described("An answer for every field and element.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Correction(Written):
+    """One correction of a message's field, or of an enum's entry. Exactly one of message/field or enum/entry."""
+
+    message: str | None = described("Message that holds the field.", default=None)
+    field: str | None = described("Field to correct.", default=None)
+    enum: str | None = described("Enum that holds the entry.", default=None)
+    entry: str | None = described("Entry to correct.", default=None)
+    set: Mapping[str, str] = described(
+        "Attributes and their new text: invalid, units, enum, display, instance, multiplier, minValue, maxValue "
+        "of a field; value of an entry."
+    )
+    reason: str = described("Why the dialect is wrong or silent.")
+    source: str = described("Where the right value is stated.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CorrectionsSpec(Written):
+    """``dialects/*.yaml``: corrections that are applied to the dialect after its includes and overlays."""
+
+    corrections: tuple[Correction, ...] = described("The corrections, applied in this order.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Criterion(Written):
+    """One numbered acceptance criterion; ``number`` is the number in the list, ``text`` its plain text."""
+
+    number: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Requirement(Written):
+    """A requirement or decision document: ``# ID | Title``, a metadata list, numbered acceptance criteria."""
+
+    id: str
+    title: str
+    aliases: tuple[str, ...]
+    status: str
+    links: tuple[str, ...]
+    criteria: tuple[Criterion, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spec:
+    """Everything below the folder of ``codegen.yaml``.
+
+    ``folder`` is its absolute path; ``files`` maps the absolute path of every file that was read to the sha256 of
+    its content, in the order of the paths.
+    """
+
+    folder: str
+    project: Project
+    state: StateSpec
+    board: BoardSpec
+    parameters: ParametersSpec
+    streams: StreamsSpec
+    populations: tuple[PopulationSpec, ...]
+    corrections: tuple[Correction, ...]
+    requirements: tuple[Requirement, ...]
+    files: Mapping[str, str]

@@ -1,0 +1,44 @@
+"""Where a thing is written: the place that every diagnostic points at."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Place:
+    """A position in a source file; line and column count from 1.
+
+    ``file`` is an absolute path, so that a place stays valid whatever the working directory is;
+    it is shortened only when it is shown.
+    """
+
+    file: str
+    line: int = 1
+    column: int = 1
+
+    def shown(self, base: str | None = None) -> str:
+        """``file:line:col``, relative to ``base`` (default: the working directory) where the file lies below it."""
+        return f"{shown_path(self.file, base)}:{self.line}:{self.column}"
+
+
+def shown_path(path: str, base: str | None = None) -> str:
+    """``path`` relative to ``base`` (default: the working directory) if it lies below it, else unchanged."""
+    relative = os.path.relpath(path, base or os.getcwd())
+    return path if relative.startswith(os.pardir) else relative
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """Base of everything that was read from a YAML file: it knows where it, and each of its keys, stands.
+
+    ``place`` is the place of the record itself (for an entry of a mapping: of its key);
+    ``places`` has, for each key that was written, the place of its value.
+    """
+
+    place: Place = field(compare=False, repr=False)
+    places: Mapping[str, Place] = field(compare=False, repr=False, default_factory=dict)
+
+    def at(self, key: str) -> Place:
+        """The place of the value written for ``key``, or of the whole record where the key is not written."""
+        return self.places.get(key, self.place)
