@@ -1,0 +1,110 @@
+"""The command line: reads the arguments, runs one command and says how it went.
+
+Nothing heavy is imported before a command runs, so that ``--help`` and ``--version`` answer at once.
+"""
+
+import argparse
+import os
+import sys
+from types import ModuleType
+from typing import TextIO
+
+from codegen import __version__
+from codegen.cli import build, check, explain
+
+COMMANDS: tuple[ModuleType, ...] = (build, check, explain)
+"""The modules of the commands, in the order of ``--help``; each has ``add_command``."""
+
+EXIT_USAGE = 2
+EXIT_INTERNAL = 3
+EXIT_INTERRUPTED = 130
+EXIT_BROKEN_PIPE = 141
+
+
+def main(argv: list[str]) -> int:
+    """Run one command line (without the program's name) and return its exit code.
+
+    0 clean; 1 findings, stale output or a difference; 2 usage, configuration or unreadable input; 3 an error of
+    codegen itself; 130 and 141 as the shell reports an interrupt and a reader that went away.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        _accept_every_character(stream)
+    try:
+        arguments = _parser().parse_args(argv)
+    except SystemExit as leaving:
+        return _finished(leaving.code if isinstance(leaving.code, int) else EXIT_USAGE)
+    try:
+        return _finished(int(arguments.run(arguments)))
+    except BrokenPipeError:
+        _abandon_stdout()
+        return EXIT_BROKEN_PIPE
+    except KeyboardInterrupt:
+        return EXIT_INTERRUPTED
+    except Exception as fault:
+        return _report_internal(fault, arguments)
+
+
+def _parser() -> argparse.ArgumentParser:
+    common = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS)
+    common.add_argument(
+        "--project",
+        metavar="FILE",
+        help="the codegen.yaml to work on (default: the nearest specs/codegen.yaml or codegen.yaml, "
+        "from the working directory upwards)",
+    )
+    common.add_argument("--debug", action="store_true", help="show the traceback of an internal error")
+    parser = argparse.ArgumentParser(
+        prog="codegen",
+        description="Generate MicroPython telemetry firmware, mocks and tests from requirement documents, "
+        "field tables and MAVLink dialects.",
+        epilog="Exit codes: 0 clean; 1 findings or stale output; 2 usage, configuration or unreadable input; "
+        "3 internal error.",
+        parents=[common],
+    )
+    parser.add_argument("--version", action="version", version=f"codegen {__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for command in COMMANDS:
+        command.add_command(commands, common)
+    return parser
+
+
+def _finished(code: int) -> int:
+    """``code``, once everything printed has left; a reader that went away or a full disk shows only then."""
+    try:
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        _abandon_stdout()
+        return code or EXIT_BROKEN_PIPE
+    except OSError as error:
+        _abandon_stdout()
+        print(f"codegen: the output cannot be written: {error.strerror}", file=sys.stderr)
+        return EXIT_USAGE
+    return code
+
+
+def _report_internal(fault: Exception, arguments: argparse.Namespace) -> int:
+    if getattr(arguments, "debug", False) or os.environ.get("CODEGEN_DEBUG", "") not in ("", "0"):
+        import traceback
+
+        traceback.print_exception(fault)
+    text = " ".join(f"{type(fault).__name__}: {fault}".split())
+    print(
+        f"codegen: internal error ({text}); please report it with the files that lead to it, --debug shows where",
+        file=sys.stderr,
+    )
+    return EXIT_INTERNAL
+
+
+def _accept_every_character(stream: TextIO | None) -> None:
+    """File names and quoted input may hold what the terminal's encoding lacks: such characters are escaped."""
+    reconfigure = getattr(stream, "reconfigure", None)
+    if reconfigure is not None:
+        reconfigure(errors="backslashreplace")
+
+
+def _abandon_stdout() -> None:
+    """Let what is still buffered go nowhere, or the interpreter would complain about it when it ends."""
+    descriptor = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(descriptor, sys.stdout.fileno())
+    os.close(descriptor)

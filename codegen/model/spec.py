@@ -2,18 +2,24 @@
 
 These dataclasses are the only description of the file formats: the decoder and the JSON Schemas both read them.
 Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
+A class may further declare ``ONE_OF``, keys of which exactly one is written, and ``SHORT_FORMS``, words that stand
+for a whole record.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
-from typing import Any, NewType
+from typing import Any, ClassVar, Literal, NewType
 
 from codegen.source import Written
 
 Amount = NewType("Amount", str)
 """A number with a unit, written as one string: ``3.3 V``, ``10 Hz``, ``2 ms``."""
+
+
+Verbatim = NewType("Verbatim", str)
+"""The text of a scalar as it is written, whether YAML takes it for text, a number or a boolean."""
 
 
 def described(doc: str, key: str | None = None, **rest: Any) -> Any:
@@ -59,6 +65,9 @@ class QuantitySpec(Written):
         "Value until it is set and whenever it is set to unknown: a number, an enum entry or a boolean. "
         "Without it the quantity starts unknown.",
         default=None,
+    )
+    while_known: str | None = described(
+        "For a boolean: true while this quantity of the same component is known.", default=None
     )
     adc: str | None = described("ADC channel of the board that measures it.", default=None)
     multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
@@ -166,7 +175,7 @@ class FieldAnswer(Written):
         "A number, an amount with its unit, or text for a char field.", default=None
     )
     dialect: str | None = described("A fact of the dialect: version.", default=None)
-    unknown: bool | None = described("The dialect's sentinel.", default=None)
+    unknown: Literal[True] | None = described("The dialect's sentinel.", default=None)
     split: bool = described("Spill a value that one element cannot hold over the following ones.", default=False)
     min: str | Fraction | None = described("Smallest value sent, in the source's unit or as an amount.", default=None)
     max: str | Fraction | None = described("Largest value sent, in the source's unit or as an amount.", default=None)
@@ -175,6 +184,8 @@ class FieldAnswer(Written):
     note: str | None = described("Why the field is answered so, for reviewers.", default=None)
 
     SOURCES = ("state", "parameter", "board", "enum", "flags", "constant", "dialect", "unknown")
+    ONE_OF: ClassVar[tuple[str, ...]] = SOURCES
+    SHORT_FORMS: ClassVar[Mapping[str, Mapping[str, Any]]] = {"unknown": {"unknown": True}}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -196,7 +207,7 @@ class Correction(Written):
     field: str | None = described("Field to correct.", default=None)
     enum: str | None = described("Enum that holds the entry.", default=None)
     entry: str | None = described("Entry to correct.", default=None)
-    set: Mapping[str, str] = described(
+    set: Mapping[str, Verbatim] = described(
         "Attributes and their new text: invalid, units, enum, display, instance, multiplier, minValue, maxValue "
         "of a field; value of an entry."
     )

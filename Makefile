@@ -1,0 +1,48 @@
+# What a checkout needs: Python 3.11 or newer and its pip. PYTHON=/path/to/python3.12 picks another one.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+INSTALLED := $(VENV)/.installed
+
+.PHONY: build test lint clean
+
+build: $(INSTALLED)
+	@$(BIN)/codegen build
+
+test: $(INSTALLED)
+	@failed=""; \
+	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
+	step "ruff check" $(BIN)/ruff check; \
+	step "ruff format" $(BIN)/ruff format --check; \
+	step "mypy" $(BIN)/mypy; \
+	step "pytest" $(BIN)/python -m pytest -n auto; \
+	step "codegen build --check" $(BIN)/codegen build --check; \
+	step "codegen check" $(BIN)/codegen check; \
+	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \
+	echo "Everything is in order."
+
+lint: $(INSTALLED)
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+	$(BIN)/mypy
+
+# The generated folder is committed and belongs to `codegen build --clean`: it stays.
+clean:
+	rm -rf $(VENV) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find codegen templates tests generated benchmarks -name __pycache__ -prune -exec rm -rf {} + 2>/dev/null || true
+
+# Debian keeps the part of venv that installs pip in a package of its own (python3-venv). Without it the environment
+# is made bare, and the pip of $(PYTHON) fills it.
+$(INSTALLED): pyproject.toml
+	@command -v "$(PYTHON)" >/dev/null || { echo "$(PYTHON) is missing: install Python 3.11 or newer, or set PYTHON" >&2; exit 1; }
+	@"$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+		{ echo "codegen needs Python 3.11 or newer; set PYTHON to one (this is $$("$(PYTHON)" --version))" >&2; exit 1; }
+	@$(BIN)/python -m pip --version >/dev/null 2>&1 || \
+		"$(PYTHON)" -m venv --clear $(VENV) >/dev/null 2>&1 || \
+		{ "$(PYTHON)" -m venv --clear --without-pip $(VENV) && \
+		  "$(PYTHON)" -m pip --python $(BIN)/python install --quiet pip; } || \
+		"$(PYTHON)" -m virtualenv --clear $(VENV) || \
+		{ echo "no virtual environment can be made: install python3-venv (Debian), or pip 22.3 or newer" >&2; exit 1; }
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	@touch $@

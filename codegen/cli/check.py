@@ -1,0 +1,36 @@
+"""``codegen check``: what is wrong with the specification."""
+
+import argparse
+from typing import Any
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "check",
+        parents=[common],
+        help="check the specification against the dialect and the documents",
+        description="Check the specification against the dialect and the requirement documents.",
+    )
+    parser.add_argument("--format", choices=("text", "json"), default="text", help="how findings are printed")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print what was found, and return the exit code."""
+    from codegen.cli.findings import findings_json, print_findings
+    from codegen.cli.project import project_file, report_no_project
+    from codegen.diagnostics import Report
+
+    project = project_file(arguments)
+    if project is None:
+        return report_no_project()
+    from codegen import pipeline
+
+    report = Report()
+    pipeline.read_system(project, report)
+    if arguments.format == "json":
+        print(findings_json(report))
+    else:
+        print_findings(report)
+    return report.exit_code

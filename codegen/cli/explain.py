@@ -1,0 +1,44 @@
+"""``codegen explain``: the whole story of one message, field, parameter or rule."""
+
+import argparse
+import sys
+from typing import Any
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "explain",
+        parents=[common],
+        help="tell the whole story of a message, a field, a parameter or a rule",
+        description="Tell the whole story of one thing: where it is specified, what becomes of it and why.",
+    )
+    parser.add_argument("topic", metavar="TOPIC", help="MESSAGE, MESSAGE.field, PARAMETER or RULE_ID")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print the story to stdout, or why there is none, and return the exit code."""
+    from codegen import pipeline
+    from codegen.cli.findings import print_findings
+    from codegen.cli.project import project_file, report_no_project
+    from codegen.diagnostics import Report
+    from codegen.explain import explain
+
+    # Whoever asks what a rule means often has a specification that breaks it, so a broken one still gets an answer.
+    project = project_file(arguments)
+    reading, report = Report(), Report()
+    system = None if project is None else pipeline.read_system(project, reading)
+    story = explain(arguments.topic, system, report)
+    if story is not None:
+        print(story.rstrip("\n"))
+        return 0
+    if project is None:
+        return report_no_project()
+    if system is None:
+        report.extend(reading)
+    print_findings(report)
+    if report.has_errors:
+        return report.exit_code
+    print(f"codegen: there is nothing to tell about {arguments.topic!r}", file=sys.stderr)
+    return 2

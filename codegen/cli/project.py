@@ -1,0 +1,32 @@
+"""Which project a command works on."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+CANDIDATES = ("specs/codegen.yaml", "codegen.yaml")
+
+
+def project_file(arguments: argparse.Namespace) -> str | None:
+    """The absolute path of ``--project`` or of the nearest project file; None without either."""
+    given: str | None = getattr(arguments, "project", None)
+    return nearest_project(Path.cwd()) if given is None else os.path.abspath(given)
+
+
+def report_no_project() -> int:
+    """Say on stderr that a project is needed, and return the exit code of that."""
+    print(
+        f"codegen: there is no {' or '.join(CANDIDATES)} in {Path.cwd()} or above it; name one with --project FILE",
+        file=sys.stderr,
+    )
+    return 2
+
+
+def nearest_project(folder: Path) -> str | None:
+    """The project file that lies nearest, in ``folder`` or one above it."""
+    for above in (folder, *folder.parents):
+        for candidate in CANDIDATES:
+            if (above / candidate).is_file():
+                return str(above / candidate)
+    return None

@@ -1,0 +1,53 @@
+"""A dialect file and everything it includes."""
+
+import os
+
+from codegen.decode.dialect import decode_dialect_file
+from codegen.diagnostics import Report
+from codegen.load.xml_tree import read_xml
+from codegen.model.dialect import DialectFile
+from codegen.source import Place
+
+
+def decode_dialect_files(
+    path: str, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
+) -> tuple[DialectFile, ...]:
+    """The file and all files it includes, over all levels, each once; included files before those that include them.
+
+    Paths of includes are relative to the including file. Files that include each other are read once each, which is
+    no error. A missing or unreadable file is reported at its ``<include>``; for ``path`` itself at ``asked_at``, the
+    place that names it, if there is one. ``known`` are files that were read before and are not read again: those of
+    the dialect, when ``path`` is an overlay.
+    """
+    finished: list[DialectFile] = []
+    seen = {_identity(file.path) for file in known}
+    # A stack of its own instead of recursion: a chain of includes may be as long as it likes.
+    open_files: list[tuple[DialectFile, int]] = []
+
+    def open_file(path: str, asked_at: Place | None) -> None:
+        identity = _identity(path)
+        if identity in seen:
+            return
+        seen.add(identity)
+        root = read_xml(path, report, asked_at)
+        if root is not None:
+            open_files.append((decode_dialect_file(root, path, report), 0))
+
+    open_file(os.path.abspath(path), asked_at)
+    while open_files:
+        file, position = open_files.pop()
+        if position == len(file.includes):
+            finished.append(file)
+            continue
+        open_files.append((file, position + 1))
+        include = file.includes[position]
+        open_file(os.path.abspath(os.path.join(os.path.dirname(file.path), include.path)), include.place)
+    return tuple(finished)
+
+
+def _identity(path: str) -> str:
+    """What makes two paths the same file, whatever links lead there."""
+    try:
+        return os.path.realpath(path)
+    except (OSError, ValueError):
+        return path

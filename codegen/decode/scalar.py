@@ -1,0 +1,185 @@
+"""One scalar against one shape: the decoded value, or what is wrong with it."""
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import assert_never
+
+from codegen.decode.shape import (
+    AnyScalar,
+    Choice,
+    ListOf,
+    MappingOf,
+    Number,
+    OneOf,
+    RecordOf,
+    ScalarShape,
+    Shape,
+    Text,
+    Whole,
+    YesNo,
+)
+from codegen.diagnostics import Rule, did_you_mean
+from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
+
+WRONG_TYPE = Rule(
+    "wrong-type",
+    "A key has a value of another kind than it wants, such as text in place of a number. Numbers are written without "
+    "quotes; text that looks like a number or a boolean needs them.",
+)
+MISSING_VALUE = Rule(
+    "missing-value",
+    "A key is written without a value. Give it one, or remove the key if it may be left out.",
+)
+UNKNOWN_CHOICE = Rule("unknown-choice", "The value is not among the words that the key takes.")
+UNUSABLE_NUMBER = Rule(
+    "unusable-number",
+    "Numbers are kept exactly, so they are finite and have at most 400 digits. A value that is not known is left out, "
+    "or answered with unknown.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Mismatch:
+    """Why a scalar does not fit; ``message`` follows the name of the key."""
+
+    rule: Rule
+    message: str
+    hint: str | None = None
+
+
+Value = str | bool | int | Fraction
+_YES_NO_WORDS = frozenset(("yes", "no", "on", "off", "y", "n"))
+
+
+def read_scalar(node: ScalarNode, shape: ScalarShape) -> Value | Mismatch:
+    """The value that ``shape`` gives ``node``: text, boolean, int, Fraction or a member of the choice."""
+    if node.value is None:
+        return Mismatch(MISSING_VALUE, "has no value", f"it wants {wanted(shape)}; without one, remove the key")
+    match shape:
+        case Text():
+            return _text(node, shape)
+        case AnyScalar():
+            return node.text
+        case YesNo():
+            return _boolean(node, shape)
+        case Number():
+            return _number(node, shape)
+        case Whole():
+            return _whole(node, shape)
+        case Choice():
+            return _choice(node, shape)
+        case OneOf():
+            return _any_of(node, shape)
+    assert_never(shape)
+
+
+def mismatch(node: YamlNode, shape: Shape, hint: str | None = None) -> Mismatch:
+    """That ``shape`` wants another kind of value."""
+    return Mismatch(WRONG_TYPE, f"wants {wanted(shape)}, not {found(node)}", hint)
+
+
+def wanted(shape: Shape) -> str:
+    """What may be written, as in "it wants ..."."""
+    match shape:
+        case Text():
+            return "text" if shape.pattern is None else "a number with its unit"
+        case AnyScalar():
+            return "text or a number"
+        case YesNo():
+            return "true or false" if shape.only is None else str(shape.only).lower()
+        case Number():
+            return "a number"
+        case Whole():
+            return "a whole number"
+        case Choice():
+            return " or ".join(shape.words)
+        case OneOf():
+            return " or ".join(wanted(member) for member in shape.members)
+        case ListOf():
+            return "a list"
+        case MappingOf() | RecordOf():
+            return "a mapping"
+    assert_never(shape)
+
+
+def found(node: YamlNode) -> str:
+    """What is written, as in "found ..."."""
+    match node:
+        case MappingNode():
+            return "a mapping"
+        case SequenceNode():
+            return "a list"
+        case ScalarNode(value=None):
+            return "nothing"
+        case ScalarNode(value=bool()):
+            return node.text
+        case ScalarNode(value=str()):
+            return f"the text {_shortened(node.text)!r}"
+        case _:
+            return f"the number {_shortened(node.text)}"
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= 40 else f"{text[:37]}..."
+
+
+def _text(node: ScalarNode, shape: Text) -> Value | Mismatch:
+    if shape.pattern is not None:
+        if isinstance(node.value, Fraction):
+            return mismatch(node, shape, "add the unit")
+        if not isinstance(node.value, str) or not re.fullmatch(shape.pattern, node.value):
+            return mismatch(node, shape, "write it as in 3.3 V, 10 Hz or 2 ms")
+    if not isinstance(node.value, str):
+        return mismatch(node, shape, f'for this text, put it in quotes: "{_shortened(node.text)}"')
+    return node.value
+
+
+def _boolean(node: ScalarNode, shape: YesNo) -> Value | Mismatch:
+    if not isinstance(node.value, bool):
+        hint = "write true or false" if node.text.lower() in _YES_NO_WORDS else None
+        return mismatch(node, shape, hint)
+    if shape.only is not None and node.value is not shape.only:
+        return mismatch(node, shape, "remove the key, or say where the value comes from")
+    return node.value
+
+
+def _number(node: ScalarNode, shape: Number | Whole) -> Fraction | Mismatch:
+    if isinstance(node.value, Fraction):
+        return node.value
+    if isinstance(node.value, float):
+        return Mismatch(UNUSABLE_NUMBER, f"wants a number, and {_shortened(node.text)} cannot be used as one")
+    hint = None
+    if isinstance(node.value, str) and re.match(r"[-+]?\.?[0-9]", node.value):
+        hint = "write the number alone, without quotes and unit"
+    return mismatch(node, shape, hint)
+
+
+def _whole(node: ScalarNode, shape: Whole) -> Value | Mismatch:
+    number = _number(node, shape)
+    if isinstance(number, Mismatch):
+        return number
+    if number.denominator != 1:
+        return mismatch(node, shape)
+    return int(number)
+
+
+def _choice(node: ScalarNode, shape: Choice) -> Value | Mismatch:
+    if not isinstance(node.value, str):
+        return mismatch(node, shape)
+    if node.value not in list(shape.words):
+        hint = did_you_mean(node.value, shape.words)
+        return Mismatch(UNKNOWN_CHOICE, f"is {_shortened(node.value)!r}, not {wanted(shape)}", hint)
+    return shape.words(node.value)
+
+
+def _any_of(node: ScalarNode, shape: OneOf) -> Value | Mismatch:
+    """The first member that fits; a member that says more than "another kind" speaks for all."""
+    said = None
+    for member in shape.members:
+        value = read_scalar(node, member)
+        if not isinstance(value, Mismatch):
+            return value
+        if value.rule is not WRONG_TYPE:
+            said = value
+    return said or mismatch(node, shape)

@@ -1,0 +1,37 @@
+"""What else is in an output folder, and whether a path stays in it."""
+
+import os
+from collections.abc import Collection
+
+UNFINISHED = (".codegen-", ".tmp")
+"""How the name of a file begins and ends while it is being written."""
+
+_IGNORED = frozenset({"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
+
+
+def leads_outside(folder: str, path: str) -> bool:
+    """Whether a link in ``path`` (relative to ``folder``) leads out of the folder; the folder itself may be a link."""
+    root = os.path.realpath(folder)
+    return os.path.commonpath([root, os.path.realpath(os.path.join(root, path))]) != root
+
+
+def other_files(folder: str, known: Collection[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The files below ``folder`` that are not ``known``, and those that an interrupted build left unfinished.
+
+    Both as sorted relative posix paths. What running the generated code leaves behind is not looked at, and neither
+    are empty folders. A link to a folder is not followed: it is a file of its own, unless known files lie behind it.
+    """
+    folders = {path[:end] for path in known for end, character in enumerate(path) if character == "/"}
+    strays: list[str] = []
+    leftovers: list[str] = []
+    for where, inner, names in os.walk(folder):
+        inner[:] = [name for name in inner if name not in _IGNORED]
+        below = os.path.relpath(where, folder).replace(os.sep, "/")
+        links = [name for name in inner if os.path.islink(os.path.join(where, name))]
+        for name in (*names, *links):
+            path = name if below == "." else f"{below}/{name}"
+            if path in known or path in folders or name.endswith(".pyc") or name in _IGNORED:
+                continue
+            is_unfinished = name.startswith(UNFINISHED[0]) and name.endswith(UNFINISHED[1])
+            (leftovers if is_unfinished else strays).append(path)
+    return tuple(sorted(strays)), tuple(sorted(leftovers))

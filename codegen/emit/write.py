@@ -1,0 +1,106 @@
+"""Carry out a plan: each file is replaced whole, and an interruption at any point leaves a folder to go on with."""
+
+import errno
+import os
+import secrets
+import stat
+from contextlib import suppress
+from dataclasses import dataclass
+
+from codegen.diagnostics import Report, Rule
+from codegen.emit.folder import UNFINISHED, leads_outside
+from codegen.emit.plan import Change, Plan
+from codegen.manifest import MANIFEST, Manifest, sha256
+
+OUTPUT_UNWRITABLE = Rule(
+    "output-unwritable",
+    "The system refused to write or to remove a file of the output folder: no permission, a full disk. Every file "
+    "is still whole, either as it was or as it is generated now; build again once the cause is gone.",
+    unreadable=True,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How many files (the manifest aside) a build wrote, left as they were, and removed."""
+
+    written: int = 0
+    unchanged: int = 0
+    removed: int = 0
+
+
+def write_output(plan: Plan, report: Report) -> Outcome:
+    """Write and remove what ``plan`` says, the manifest last; a fault of the disk is reported and ends it.
+
+    Before the first file the manifest notes what is about to be written: should the build be killed and the
+    specification change before the next one, the files written so far are not mistaken for hand edits.
+    """
+    written = removed = 0
+    unchanged = len(plan.those(Change.UNCHANGED))
+    path = MANIFEST
+    try:
+        writes = [file for file in plan.writes if file.path != MANIFEST]
+        if writes:
+            os.makedirs(plan.folder, exist_ok=True)
+            _replace(plan.folder, MANIFEST, _manifest_meanwhile(plan).text().encode("utf-8"))
+        for file in writes:
+            path = file.path
+            _replace(plan.folder, path, file.new or b"")
+            written += 1
+        for path in (*(file.path for file in plan.removals), *(plan.leftovers if plan.clean else ())):
+            _remove(plan.folder, path)
+            removed += 1
+        path = MANIFEST
+        for file in plan.writes:
+            if file.path == MANIFEST:
+                os.makedirs(plan.folder, exist_ok=True)
+                _replace(plan.folder, MANIFEST, file.new or b"")
+    except OSError as error:
+        report.add(OUTPUT_UNWRITABLE, plan.place(path), f"it cannot be written: {error.strerror}")
+    return Outcome(written, unchanged, removed)
+
+
+def _manifest_meanwhile(plan: Plan) -> Manifest:
+    """The manifest while files are being written: what is known to be there, and what is about to be."""
+    present = {file.path: sha256(file.old or b"") for file in plan.those(Change.UNCHANGED, Change.CHANGED)}
+    pending = {file.path: sha256(file.new or b"") for file in plan.writes if file.path != MANIFEST}
+    present.pop(MANIFEST, None)
+    return Manifest({**plan.manifest.files, **present}, plan.manifest.orphans, pending)
+
+
+def _replace(folder: str, path: str, content: bytes) -> None:
+    """Put ``content`` at ``path`` in one step; the permissions of a file that was there are kept."""
+    _verify(folder, path)
+    target = os.path.join(folder, path)
+    where = os.path.dirname(target)
+    os.makedirs(where, exist_ok=True)
+    unfinished = os.path.join(where, secrets.token_hex(8).join(UNFINISHED))
+    try:
+        descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+        with open(descriptor, "wb") as stream:
+            stream.write(content)
+        with suppress(FileNotFoundError):
+            os.chmod(unfinished, stat.S_IMODE(os.stat(target).st_mode))
+        os.replace(unfinished, target)
+    except BaseException:
+        with suppress(OSError):
+            os.unlink(unfinished)
+        raise
+
+
+def _remove(folder: str, path: str) -> None:
+    """Remove a file, and every folder inside ``folder`` that is empty without it."""
+    _verify(folder, path)
+    with suppress(FileNotFoundError):
+        os.unlink(os.path.join(folder, path))
+    parent = os.path.dirname(path)
+    with suppress(OSError):
+        while parent:
+            os.rmdir(os.path.join(folder, parent))
+            parent = os.path.dirname(parent)
+
+
+def _verify(folder: str, path: str) -> None:
+    """OSError if a link that appeared since the plan was made leads out of the folder."""
+    if leads_outside(folder, path):
+        raise OSError(errno.ELOOP, "a link leads out of the output folder")

@@ -1,0 +1,230 @@
+"""The whole story of one thing: a message, a field, a parameter, a quantity or a rule, as text for a terminal."""
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from codegen.catalogue import rule_catalogue
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.dialect import WireMessage
+from codegen.model.system import Citation, Parameter, PopulatedMessage, Quantity, System
+from codegen.model.unit import decimal
+from codegen.targets.table import FieldRow, field_rows
+
+UNKNOWN_TOPIC = Rule(
+    "unknown-topic",
+    "explain was asked for something that is no message, field, parameter, quantity or rule of this project.",
+    unreadable=True,
+)
+
+_COLUMNS = (
+    "offset",
+    "size",
+    "field",
+    "type",
+    "unit",
+    "source",
+    "conversion",
+    "limits",
+    "unknown",
+    "criterion",
+    "where",
+)
+
+
+def explain_rule(topic: str) -> str | None:
+    """What a rule means and what to do; None if there is no such rule."""
+    rule = rule_catalogue().get(topic)
+    return None if rule is None else f"{rule.id} ({rule.severity})\n\n{rule.explanation}\n"
+
+
+def explain(topic: str, system: System | None, report: Report) -> str | None:
+    """The text for ``topic``; None, with a finding, if nothing is called so. Rules need no system."""
+    story = explain_rule(topic)
+    if story is None and system is not None:
+        story = _explain_part(topic, system)
+        if story is None:
+            place = system.spec.project.place
+            report.add(UNKNOWN_TOPIC, place, f"nothing is called {topic}", did_you_mean(topic, _topics(system)))
+    return story
+
+
+def _explain_part(topic: str, system: System) -> str | None:
+    name, _, field = topic.partition(".")
+    message = next((message for message in system.messages if message.name == name), None)
+    if message is not None:
+        return _message(message) if not field else _field(message, field)
+    if topic in system.dialect.messages:
+        return _unpopulated(system.dialect.messages[topic])
+    if topic in system.parameters:
+        return _parameter(system.parameters[topic], system)
+    quantity = system.quantity(topic)
+    return None if quantity is None else _quantity(quantity, system)
+
+
+def _topics(system: System) -> list[str]:
+    known = [message.name for message in system.messages]
+    known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
+    known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
+    return [*known, *system.parameters, *rule_catalogue(), *system.dialect.messages]
+
+
+def _message(message: PopulatedMessage) -> str:
+    wire = message.wire
+    extensions = f", {wire.length} with extensions" if wire.length != wire.base_length else ""
+    lines = [
+        f"{message.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes{extensions}",
+        f"{_cited(message.citation)}",
+        f"{_rate(message)}; {message.instances} of it",
+        "",
+        *_table(field_rows(message)),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _rate(message: PopulatedMessage) -> str:
+    stream = message.stream
+    if stream.parameter is not None:
+        return f"stream {stream.name}: {stream.parameter.name} sets the rate, {stream.parameter.default} Hz by default"
+    return f"stream {stream.name}: {decimal(stream.rate or Fraction(0))} Hz"
+
+
+def _cells(row: FieldRow) -> tuple[str, ...]:
+    return (
+        str(row.offset),
+        str(row.size),
+        row.field,
+        row.type,
+        row.unit,
+        row.source,
+        row.conversion,
+        row.limits,
+        row.sentinel,
+        row.criterion,
+        row.place.shown().rpartition(":")[0],
+    )
+
+
+def _table(rows: Sequence[FieldRow]) -> list[str]:
+    """Columns as wide as their widest cell; numbers to the right."""
+    cells = [_COLUMNS, *(_cells(row) for row in rows)]
+    widths = [max(len(row[column]) for row in cells) for column in range(len(_COLUMNS))]
+    lines = []
+    for row in cells:
+        columns = [
+            cell.rjust(width) if column < 2 else cell.ljust(width)
+            for column, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        lines.append("  ".join(columns).rstrip())
+    lines.insert(1, "  ".join("-" * width for width in widths))
+    return lines
+
+
+def _field(message: PopulatedMessage, name: str) -> str | None:
+    wire = message.wire.field(name.partition("[")[0])
+    bindings = [binding for binding in message.bindings if name in (binding.covers.field.name, binding.covers.label)]
+    if wire is None or not bindings:
+        return None
+    rows = {row.offset: row for row in field_rows(message)}
+    parts = [f"{message.name}.{wire.name}", wire.definition.description.strip(), ""]
+    for binding in bindings:
+        row = rows[binding.covers.offset]
+        facts = [
+            ("field", row.field),
+            ("offset", f"{row.offset}, {row.size} bytes"),
+            ("type", row.type),
+            ("unit", row.unit),
+            ("enum", wire.definition.enum or ""),
+            ("source", row.source),
+            ("conversion", row.conversion),
+            ("limits", row.limits),
+            ("unknown", f"{row.sentinel}  ({wire.sentinel.place.shown()})" if wire.sentinel else "no sentinel"),
+            ("criterion", _cited(binding.covers.citation)),
+            ("answered at", row.place.shown()),
+            ("declared at", wire.definition.place.shown()),
+            ("note", binding.covers.answer.note or ""),
+        ]
+        parts += _facts(facts)
+    return "\n".join(parts) + "\n"
+
+
+def _unpopulated(wire: WireMessage) -> str:
+    head = f"{wire.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes"
+    lines = [f"{head}, {wire.length} with extensions; no table populates it", wire.definition.description.strip(), ""]
+    for field in wire.fields:
+        length = f"[{field.count}]" if field.is_array else ""
+        unit = field.definition.units or ""
+        sentinel = f"unknown {field.sentinel.written}" if field.sentinel else ""
+        facts = (
+            f"{field.offset:>4} {field.size:>4}  {field.name:<32} {field.type.name + length:<14} {unit:<8} {sentinel}"
+        )
+        lines.append(facts.rstrip())
+    return "\n".join(lines) + "\n"
+
+
+def _parameter(parameter: Parameter, system: System) -> str:
+    unit = f" {parameter.unit.name}" if parameter.unit.name else ""
+    streams = [stream.name for stream in system.streams.values() if stream.parameter is parameter]
+    measured = [
+        quantity.path
+        for _, quantity in system.measured()
+        if quantity.conversion and quantity.conversion.multiplier is parameter
+    ]
+    facts = [
+        ("default", f"{decimal(parameter.default * parameter.step)}{unit}"),
+        (
+            "range",
+            f"{decimal(parameter.minimum * parameter.step)}..{decimal(parameter.maximum * parameter.step)}{unit}",
+        ),
+        ("step", f"{decimal(parameter.step)}{unit}; kept as {parameter.minimum}..{parameter.maximum} steps"),
+        ("used", "from the next start" if parameter.spec.reboot else "at once"),
+        (
+            "sets",
+            ", ".join(
+                [
+                    *(f"the rate of stream {name}" for name in streams),
+                    *(f"the multiplier of {path}" for path in measured),
+                ]
+            ),
+        ),
+        ("criterion", _cited(parameter.citation)),
+        ("declared at", parameter.spec.place.shown()),
+    ]
+    return "\n".join([parameter.name, parameter.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+
+
+def _quantity(quantity: Quantity, system: System) -> str:
+    fields = [
+        f"{message.name}.{binding.covers.label}"
+        for message in system.messages
+        for binding in message.bindings
+        if getattr(binding, "source", None) is quantity
+    ]
+    conversion = quantity.conversion
+    measured = ""
+    if conversion is not None:
+        channel = conversion.channel
+        measured = (
+            f"mean of {channel.samples} samples on GPIO {channel.gpio}, count / {channel.full_scale} "
+            f"* {decimal(channel.reference)} V * {conversion.multiplier.name}"
+        )
+    facts = [
+        ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
+        ("measured", measured),
+        ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
+        ("sent in", ", ".join(fields)),
+        ("criterion", _cited(quantity.citation)),
+        ("declared at", quantity.spec.place.shown()),
+    ]
+    return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+
+
+def _cited(citation: Citation | None) -> str:
+    if citation is None:
+        return ""
+    text = citation.criterion.text if citation.criterion else citation.requirement.title
+    place = citation.criterion.place if citation.criterion else citation.requirement.place
+    return f"{citation}: {text}  ({place.shown()})"
+
+
+def _facts(facts: Iterable[tuple[str, str]]) -> list[str]:
+    return [f"{name:<12} {text}" for name, text in facts if text]

@@ -1,0 +1,98 @@
+"""Reading a source file into bytes or text; whatever is wrong with the file becomes a diagnostic with a place."""
+
+import os
+import re
+import stat
+
+from codegen.diagnostics import Report, Rule
+from codegen.source import Place, shown_path
+
+MAX_BYTES = 10_000_000
+"""Largest file that is read, in bytes: a specification stays far below it, a mistaken path may not."""
+
+FILE_NOT_FOUND = Rule(
+    "file-not-found",
+    "A file that the specification needs does not exist. Create it, or correct the path that names it.",
+    unreadable=True,
+)
+FILE_NOT_READABLE = Rule(
+    "file-not-readable",
+    "The path exists but cannot be read as a file: it is a folder or a device, or its permissions forbid it.",
+    unreadable=True,
+)
+FILE_NOT_UTF8 = Rule(
+    "file-not-utf8",
+    "Specifications are UTF-8 text. The place is the first byte that is not; save the file as UTF-8.",
+    unreadable=True,
+)
+FILE_TOO_LARGE = Rule(
+    "file-too-large",
+    "The file is far larger than any specification. Check that the path names the intended file.",
+    unreadable=True,
+)
+
+_LINE_END = re.compile(rb"\r\n?|\n")
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
+
+
+def read_text(path: str, report: Report, asked_at: Place | None = None) -> str | None:
+    """The text of a UTF-8 file without its byte order mark; line ends stay as they are.
+
+    ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
+    itself where nothing names it. Returns None after a diagnostic.
+    """
+    data = read_bytes(path, report, asked_at)
+    return None if data is None else decode_text(data, path, report)
+
+
+def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> bytes | None:
+    """The content of a regular file of at most ``MAX_BYTES``, or None after a diagnostic (see ``read_text``)."""
+    place = asked_at or Place(os.path.abspath(path))
+    shown = shown_path(path)
+    try:
+        # Looking first keeps a pipe or a device from blocking the run.
+        mode = os.stat(path).st_mode
+        if not stat.S_ISREG(mode):
+            kind = "a folder" if stat.S_ISDIR(mode) else "a device or a pipe"
+            report.add(FILE_NOT_READABLE, place, f"{shown} is {kind}, not a file")
+            return None
+        with open(path, "rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except (FileNotFoundError, NotADirectoryError):
+        report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
+        return None
+    except PermissionError:
+        report.add(FILE_NOT_READABLE, place, f"{shown} may not be read", "check the permissions of the file")
+        return None
+    except (OSError, ValueError) as problem:  # ValueError: a name with a NUL or a lone surrogate
+        reason = getattr(problem, "strerror", None) or str(problem)
+        report.add(FILE_NOT_READABLE, place, f"{shown!r} cannot be read: {reason}")
+        return None
+    if len(data) > MAX_BYTES:
+        report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {MAX_BYTES // 1_000_000} MB")
+        return None
+    return data
+
+
+def decode_text(data: bytes, path: str, report: Report) -> str | None:
+    """``data`` as UTF-8 text, or None after a diagnostic at the first byte that is not UTF-8."""
+    start = len(_BYTE_ORDER_MARK) if data.startswith(_BYTE_ORDER_MARK) else 0
+    try:
+        return data[start:].decode("utf-8")
+    except UnicodeDecodeError as problem:
+        position = start + problem.start
+        hint = "save the file as UTF-8"
+        if data.startswith(_UTF16_MARKS):
+            hint = "the file looks like UTF-16; save it as UTF-8"
+        place = _place_of_byte(data, start, position, os.path.abspath(path))
+        report.add(FILE_NOT_UTF8, place, f"byte 0x{data[position]:02x} is not UTF-8", hint)
+        return None
+
+
+def _place_of_byte(data: bytes, start: int, position: int, path: str) -> Place:
+    """The line and column (in characters, as editors count) of a byte; everything before it is valid UTF-8."""
+    line, line_start = 1, start
+    for line_end in _LINE_END.finditer(data, start, position):
+        line, line_start = line + 1, line_end.end()
+    return Place(path, line, len(data[line_start:position].decode("utf-8")) + 1)

@@ -1,0 +1,172 @@
+"""XML as a tree whose elements know where they stand; whatever is wrong with a file becomes a diagnostic.
+
+A dialect comes from other people: nothing outside the file is ever fetched, and a file that declares a document
+type is refused before it is parsed, so that no entity is ever expanded.
+"""
+
+import codecs
+import os
+import re
+from collections.abc import Mapping
+from contextlib import suppress
+from typing import NamedTuple
+
+from lxml import etree
+
+from codegen.diagnostics import Report, Rule
+from codegen.load.text import decode_text, read_bytes
+from codegen.source import Place
+
+XML_DOCTYPE = Rule(
+    "xml-doctype",
+    "A dialect needs no document type, and one can make a reader fetch other files or fill the memory. "
+    "Remove the <!DOCTYPE> and write entities as plain text.",
+    unreadable=True,
+)
+XML_ENCODING = Rule(
+    "xml-encoding",
+    "The XML declaration names an encoding that is not supported or that the bytes contradict. Save the file as UTF-8.",
+    unreadable=True,
+)
+XML_SYNTAX = Rule(
+    "xml-syntax",
+    "The file is not well-formed XML, so nothing of it can be used. Correct the first place that is named.",
+    unreadable=True,
+)
+
+_ENCODINGS = frozenset({"utf-8", "ascii", "iso8859-1", "iso8859-15", "cp1252"})
+_UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+_DECLARED_ENCODING = re.compile(rb"""<\?xml[^>]{0,200}?\bencoding\s*=\s*["']([A-Za-z][\w.\-]*)["']""")
+# Possessive and atomic: whatever stands before the root is walked over once (libxml2 skips a second byte order mark).
+_PROLOGUE = re.compile(r"(?>[\s\ufeff]+|<\?.*?\?>|<!--.*?-->)*+", re.DOTALL)
+# In well-formed XML a "<" outside of these three opens or closes an element.
+_MARKUP = re.compile(r"<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|[^/!?])", re.DOTALL)
+_PLACE_IN_MESSAGE = re.compile(r", line \d+, column \d+$")
+
+
+class XmlElement(NamedTuple):
+    """One element: its tag, attributes, own text (without that of its children) and children.
+
+    ``line`` and ``column`` are those of its ``<``. A tuple rather than a dataclass: a dialect has thousands.
+    """
+
+    tag: str
+    attributes: Mapping[str, str]
+    text: str
+    children: tuple["XmlElement", ...]
+    line: int
+    column: int
+
+
+def place_of(element: XmlElement, path: str) -> Place:
+    """The place of the ``<`` that opens ``element`` of the file ``path`` (absolute)."""
+    return Place(path, element.line, element.column)
+
+
+def read_xml(path: str, report: Report, asked_at: Place | None = None) -> XmlElement | None:
+    """The root element of an XML file, or None after a diagnostic.
+
+    ``asked_at`` is the place that names the file; a missing or unreadable file is reported there. Comments and
+    processing instructions are left out; line ends are normalised as XML says.
+    """
+    data = read_bytes(path, report, asked_at)
+    if data is None:
+        return None
+    text = _decoded(data, path, report)
+    return None if text is None else parse_xml(text, path, report)
+
+
+def parse_xml(text: str, path: str, report: Report) -> XmlElement | None:
+    """The root element of XML ``text``, or None after a diagnostic placed in ``path``."""
+    file = os.path.abspath(path)
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    prologue = _PROLOGUE.match(text)
+    end = prologue.end() if prologue else 0
+    if text.startswith("<!DOCTYPE", end):
+        place = Place(file, text.count("\n", 0, end) + 1, end - (text.rfind("\n", 0, end) + 1) + 1)
+        report.add(XML_DOCTYPE, place, "a document type is declared", "remove the <!DOCTYPE> declaration")
+        return None
+    if not text.strip():
+        report.add(XML_SYNTAX, Place(file), "the file is empty")
+        return None
+    parser = etree.XMLParser(
+        encoding="utf-8",
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        huge_tree=False,
+        remove_comments=True,
+        remove_pis=True,
+    )
+    try:
+        root = etree.fromstring(text.encode("utf-8", "surrogatepass"), parser)
+    except etree.XMLSyntaxError as problem:
+        # lxml gives the first problem; what follows it is mostly its consequence.
+        line, column = problem.position
+        message = _PLACE_IN_MESSAGE.sub("", problem.msg or "not well-formed XML")
+        report.add(XML_SYNTAX, Place(file, max(line or 1, 1), max(column, 1)), message)
+        return None
+    return _tree(root, text)
+
+
+def _decoded(data: bytes, path: str, report: Report) -> str | None:
+    """The text of the file in the encoding that its byte order mark or its declaration names (default: UTF-8)."""
+    place = Place(os.path.abspath(path))
+    if data.startswith(_UTF16_MARKS):
+        encoding = "utf-16"
+    else:
+        declared = None if data.startswith(codecs.BOM_UTF8) else _DECLARED_ENCODING.match(data)
+        encoding = declared[1].decode("ascii") if declared else "utf-8"
+        with suppress(LookupError):
+            encoding = codecs.lookup(encoding).name
+        if encoding not in _ENCODINGS:
+            report.add(XML_ENCODING, place, f"the file declares the encoding {encoding}", "save the file as UTF-8")
+            return None
+    if encoding == "utf-8":
+        return decode_text(data, path, report)
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as problem:
+        before = data[: problem.start].decode(encoding, "replace")
+        line, column = before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+        message = f"byte 0x{data[problem.start]:02x} does not belong to the encoding {encoding}"
+        report.add(XML_ENCODING, Place(place.file, line, column), message, "save the file as UTF-8")
+        return None
+
+
+def _tree(root: etree._Element, text: str) -> XmlElement:
+    """``root`` as located elements.
+
+    libxml2 knows only the line where a start tag ends, and none exactly above 65535; so the places are taken from the
+    text, whose start tags come in the same order as the elements.
+    """
+    places = iter(_start_tags(text))
+
+    def located(element: etree._Element) -> XmlElement:
+        line, column = next(places, (element.sourceline, 1))
+        own_text = element.text or ""
+        children = []
+        for child in element:
+            children.append(located(child))
+            own_text += child.tail or ""
+        return XmlElement(str(element.tag), dict(element.attrib), own_text, tuple(children), line, column)  # type: ignore[arg-type]
+
+    return located(root)
+
+
+def _start_tags(text: str) -> list[tuple[int, int]]:
+    """Line and column of every start tag of well-formed XML, in order."""
+    places = []
+    line, line_start, seen = 1, 0, 0
+    for markup in _MARKUP.finditer(text):
+        start = markup.start()
+        if text[start + 1] in "!?":
+            continue
+        breaks = text.count("\n", seen, start)
+        if breaks:
+            line += breaks
+            line_start = text.rfind("\n", seen, start) + 1
+        seen = start
+        places.append((line, start - line_start + 1))
+    return places

@@ -1,0 +1,57 @@
+"""The literals that attributes of a dialect are written with: booleans, names, entry values, limits of types."""
+
+import re
+
+from codegen.model.dialect import Kind
+from codegen.model.wire_types import WIRE_TYPES
+
+LIMITS: dict[str, int] = {
+    f"{wire_type.name.removesuffix('_t').upper()}_{end}": value
+    for wire_type in WIRE_TYPES.values()
+    if wire_type.kind in (Kind.UNSIGNED, Kind.SIGNED)
+    for end, value in (("MIN", wire_type.minimum), ("MAX", wire_type.maximum))
+}
+"""Value by name: ``UINT16_MAX`` and its kin, for every integer type of the wire."""
+
+# Lengths are bounded, so that a hostile number costs no more than an honest one.
+_DECIMAL = re.compile(r"0|[1-9][0-9]{0,19}")
+_HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
+_BINARY = re.compile(r"0[bB][01]{1,64}")
+_POWER_OF_TWO = re.compile(r"2\*\*([0-9]{1,2})")
+_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
+
+
+def boolean(text: str) -> bool | None:
+    """An XML Schema boolean (``true``, ``false``, ``1``, ``0``), or None."""
+    return _BOOLEANS.get(text.strip())
+
+
+def is_identifier(text: str) -> bool:
+    """Whether ``text`` can be a name in C and Python alike."""
+    return _IDENTIFIER.fullmatch(text) is not None
+
+
+def entry_value(text: str) -> int | None:
+    """The value of an enum entry: decimal, ``0x``, ``0b`` or ``2**n``, up to 64 bits; None if it is none of these."""
+    text = text.strip()
+    if _DECIMAL.fullmatch(text):
+        value = int(text)
+    elif _HEXADECIMAL.fullmatch(text):
+        value = int(text, 16)
+    elif _BINARY.fullmatch(text):
+        value = int(text, 2)
+    elif power := _POWER_OF_TWO.fullmatch(text):
+        value = 1 << int(power[1])
+    else:
+        return None
+    return value if value <= LIMITS["UINT64_MAX"] else None
+
+
+def bounded_number(text: str, maximum: int) -> int | None:
+    """A decimal number from 0 to ``maximum``, or None."""
+    text = text.strip()
+    if not text.isascii() or not text.isdigit() or len(text) > 20:
+        return None
+    value = int(text)
+    return value if value <= maximum else None

@@ -1,0 +1,34 @@
+"""The element types of the MAVLink wire (little-endian, no padding)."""
+
+from codegen.model.dialect import Kind, WireType
+
+VERSION_TYPE = "uint8_t_mavlink_version"
+"""A ``uint8_t`` that the sender fills with the version of the dialect."""
+
+
+def _unsigned(bits: int, code: str) -> WireType:
+    return WireType(f"uint{bits}_t", bits // 8, code, Kind.UNSIGNED, 0, (1 << bits) - 1)
+
+
+def _signed(bits: int, code: str) -> WireType:
+    return WireType(f"int{bits}_t", bits // 8, code, Kind.SIGNED, -(1 << (bits - 1)), (1 << (bits - 1)) - 1)
+
+
+WIRE_TYPES: dict[str, WireType] = {
+    wire_type.name: wire_type
+    for wire_type in (
+        _unsigned(8, "B"),
+        _unsigned(16, "H"),
+        _unsigned(32, "I"),
+        _unsigned(64, "Q"),
+        _signed(8, "b"),
+        _signed(16, "h"),
+        _signed(32, "i"),
+        _signed(64, "q"),
+        WireType("float", 4, "f", Kind.FLOAT, 0, 0),
+        WireType("double", 8, "d", Kind.FLOAT, 0, 0),
+        WireType("char", 1, "s", Kind.CHAR, 0, 255),
+    )
+}
+"""Wire type by the name that a ``<field>`` gives it; the version type is a ``uint8_t`` under a second name."""
+WIRE_TYPES[VERSION_TYPE] = WIRE_TYPES["uint8_t"]

@@ -1,0 +1,70 @@
+"""The way of the data: read, resolve, check, then render; every command is a prefix of it."""
+
+import os
+from collections.abc import Mapping
+
+from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.spec import decode_spec
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
+from codegen.model.dialect import Dialect
+from codegen.model.spec import Spec
+from codegen.model.system import System
+from codegen.resolve.dialect import resolve_dialect
+from codegen.resolve.system import resolve_system
+from codegen.rules import RULES
+from codegen.targets import TARGETS
+
+UNKNOWN_DIALECT = Rule(
+    "unknown-dialect",
+    "codegen.yaml names a dialect that is neither shipped with pymavlink nor an XML file.",
+    unreadable=True,
+)
+
+
+def read_system(project_file: str, report: Report) -> System | None:
+    """The resolved and checked system of a project; None if too little could be read to resolve anything."""
+    spec = decode_spec(project_file, report)
+    if spec is None:
+        return None
+    dialect = read_dialect(spec, report)
+    if dialect is None:
+        return None
+    system = resolve_system(spec, dialect, report)
+    for check in RULES:
+        report.extend(check(system))
+    return system
+
+
+def read_dialect(spec: Spec, report: Report) -> Dialect | None:
+    """The dialect of a project with its includes, overlays and corrections."""
+    project = spec.project
+    written = project.dialect
+    path = shipped_dialect_path(written)
+    if path is None and not written.endswith(".xml"):
+        hint = did_you_mean(written, shipped_dialect_names())
+        report.add(UNKNOWN_DIALECT, project.at("dialect"), f"pymavlink ships no dialect {written}", hint)
+        return None
+    if path is None:
+        path = os.path.normpath(os.path.join(spec.folder, written))
+    files = decode_dialect_files(path, report, project.at("dialect"))
+    for overlay in project.overlays:
+        overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
+        files += decode_dialect_files(overlay_path, report, project.at("overlays"))
+    if not files:
+        return None
+    name = os.path.splitext(os.path.basename(path))[0]
+    return resolve_dialect(name, files, spec.corrections, report)
+
+
+def render_system(system: System) -> Mapping[str, str]:
+    """Every output file of a system without errors: ``{path below the output folder: text}``."""
+    files: dict[str, str] = {}
+    for render in TARGETS:
+        files.update(render(system))
+    return files
+
+
+def output_folder(system: System) -> str:
+    """The absolute path of the folder that the output goes to."""
+    return os.path.normpath(os.path.join(system.spec.folder, system.spec.project.output))

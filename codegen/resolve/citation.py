@@ -1,0 +1,50 @@
+"""Requirement documents by id and alias, and the citations of them in the tables."""
+
+from collections.abc import Mapping, Sequence
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.spec import Requirement
+from codegen.model.system import Citation
+from codegen.source import Place
+
+UNKNOWN_REQUIREMENT = Rule(
+    "unknown-requirement",
+    "A table cites a requirement or a criterion that no document in requirements/ has. "
+    "Cite an existing one as ID or ID.number; older ids work where the document lists them as aliases.",
+)
+
+
+def index_requirements(requirements: Sequence[Requirement]) -> dict[str, Requirement]:
+    """Every document under its id and its aliases; the first one wins (repetitions are reported when decoding)."""
+    index: dict[str, Requirement] = {}
+    for requirement in requirements:
+        for name in (requirement.id, *requirement.aliases):
+            index.setdefault(name, requirement)
+    return index
+
+
+def cite(text: str, place: Place, index: Mapping[str, Requirement], report: Report) -> Citation | None:
+    """The citation written as ``FR-00068`` or ``FR-00068.3``; None, with a finding, if there is no such thing."""
+    name, dot, number = text.partition(".")
+    requirement = index.get(name)
+    if requirement is None:
+        report.add(UNKNOWN_REQUIREMENT, place, f"no requirement document is called {name}", did_you_mean(name, index))
+        return None
+    if not dot:
+        return Citation(requirement, None)
+    for criterion in requirement.criteria:
+        if str(criterion.number) == number:
+            return Citation(requirement, criterion)
+    report.add(
+        UNKNOWN_REQUIREMENT,
+        place,
+        f"{requirement.id} has no criterion {number or '(empty)'}",
+        f"its criteria are 1 to {len(requirement.criteria)}" if requirement.criteria else "it has no criteria",
+        [(requirement.place, f"{requirement.id} is here")],
+    )
+    return None
+
+
+def cite_optional(text: str | None, place: Place, index: Mapping[str, Requirement], report: Report) -> Citation | None:
+    """Like :func:`cite`; None, without a finding, where nothing is cited."""
+    return None if text is None else cite(text, place, index, report)

@@ -1,0 +1,109 @@
+"""Constants of the tables, held against the type, the unit and the sentinel of their field."""
+
+import math
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule
+from codegen.model.dialect import Kind, WireField
+from codegen.model.system import Elements, FixedBinding
+from codegen.model.unit import NUMBER, UNITS, Unit
+from codegen.resolve.measure import UNIT_MISMATCH, read_amount
+from codegen.source import Place
+
+CONSTANT_RANGE = Rule("constant-out-of-range", "A constant is beyond what the field can carry; it would wrap.")
+BAD_CONSTANT = Rule(
+    "bad-constant",
+    "A constant does not fit its field: text for a number, a number for text, a fraction for an integer.",
+)
+SENTINEL_CONSTANT = Rule(
+    "sentinel-as-constant",
+    "A constant equals the sentinel of its field: receivers read it as unknown. Answer 'unknown' if that is meant.",
+)
+SENTINEL_CONTRADICTION = Rule(
+    "sentinel-contradiction",
+    "A constant that people use for unknown (0, -1 or the largest or smallest number of the type) is given where the "
+    "dialect has another sentinel: receivers would take it for a real value. Answer 'unknown'; if the value is real, "
+    "write it with its unit.",
+)
+
+
+def field_unit(field: WireField, place: Place, report: Report) -> Unit | None:
+    """The unit of a field; the multiplier attribute of the dialect is not supported by tables."""
+    name = field.definition.units
+    if name is None:
+        return NUMBER
+    unit = UNITS.get(name)
+    if unit is None:
+        report.add(
+            UNIT_MISMATCH,
+            place,
+            f"{field.name} is in {name}, a unit that the generator does not know",
+            related=[(field.definition.place, f"{field.name} is declared here")],
+        )
+    return unit
+
+
+def bind_constant(covers: Elements, written: str | Fraction, key: str, report: Report) -> FixedBinding | None:
+    """A number in the field's unit, an amount converted to it, or text for a char field."""
+    field, place = covers.field, covers.answer.at(key)
+    if field.type.kind is Kind.CHAR:
+        if not isinstance(written, str) or not written.isascii() or len(written) > field.count:
+            report.add(BAD_CONSTANT, place, f"{field.name} is text of at most {field.count} ASCII characters")
+            return None
+        return FixedBinding(covers, (written,), repr(written))
+    unit = field_unit(field, place, report)
+    if unit is None:
+        return None
+    if isinstance(written, str) and unit is NUMBER:
+        report.add(BAD_CONSTANT, place, f"{written!r} is not a number, and {field.name} has no unit")
+        return None
+    value = written if isinstance(written, Fraction) else read_amount(written, unit, place, report)
+    if value is None:
+        return None
+    if field.type.is_integer and value.denominator != 1:
+        report.add(BAD_CONSTANT, place, f"{float(value)} is not a whole number of {unit.name or 'steps'}")
+        return None
+    number: int | float = int(value) if field.type.is_integer else float(value)
+    if not fits(covers, number, key, str(written), report):
+        return None
+    if not _agrees_with_sentinel(covers, number, isinstance(written, str), key, report):
+        return None
+    return FixedBinding(covers, (number,) * covers.count, str(written) if isinstance(written, str) else f"{number}")
+
+
+def fits(covers: Elements, value: int | float, key: str, written: str, report: Report) -> bool:
+    """Whether the wire type of the field holds ``value``; a finding if not."""
+    wire_type = covers.field.type
+    low, high = (wire_type.minimum, wire_type.maximum) if wire_type.is_integer else (-math.inf, math.inf)
+    if low <= value <= high:
+        return True
+    report.add(
+        CONSTANT_RANGE,
+        covers.answer.at(key),
+        f"{written} is {value}, but {covers.field.name} ({wire_type.name}) carries {low} to {high}",
+        related=[(covers.field.definition.place, f"{covers.field.name} is declared here")],
+    )
+    return False
+
+
+def _agrees_with_sentinel(covers: Elements, value: int | float, has_unit: bool, key: str, report: Report) -> bool:
+    field = covers.field
+    if field.sentinel is None:
+        return True
+    sentinels = field.sentinel.values[covers.first : covers.first + covers.count]
+    related = [(field.sentinel.place, f"invalid={field.sentinel.written!r} is stated here")]
+    place = covers.answer.at(key)
+    if value in sentinels:
+        report.add(SENTINEL_CONSTANT, place, f"{value} means unknown in {field.name}", "write 'unknown'", related)
+        return False
+    usual = {0, -1, field.type.maximum, field.type.minimum}
+    if not has_unit and field.definition.units and sentinels[0] is not None and value in usual:
+        report.add(
+            SENTINEL_CONTRADICTION,
+            place,
+            f"{field.name} is unknown when it is {field.sentinel.written}, not {value}",
+            f"write 'unknown', or '{value} {field.definition.units}' if that is the real value",
+            related,
+        )
+        return False
+    return True

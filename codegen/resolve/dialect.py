@@ -1,0 +1,106 @@
+"""The files of a dialect, its overlays and its corrections become one dialect."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.dialect import Dialect, DialectFile, EnumDefinition, MessageDefinition
+from codegen.model.spec import Correction
+from codegen.model.wire_types import VERSION_TYPE
+from codegen.resolve.corrections import apply_corrections
+from codegen.resolve.enums import merge_enums
+from codegen.resolve.wire import wire_message
+from codegen.source import Place
+
+MESSAGE_CONFLICT = Rule(
+    "message-conflict",
+    "Two files of the dialect define the same message name or id, and not alike. Remove or renumber one of them; to "
+    "change attributes of a message, use a corrections file.",
+)
+UNKNOWN_ENUM = Rule(
+    "field-unknown-enum",
+    "The enum of the field is in no file of the dialect. Correct its name or include the file that has it.",
+)
+
+DEFAULT_VERSION = 2
+"""What mavgen assumes for a file without a ``<version>``."""
+
+
+def resolve_dialect(
+    name: str, files: tuple[DialectFile, ...], corrections: tuple[Correction, ...], report: Report
+) -> Dialect:
+    """The dialect that ``files`` make together: included files first, then the dialect's own, overlays last.
+
+    Enums of the same name are merged; a message may be stated twice only alike. Corrections are applied before the
+    wire order and the sentinels are computed. A field whose enum is a bitmask is a bitmask, as if it had
+    ``display="bitmask"``. What is in error is reported at its place; the dialect holds what could be resolved.
+    """
+    files = tuple({file.path: file for file in files}.values())  # an overlay may include what the dialect includes
+    enums = merge_enums(files, report)
+    corrected = apply_corrections(_merged_messages(files, report), enums, corrections, report)
+    messages = sorted(corrected.messages.values(), key=lambda message: message.id)
+    wired = [
+        wire_message(_with_enums(message, corrected.enums, report), corrected.enums, corrected.sentinel_places, report)
+        for message in messages
+    ]
+    return Dialect(
+        name=name,
+        version=_version(files),
+        messages={message.name: message for message in wired},
+        enums=corrected.enums,
+        files=tuple(file.path for file in files),
+    )
+
+
+def _version(files: tuple[DialectFile, ...]) -> int:
+    """The value of ``uint8_t_mavlink_version`` fields: as in mavgen, the version of the file that declares the field.
+
+    MAVLink's guide says that the outermost file counts, but no generator does so: storm32.xml has version 1 and its
+    heartbeats carry the 3 of minimal.xml. Where that file is silent, the last file with a version counts.
+    """
+    declaring = [
+        file.version
+        for file in files
+        if any(field.type == VERSION_TYPE for message in file.messages for field in message.fields)
+    ]
+    stated = [*declaring, *(file.version for file in reversed(files))]
+    return next((version for version in stated if version is not None), DEFAULT_VERSION)
+
+
+def _merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, MessageDefinition]:
+    by_name: dict[str, MessageDefinition] = {}
+    by_id: dict[int, MessageDefinition] = {}
+    for file in files:
+        for message in file.messages:
+            first = by_name.get(message.name) or by_id.get(message.id)
+            if first is None:
+                by_name[message.name] = by_id[message.id] = message
+            elif _stated(first) != _stated(message):
+                if first.name != message.name:
+                    problem = f"{message.name} has the id {message.id} of {first.name}"
+                else:
+                    problem = f"{message.name} is defined twice, and not alike"
+                related = [(first.place, "the first definition")]
+                report.add(MESSAGE_CONFLICT, message.place, problem, related=related)
+    return by_name
+
+
+def _stated(message: MessageDefinition) -> tuple[object, ...]:
+    """What has to agree where a message is stated twice: everything but places, descriptions and lifecycle."""
+    anywhere = Place("")
+    alike = (replace(field, place=anywhere, description="", print_format=None) for field in message.fields)
+    return message.id, message.name, tuple(alike)
+
+
+def _with_enums(message: MessageDefinition, enums: Mapping[str, EnumDefinition], report: Report) -> MessageDefinition:
+    """``message`` with ``is_bitmask`` where the enum of a field is one; unknown enums are reported."""
+    if not any(field.enum for field in message.fields):
+        return message
+    fields = []
+    for field in message.fields:
+        enum = enums.get(field.enum) if field.enum else None
+        if field.enum and enum is None:
+            hint = did_you_mean(field.enum, enums)
+            report.add(UNKNOWN_ENUM, field.place, f"{message.name}.{field.name}: there is no enum {field.enum}", hint)
+        fields.append(replace(field, is_bitmask=True) if enum and enum.is_bitmask and not field.is_bitmask else field)
+    return replace(message, fields=tuple(fields))

@@ -1,0 +1,126 @@
+"""Which elements of a message each key of a population table answers for."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.dialect import Kind, WireField, WireMessage
+from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement
+from codegen.model.system import Citation, Elements
+from codegen.resolve.citation import cite
+from codegen.source import Place
+
+UNKNOWN_FIELD = Rule("unknown-field", "A population table answers for a field that the message does not have.")
+UNKNOWN_ELEMENT = Rule(
+    "unknown-element",
+    "A key of a population table is name, name[2] or name[1..9], and its elements exist in the field.",
+)
+ANSWERED_TWICE = Rule("answered-twice", "Two keys of a population table answer for the same element of a field.")
+UNANSWERED_FIELD = Rule(
+    "unanswered-field",
+    "A population table answers for every field of its message, including extensions and every element of an array. "
+    "Answer 'unknown' where nothing measures the value.",
+)
+
+_KEY = re.compile(r"([A-Za-z_]\w*)(?:\[(\d{1,3})(?:\.\.(\d{1,3}))?\])?")
+
+
+def answered_elements(
+    population: PopulationSpec,
+    message: WireMessage,
+    citation: Citation,
+    index: Mapping[str, Requirement],
+    report: Report,
+) -> list[Elements]:
+    """The elements that a table answers for, in wire order; gaps and overlaps are reported.
+
+    ``citation`` is that of the message; it holds where an answer cites nothing of its own.
+    """
+    answers: list[Elements] = []
+    for key, answer in population.fields.items():
+        cited = (
+            None if answer.requirement is None else cite(answer.requirement, answer.at("requirement"), index, report)
+        )
+        answers.extend(_answered(key, answer, cited or citation, message, report))
+    named = {key.partition("[")[0] for key in population.fields}
+    owners: dict[tuple[str, int], Place] = {}
+    kept = []
+    for found in answers:
+        taken = [owners.get((found.field.name, element)) for element in _elements(found)]
+        earlier = next((place for place in taken if place is not None), None)
+        if earlier is not None:
+            report.add(
+                ANSWERED_TWICE,
+                found.answer.place,
+                f"{message.name}.{found.field.name} is answered twice",
+                related=[(earlier, "the first answer is here")],
+            )
+            continue
+        owners.update(((found.field.name, element), found.answer.place) for element in _elements(found))
+        kept.append(found)
+    for field in message.fields:
+        missing = [element for element in range(_element_count(field)) if (field.name, element) not in owners]
+        if missing:
+            _report_unanswered(population, message, field, missing, field.name in named, report)
+    return sorted(kept, key=lambda found: (found.field.offset, found.first))
+
+
+def _element_count(field: WireField) -> int:
+    """A text has one answer, whatever its length."""
+    return 1 if field.type.kind is Kind.CHAR else field.count
+
+
+def _elements(found: Elements) -> range:
+    return range(found.first, found.first + (1 if found.field.type.kind is Kind.CHAR else found.count))
+
+
+def _answered(
+    key: str, answer: FieldAnswer, citation: Citation, message: WireMessage, report: Report
+) -> Iterator[Elements]:
+    match = _KEY.fullmatch(key)
+    if match is None:
+        report.add(UNKNOWN_ELEMENT, answer.place, f"{key!r} is not a field", "write name, name[2] or name[1..9]")
+        return
+    name, first, last = match.groups()
+    field = message.field(name)
+    if field is None:
+        hint = did_you_mean(name, [field.name for field in message.fields])
+        report.add(UNKNOWN_FIELD, answer.place, f"{message.name} has no field {name}", hint)
+        return
+    if first is None:
+        yield Elements(field, 0, field.count, answer, citation)
+        return
+    if not field.is_array or field.type.kind is Kind.CHAR:
+        report.add(UNKNOWN_ELEMENT, answer.place, f"{message.name}.{name} is answered as a whole, without an index")
+        return
+    begin, end = int(first), int(last if last is not None else first)
+    if not begin <= end < field.count:
+        message_text = f"{message.name}.{name} has the elements 0 to {field.count - 1}, not {key[len(name) :]}"
+        report.add(UNKNOWN_ELEMENT, answer.place, message_text)
+        return
+    yield Elements(field, begin, end - begin + 1, answer, citation)
+
+
+def _report_unanswered(
+    population: PopulationSpec,
+    message: WireMessage,
+    field: WireField,
+    missing: list[int],
+    is_partly_answered: bool,
+    report: Report,
+) -> None:
+    what = f"{message.name}.{field.name}"
+    if is_partly_answered and field.is_array:
+        what += f" element{'s' if len(missing) > 1 else ''} {', '.join(map(str, missing))}"
+    elif is_partly_answered:
+        return  # the answer is there but wrong, and was reported
+    kind = "extension field " if field.definition.is_extension else ""
+    has_sentinel = field.sentinel is not None and field.sentinel.values[0] is not None
+    hint = f"add '{field.name}: unknown'" if has_sentinel else f"say where {field.name} comes from"
+    report.add(
+        UNANSWERED_FIELD,
+        population.at("fields"),
+        f"{kind}{what} is not answered",
+        hint,
+        [(field.definition.place, f"{field.name} is declared here")],
+    )

@@ -1,0 +1,154 @@
+"""Answers that are known at build time: enum entries, flags, facts of the board and the dialect, unknown."""
+
+from collections.abc import Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
+from codegen.model.spec import BoardSpec
+from codegen.model.system import Component, Elements, FixedBinding, FlagsBinding, Quantity, QuantityKind
+from codegen.model.unit import read_measure
+from codegen.resolve.constant import bind_constant, fits
+from codegen.resolve.state import UNKNOWN_ENTRY, UNKNOWN_ENUM, UNKNOWN_QUANTITY
+from codegen.source import Place
+
+NO_SENTINEL = Rule(
+    "no-sentinel",
+    "A table says unknown, or a quantity can become unknown, where the dialect has no value that means unknown. "
+    "Give the quantity an initial value, answer the field otherwise, or, where the dialect states the sentinel only "
+    "in words, add it to the corrections file.",
+)
+NOT_AN_ENUM_FIELD = Rule("not-an-enum-field", "An enum entry or flags are given for a field that has no such enum.")
+UNKNOWN_FACT = Rule("unknown-fact", "A table names a fact that board.yaml, or the dialect, does not have.")
+NOT_A_BOOLEAN = Rule("not-a-boolean", "Only a boolean quantity can decide whether a flag is set.")
+
+
+def bind_unknown(covers: Elements, report: Report) -> FixedBinding | None:
+    """The sentinel(s) of the dialect for every covered element."""
+    field = covers.field
+    sentinel = field.sentinel
+    if sentinel is None or sentinel.values[covers.first] is None:
+        report.add(
+            NO_SENTINEL,
+            covers.answer.at("unknown"),
+            f"{field.name} has no value that means unknown",
+            "if its description names one, add it to the corrections file as 'invalid'",
+            [(field.definition.place, f"{field.name} is declared here")],
+        )
+        return None
+    if field.type.kind is Kind.CHAR:
+        return FixedBinding(covers, ("",), f"unknown ({sentinel.written})", is_unknown=True)
+    if sentinel.form is SentinelForm.FIRST and covers.first == 0:
+        values = (sentinel.values[0], *[0] * (covers.count - 1))
+    else:
+        values = sentinel.values[covers.first : covers.first + covers.count]
+    known = [value for value in values if value is not None]
+    if len(known) < covers.count:
+        report.add(
+            NO_SENTINEL,
+            covers.answer.at("unknown"),
+            f"{field.name} has no value that means unknown for each of these elements",
+            f"the dialect says invalid={sentinel.written!r}",
+            [(sentinel.place, "the sentinel is stated here")],
+        )
+        return None
+    return FixedBinding(covers, tuple(known), f"unknown ({sentinel.written})", is_unknown=True)
+
+
+def _enum_of(covers: Elements, dialect: Dialect, key: str, report: Report) -> EnumDefinition | None:
+    name = covers.field.definition.enum
+    if name is None:
+        report.add(NOT_AN_ENUM_FIELD, covers.answer.at(key), f"{covers.field.name} has no enum in the dialect")
+        return None
+    enum = dialect.enums.get(name)
+    if enum is None:
+        report.add(UNKNOWN_ENUM, covers.answer.at(key), f"the dialect has no enum {name}")
+    return enum
+
+
+def _entry_value(enum: EnumDefinition, name: str, place: Place, dialect: Dialect, report: Report) -> int | None:
+    entry = enum.entry(name)
+    if entry is not None:
+        return entry.value
+    owner = next((other.name for other in dialect.enums.values() if other.entry(name)), None)
+    hint = f"{name} belongs to {owner}" if owner else did_you_mean(name, [entry.name for entry in enum.entries])
+    report.add(UNKNOWN_ENTRY, place, f"{enum.name} has no entry {name}", hint)
+    return None
+
+
+def bind_entry(covers: Elements, name: str, key: str, dialect: Dialect, report: Report) -> FixedBinding | None:
+    """One entry of the field's enum."""
+    enum = _enum_of(covers, dialect, key, report)
+    value = _entry_value(enum, name, covers.answer.at(key), dialect, report) if enum else None
+    if value is None or not fits(covers, value, key, name, report):
+        return None
+    return FixedBinding(covers, (value,) * covers.count, name)
+
+
+def bind_flags(
+    covers: Elements,
+    flags: tuple[str, ...],
+    dialect: Dialect,
+    components: Mapping[str, Component],
+    report: Report,
+) -> FlagsBinding | None:
+    """Entries of the field's bitmask, always set or set while a boolean quantity is true."""
+    enum = _enum_of(covers, dialect, "flags", report)
+    if enum is None:
+        return None
+    place = covers.answer.at("flags")
+    if not (enum.is_bitmask or covers.field.definition.is_bitmask):
+        report.add(NOT_AN_ENUM_FIELD, place, f"{enum.name} is not a bitmask", "give one entry with 'enum'")
+        return None
+    mask, names, conditional = 0, [], []
+    for flag in flags:
+        name, separator, path = flag.partition(" if ")
+        value = _entry_value(enum, name.strip(), place, dialect, report)
+        quantity = _condition(path.strip(), components, place, report) if separator else None
+        if value is None or (separator and quantity is None) or not fits(covers, value, "flags", name, report):
+            continue
+        if quantity is None:
+            mask |= value
+            names.append(name.strip())
+        else:
+            conditional.append((name.strip(), value, quantity))
+    return FlagsBinding(covers, mask, tuple(names), tuple(conditional))
+
+
+def _condition(path: str, components: Mapping[str, Component], place: Place, report: Report) -> Quantity | None:
+    quantity = find_quantity(path, components, place, report)
+    if quantity is not None and quantity.kind is not QuantityKind.BOOLEAN:
+        report.add(NOT_A_BOOLEAN, place, f"{path} is not a boolean")
+        return None
+    return quantity
+
+
+def find_quantity(path: str, components: Mapping[str, Component], place: Place, report: Report) -> Quantity | None:
+    """The quantity written as ``component.quantity``."""
+    component, _, name = path.partition(".")
+    if component in components and name in components[component].quantities:
+        return components[component].quantities[name]
+    known = [f"{owner.name}.{quantity}" for owner in components.values() for quantity in owner.quantities]
+    report.add(UNKNOWN_QUANTITY, place, f"the state has no quantity {path}", did_you_mean(path, known))
+    return None
+
+
+def bind_fact(covers: Elements, path: str, board: BoardSpec, dialect: Dialect, report: Report) -> FixedBinding | None:
+    """A fact of board.yaml: an enum entry, a number or an amount."""
+    component, _, name = path.partition(".")
+    fact = board.facts.get(component, {}).get(name)
+    if fact is None:
+        known = [f"{owner}.{fact}" for owner, facts in board.facts.items() for fact in facts]
+        place = covers.answer.at("board")
+        report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", did_you_mean(path, known))
+        return None
+    if isinstance(fact, str) and read_measure(fact) is None and covers.field.type.kind is not Kind.CHAR:
+        return bind_entry(covers, fact, "board", dialect, report)
+    return bind_constant(covers, fact, "board", report)
+
+
+def bind_version(covers: Elements, name: str, dialect: Dialect, report: Report) -> FixedBinding | None:
+    """A fact of the dialect; so far its version, which fields of type uint8_t_mavlink_version carry."""
+    if name != "version":
+        report.add(UNKNOWN_FACT, covers.answer.at("dialect"), f"the dialect has no fact {name}", "known: version")
+        return None
+    return FixedBinding(covers, (dialect.version,), "version of the dialect")

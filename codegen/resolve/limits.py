@@ -1,0 +1,101 @@
+"""What a live value is limited to, with the sentinel kept out of reach."""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule
+from codegen.model.dialect import WireField
+from codegen.model.spec import FieldAnswer
+from codegen.model.unit import Unit
+from codegen.resolve.measure import read_number
+
+EMPTY_LIMITS = Rule(
+    "empty-limits",
+    "Nothing is left that a field could carry: the limits of the table, the dialect, the quantity and the wire type "
+    "exclude each other, or only the sentinel is left.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """The values of a field in wire units: ``low`` to ``high``, without ``hole``, which is moved to ``beside``."""
+
+    low: Fraction
+    high: Fraction
+    hole: Fraction | None = None
+    beside: Fraction | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """Inclusive bounds in wire units, not yet rounded; None where there is none."""
+
+    low: Fraction | None
+    high: Fraction | None
+
+    def within(self, other: "Bounds") -> "Bounds":
+        """What both allow."""
+        lows = [low for low in (self.low, other.low) if low is not None]
+        highs = [high for high in (self.high, other.high) if high is not None]
+        return Bounds(max(lows, default=None), min(highs, default=None))
+
+
+def written_bounds(answer: FieldAnswer, unit: Unit, factor: Fraction, report: Report) -> Bounds:
+    """``min`` and ``max`` of the table, given in ``unit`` or as amounts, times ``factor``: in wire units."""
+    bounds: list[Fraction | None] = []
+    for key, written in (("min", answer.min), ("max", answer.max)):
+        value = None if written is None else read_number(written, unit, answer.at(key), report)
+        bounds.append(None if value is None else value * factor)
+    return Bounds(*bounds)
+
+
+def dialect_bounds(field: WireField) -> Bounds:
+    """``minValue`` and ``maxValue`` of the dialect; text that is not a number is no bound."""
+    return Bounds(_number(field.definition.minimum), _number(field.definition.maximum))
+
+
+def _number(text: str | None) -> Fraction | None:
+    try:
+        return None if text is None else Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        return None
+
+
+def limits_of(
+    field: WireField,
+    sentinel: int | float | None,
+    bounds: Bounds,
+    factor: Fraction,
+    answer: FieldAnswer,
+    report: Report,
+) -> Limits | None:
+    """The limits of a live value: ``bounds`` within the wire type, sentinel excluded; None if nothing is left.
+
+    A sentinel at an end shortens the range by one step. One inside becomes a hole: the value that would read as
+    unknown is moved by one step away from zero, so that it keeps its sign. A step is 1 in an integer field, and in a
+    float field what one stored step is on the wire (``factor``).
+    """
+    low, high, step = bounds.low, bounds.high, factor
+    if field.type.is_integer:
+        bounds = bounds.within(Bounds(Fraction(field.type.minimum), Fraction(field.type.maximum)))
+        low = None if bounds.low is None else Fraction(math.ceil(bounds.low))
+        high = None if bounds.high is None else Fraction(math.floor(bounds.high))
+        step = Fraction(1)
+    assert low is not None
+    assert high is not None
+    hole = beside = None
+    if sentinel is not None and math.isfinite(sentinel):
+        unknown = Fraction(sentinel)
+        if low == unknown:
+            low += step
+        elif high == unknown:
+            high -= step
+        elif low < unknown < high:
+            hole = unknown
+            beside = unknown - step if unknown < 0 else unknown + step
+    if low > high:
+        where = "min" if answer.min is not None else "max"
+        report.add(EMPTY_LIMITS, answer.at(where), f"no value is left for {field.name}: {low} to {high}")
+        return None
+    return Limits(low, high, hole, beside)

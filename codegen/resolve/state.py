@@ -1,0 +1,255 @@
+"""The vehicle state: quantities with their integer representation, limits and conversion from ADC counts."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.dialect import Dialect, EnumDefinition
+from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, StateSpec
+from codegen.model.system import (
+    SMALL_INT_MAX,
+    AdcChannel,
+    Component,
+    Conversion,
+    Parameter,
+    Quantity,
+    QuantityKind,
+)
+from codegen.model.unit import NUMBER, UNITS, Unit
+from codegen.resolve.citation import cite_optional
+from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_amount
+from codegen.resolve.vehicle import UNKNOWN_PARAMETER
+
+BAD_QUANTITY = Rule(
+    "bad-quantity",
+    "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean or an enum has no unit "
+    "and no limits, min <= initial <= max, and every limit fits a small integer of MicroPython in stored units.",
+)
+BAD_COMPONENT = Rule("bad-component", "A component has a lower-case identifier as its name and 1 to 16 instances.")
+UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
+UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
+UNKNOWN_ENUM = Rule("unknown-enum", "A table names an enum that the dialect does not have.")
+UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum of the dialect does not have.")
+
+_IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
+_RESERVED = {"instance", "parameters", "log"}
+_SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
+
+
+def resolve_components(
+    spec: StateSpec,
+    dialect: Dialect,
+    channels: Mapping[str, AdcChannel],
+    parameters: Mapping[str, Parameter],
+    index: Mapping[str, Requirement],
+    report: Report,
+) -> dict[str, Component]:
+    """The components by name."""
+    components = {}
+    for name, written in spec.components.items():
+        _check_component(name, written, report)
+        period = None
+        if written.update_rate is not None:
+            rate = read_amount(written.update_rate, UNITS["Hz"], written.at("update_rate"), report)
+            if rate is not None and rate > 0:
+                period = round(1000 / rate)
+            elif rate is not None:
+                report.add(BAD_COMPONENT, written.at("update_rate"), f"the update rate of {name} is not above 0 Hz")
+        quantities = {}
+        for quantity_name, quantity_spec in written.quantities.items():
+            resolver = _QuantityResolver(name, quantity_name, quantity_spec, report)
+            quantity = resolver.resolve(dialect, channels, parameters, index)
+            if quantity is not None:
+                quantities[quantity_name] = quantity
+        _check_quantities(written, quantities, report)
+        components[name] = Component(name, written.instances, period, quantities, written)
+    return components
+
+
+def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
+    if not _IDENTIFIER.fullmatch(name):
+        report.add(BAD_COMPONENT, spec.place, f"{name} is not a lower-case identifier")
+    if not 1 <= spec.instances <= 16:
+        report.add(BAD_COMPONENT, spec.at("instances"), f"{name} has {spec.instances} instances, not 1 to 16")
+
+
+def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], report: Report) -> None:
+    """What holds between the quantities of one component."""
+    for quantity in quantities.values():
+        followed = quantity.while_known
+        if followed is not None and followed not in spec.quantities:
+            hint = did_you_mean(followed, spec.quantities)
+            report.add(UNKNOWN_QUANTITY, quantity.spec.at("while_known"), f"there is no quantity {followed}", hint)
+    measured = [quantity for quantity in quantities.values() if quantity.conversion is not None]
+    for second in measured[1:]:
+        report.add(
+            BAD_QUANTITY,
+            second.spec.at("adc"),
+            "a component has one quantity that an ADC measures",
+            related=[(measured[0].spec.at("adc"), f"{measured[0].name} is measured, too")],
+        )
+
+
+class _QuantityResolver:
+    """Resolves one quantity; every problem of it is reported before it is given up."""
+
+    def __init__(self, component: str, name: str, spec: QuantitySpec, report: Report) -> None:
+        self.component = component
+        self.name = name
+        self.spec = spec
+        self.report = report
+        self.failed = False
+
+    def _bad(self, key: str, message: str, rule: Rule = BAD_QUANTITY, hint: str | None = None) -> None:
+        self.report.add(rule, self.spec.at(key), message, hint)
+        self.failed = True
+
+    def resolve(
+        self,
+        dialect: Dialect,
+        channels: Mapping[str, AdcChannel],
+        parameters: Mapping[str, Parameter],
+        index: Mapping[str, Requirement],
+    ) -> Quantity | None:
+        spec = self.spec
+        citation = cite_optional(spec.requirement, spec.at("requirement"), index, self.report)
+        if not _IDENTIFIER.fullmatch(self.name) or self.name in _RESERVED:
+            self._bad("", f"{self.name} cannot be the name of a quantity")
+        kind = self._kind()
+        enum = self._enum(dialect)
+        unit = find_unit(spec.unit, spec.at("unit"), self.report)
+        stored = unit if spec.stored is None else find_unit(spec.stored, spec.at("stored"), self.report)
+        if unit is None or stored is None:
+            return None
+        steps = unit.to(stored)
+        if steps is None:
+            self._bad("stored", f"{unit.name} cannot be kept in {stored.name}", UNIT_MISMATCH)
+            return None
+        minimum, maximum = self._limits(steps)
+        initial = self._initial(kind, enum, steps)
+        if initial is not None and not minimum <= initial <= maximum:
+            self._bad("initial", f"initial of {self.name} is not between its limits")
+        conversion = self._conversion(channels, parameters, stored)
+        warn_above = None if spec.warn_above is None else self._in_steps("warn_above", spec.warn_above, steps)
+        stale_after = None
+        if spec.stale_after is not None:
+            stale_after = read_amount(spec.stale_after, UNITS["ms"], spec.at("stale_after"), self.report)
+        if self.failed:
+            return None
+        return Quantity(
+            component=self.component,
+            name=self.name,
+            attribute=_attribute(self.name, stored),
+            kind=kind,
+            unit=unit,
+            stored=stored,
+            steps=steps,
+            minimum=minimum,
+            maximum=maximum,
+            initial=initial,
+            while_known=spec.while_known,
+            enum=enum,
+            conversion=conversion,
+            warn_above=warn_above,
+            stale_after_ms=None if stale_after is None else int(stale_after),
+            spec=spec,
+            citation=citation,
+        )
+
+    def _kind(self) -> QuantityKind:
+        spec = self.spec
+        kind = QuantityKind.NUMBER
+        if spec.boolean:
+            kind = QuantityKind.BOOLEAN
+        elif spec.enum is not None:
+            kind = QuantityKind.ENUM
+        if kind is not QuantityKind.NUMBER:
+            for key in ("unit", "stored", "min", "max", "adc", "multiplier", "warn_above"):
+                if getattr(spec, key) is not None:
+                    self._bad(key, f"{self.name} is a {kind.value} quantity and cannot have {key}")
+        if spec.while_known is not None and (not spec.boolean or spec.initial is not None):
+            self._bad("while_known", f"{self.name} follows {spec.while_known}: it is a boolean without initial")
+        if spec.boolean and spec.enum is not None:
+            self._bad("enum", f"{self.name} cannot be both a boolean and an enum")
+        return kind
+
+    def _enum(self, dialect: Dialect) -> EnumDefinition | None:
+        name = self.spec.enum
+        if name is None:
+            return None
+        enum = dialect.enums.get(name)
+        if enum is None:
+            self._bad("enum", f"the dialect has no enum {name}", UNKNOWN_ENUM, did_you_mean(name, dialect.enums))
+        return enum
+
+    def _in_steps(self, key: str, value: Fraction, steps: Fraction) -> int:
+        scaled = value * steps
+        if scaled.denominator != 1:
+            self._bad(key, f"{key} of {self.name} is not a whole number of stored units")
+        elif abs(scaled) > SMALL_INT_MAX:
+            self._bad(key, f"{key} of {self.name} is beyond a small integer in stored units")
+        return int(scaled)
+
+    def _limits(self, steps: Fraction) -> tuple[int, int]:
+        spec = self.spec
+        minimum = -SMALL_INT_MAX if spec.min is None else self._in_steps("min", spec.min, steps)
+        maximum = SMALL_INT_MAX if spec.max is None else self._in_steps("max", spec.max, steps)
+        if minimum > maximum:
+            self._bad("max", f"max of {self.name} is below its min")
+        return minimum, maximum
+
+    def _initial(self, kind: QuantityKind, enum: EnumDefinition | None, steps: Fraction) -> int | None:
+        written = self.spec.initial
+        if kind is QuantityKind.BOOLEAN:
+            if self.spec.while_known is None and not isinstance(written, bool):
+                self._bad("initial", f"the boolean {self.name} needs initial: true or false")
+            return int(written is True)
+        if written is None:
+            return None
+        if isinstance(written, bool) or (kind is QuantityKind.NUMBER) != isinstance(written, Fraction):
+            wanted = "a number" if kind is QuantityKind.NUMBER else "an entry of its enum"
+            self._bad("initial", f"initial of {self.name} is not {wanted}")
+            return None
+        if isinstance(written, Fraction):
+            return self._in_steps("initial", written, steps)
+        entry = enum.entry(written) if enum else None
+        if enum is not None and entry is None:
+            names = [entry.name for entry in enum.entries]
+            self._bad("initial", f"{enum.name} has no entry {written}", UNKNOWN_ENTRY, did_you_mean(written, names))
+        return entry.value if entry else None
+
+    def _conversion(
+        self, channels: Mapping[str, AdcChannel], parameters: Mapping[str, Parameter], stored: Unit
+    ) -> Conversion | None:
+        spec = self.spec
+        if spec.adc is None and spec.multiplier is None:
+            for key in ("warn_above", "invalid_after", "stale_after"):
+                if getattr(spec, key) is not None:
+                    self._bad(key, f"{self.name} has no adc, so {key} says nothing")
+            return None
+        if spec.adc is None or spec.multiplier is None:
+            self._bad("adc" if spec.adc else "multiplier", f"{self.name} needs both adc and multiplier, or neither")
+            return None
+        channel = channels.get(spec.adc)
+        multiplier = parameters.get(spec.multiplier)
+        if channel is None:
+            hint = did_you_mean(spec.adc, channels)
+            self._bad("adc", f"board.yaml has no ADC channel {spec.adc}", UNKNOWN_ADC, hint)
+        if multiplier is None:
+            hint = did_you_mean(spec.multiplier, parameters)
+            self._bad("multiplier", f"there is no parameter {spec.multiplier}", UNKNOWN_PARAMETER, hint)
+        factor = UNITS["V"].to(stored)
+        if factor is None:
+            self._bad("adc", f"an ADC measures a voltage, {self.name} is a {stored.dimension}", UNIT_MISMATCH)
+        if channel is None or multiplier is None or factor is None:
+            return None
+        if multiplier.unit is not NUMBER or multiplier.minimum < 0:
+            self._bad("multiplier", f"{multiplier.name} is not a pure number that is never negative", UNIT_MISMATCH)
+        exact = channel.reference / channel.full_scale * multiplier.step * factor
+        return Conversion(channel, multiplier, exact.numerator, exact.denominator)
+
+
+def _attribute(name: str, stored: Unit) -> str:
+    suffix = _SUFFIX.get(stored.name) or re.sub(r"[^a-z0-9]+", "_", stored.name.lower()).strip("_")
+    return f"{name}_{suffix}" if suffix else name

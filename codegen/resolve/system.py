@@ -1,0 +1,172 @@
+"""Puts the resolved system together from a dialect and a specification."""
+
+from collections.abc import Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.dialect import Dialect
+from codegen.model.spec import PopulationSpec, Requirement, Spec
+from codegen.model.system import (
+    Binding,
+    Component,
+    Elements,
+    Parameter,
+    PopulatedMessage,
+    Stream,
+    System,
+)
+from codegen.resolve.citation import cite, index_requirements
+from codegen.resolve.constant import bind_constant
+from codegen.resolve.elements import answered_elements
+from codegen.resolve.fixed import bind_entry, bind_fact, bind_flags, bind_unknown, bind_version, find_quantity
+from codegen.resolve.live import bind_instance, bind_live
+from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
+from codegen.resolve.vehicle import UNKNOWN_PARAMETER, resolve_channels, resolve_parameters, resolve_streams
+
+BAD_PROJECT = Rule(
+    "bad-project",
+    "codegen.yaml sets a value that MAVLink does not allow: the system id is 1 to 255, the protocol 1 or 2.",
+)
+UNKNOWN_MESSAGE = Rule("unknown-message", "A population table is for a message that the dialect does not have.")
+UNKNOWN_STREAM = Rule("unknown-stream", "A population table names a stream that streams.yaml does not have.")
+UNKNOWN_COMPONENT = Rule("unknown-component", "A table names a component that state.yaml does not have.")
+BAD_INSTANCE = Rule(
+    "bad-instance",
+    "Only a message that is sent for_each component can carry the number of the instance, and of that component.",
+)
+
+
+def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
+    """Everything linked; what could not be resolved is left out and reported."""
+    index = index_requirements(spec.requirements)
+    channels = resolve_channels(spec.board, index, report)
+    parameters = resolve_parameters(spec.parameters, index, report)
+    streams = resolve_streams(spec.streams, parameters, index, report)
+    components = resolve_components(spec.state, dialect, channels, parameters, index, report)
+    binder = _Binder(spec, dialect, components, parameters, report)
+    messages = [
+        message
+        for population in spec.populations
+        if (message := _resolve_message(population, binder, streams, index)) is not None
+    ]
+    return System(
+        spec=spec,
+        dialect=dialect,
+        system_id=_system_id(spec, report),
+        component_id=_component_id(spec, dialect, report),
+        channels=channels,
+        parameters=parameters,
+        components=components,
+        streams=streams,
+        messages=tuple(sorted(messages, key=lambda message: message.wire.id)),
+        requirements=index,
+    )
+
+
+def _system_id(spec: Spec, report: Report) -> int:
+    project = spec.project
+    if not 1 <= project.system_id <= 255:
+        report.add(BAD_PROJECT, project.at("system_id"), f"system id {project.system_id} is not 1 to 255")
+    if project.protocol not in (1, 2):
+        report.add(BAD_PROJECT, project.at("protocol"), f"protocol {project.protocol} is not 1 or 2")
+    return project.system_id
+
+
+def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int:
+    name, enum = spec.project.component_id, dialect.enums.get("MAV_COMPONENT")
+    entry = enum.entry(name) if enum else None
+    if entry is None:
+        names = [entry.name for entry in enum.entries] if enum else []
+        report.add(
+            UNKNOWN_ENTRY,
+            spec.project.at("component_id"),
+            f"MAV_COMPONENT has no entry {name}",
+            did_you_mean(name, names),
+        )
+        return 1
+    return entry.value
+
+
+def _resolve_message(
+    population: PopulationSpec, binder: "_Binder", streams: Mapping[str, Stream], index: Mapping[str, Requirement]
+) -> PopulatedMessage | None:
+    report = binder.report
+    wire = binder.dialect.messages.get(population.message)
+    if wire is None:
+        hint = did_you_mean(population.message, binder.dialect.messages)
+        place = population.at("message")
+        report.add(UNKNOWN_MESSAGE, place, f"{binder.dialect.name} has no message {population.message}", hint)
+    citation = cite(population.requirement, population.at("requirement"), index, report)
+    stream = streams.get(population.stream)
+    if stream is None and population.stream not in binder.spec.streams.streams:
+        hint = did_you_mean(population.stream, streams)
+        report.add(UNKNOWN_STREAM, population.at("stream"), f"there is no stream {population.stream}", hint)
+    component = None
+    if population.for_each is not None:
+        component = binder.components.get(population.for_each)
+        if component is None:
+            hint = did_you_mean(population.for_each, binder.components)
+            place = population.at("for_each")
+            report.add(UNKNOWN_COMPONENT, place, f"the state has no component {population.for_each}", hint)
+    if wire is None or citation is None:
+        return None
+    elements = answered_elements(population, wire, citation, index, report)
+    bindings = [binding for covers in elements if (binding := binder.bind(covers, component)) is not None]
+    if stream is None:
+        return None
+    return PopulatedMessage(wire, tuple(bindings), stream, component, citation, population)
+
+
+class _Binder:
+    """Binds the answers of the tables to their sources."""
+
+    def __init__(
+        self,
+        spec: Spec,
+        dialect: Dialect,
+        components: Mapping[str, Component],
+        parameters: Mapping[str, Parameter],
+        report: Report,
+    ) -> None:
+        self.spec = spec
+        self.dialect = dialect
+        self.components = components
+        self.parameters = parameters
+        self.report = report
+
+    def bind(self, covers: Elements, component: Component | None) -> Binding | None:
+        """The binding of one answer, or None with a finding."""
+        answer, report = covers.answer, self.report
+        if answer.state is not None:
+            return self._bind_state(covers, answer.state, component)
+        if answer.parameter is not None:
+            return self._bind_parameter(covers, answer.parameter)
+        if answer.board is not None:
+            return bind_fact(covers, answer.board, self.spec.board, self.dialect, report)
+        if answer.enum is not None:
+            return bind_entry(covers, answer.enum, "enum", self.dialect, report)
+        if answer.flags is not None:
+            return bind_flags(covers, answer.flags, self.dialect, self.components, report)
+        if answer.constant is not None:
+            return bind_constant(covers, answer.constant, "constant", report)
+        if answer.dialect is not None:
+            return bind_version(covers, answer.dialect, self.dialect, report)
+        return bind_unknown(covers, report)
+
+    def _bind_state(self, covers: Elements, path: str, component: Component | None) -> Binding | None:
+        place = covers.answer.at("state")
+        owner, _, name = path.partition(".")
+        if name == "instance" and owner in self.components:
+            if component is None or component.name != owner:
+                self.report.add(BAD_INSTANCE, place, f"the message is not sent for each {owner}", f"for_each: {owner}")
+                return None
+            return bind_instance(covers, owner, self.report)
+        quantity = find_quantity(path, self.components, place, self.report)
+        return None if quantity is None else bind_live(covers, quantity, "state", self.report)
+
+    def _bind_parameter(self, covers: Elements, name: str) -> Binding | None:
+        parameter = self.parameters.get(name)
+        if parameter is None:
+            hint = did_you_mean(name, self.parameters)
+            self.report.add(UNKNOWN_PARAMETER, covers.answer.at("parameter"), f"there is no parameter {name}", hint)
+            return None
+        return bind_live(covers, parameter, "parameter", self.report)

@@ -1,0 +1,54 @@
+"""Integers of the steady path stay below 2**30, above which 32-bit MicroPython allocates (facts, section 3)."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.model.system import SMALL_INT_MAX, LiveBinding, Quantity, SplitBinding, System
+
+RULE = Rule(
+    "allocating-arithmetic",
+    "An intermediate result of a conversion can pass 2**30 - 1. It would still be right, but 32-bit boards allocate "
+    "memory for it, and the steady telemetry cycle must not. Make the parameter's step or the stored unit coarser.",
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """Every conversion from counts, and every scaling of a populated field."""
+    for _, quantity in system.measured():
+        yield from _conversion(quantity)
+    for message in system.messages:
+        for binding in message.bindings:
+            if isinstance(binding, LiveBinding | SplitBinding) and binding.covers.field.type.is_integer:
+                yield from _scaling(binding)
+
+
+def _conversion(quantity: Quantity) -> Iterator[Diagnostic]:
+    conversion = quantity.conversion
+    assert conversion is not None
+    largest = conversion.multiplier.maximum
+    both = conversion.channel.full_scale * largest
+    numerator, denominator = conversion.numerator, conversion.denominator
+    worst = max(both, denominator * numerator + denominator // 2, both // denominator * numerator + numerator)
+    if worst > SMALL_INT_MAX:
+        yield Diagnostic(
+            quantity.spec.at("multiplier"),
+            RULE,
+            f"{quantity.path}: the conversion from counts reaches {worst}",
+            f"make the step of {conversion.multiplier.name} coarser, or its max smaller",
+            ((conversion.multiplier.spec.at("step"), f"{conversion.multiplier.name} is declared here"),),
+        )
+
+
+def _scaling(binding: LiveBinding | SplitBinding) -> Iterator[Diagnostic]:
+    if binding.factor == 1:
+        return
+    reach = max(abs(Fraction(binding.low)), abs(Fraction(binding.high))) / binding.factor + 2
+    worst = int(reach * binding.factor.numerator) + binding.factor.denominator
+    if worst > SMALL_INT_MAX:
+        yield Diagnostic(
+            binding.covers.answer.place,
+            RULE,
+            f"{binding.covers.label}: the scaling by {binding.factor} reaches {worst}",
+            "limit the value with min and max, or keep the quantity in the unit of the field",
+        )

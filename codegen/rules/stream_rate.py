@@ -1,0 +1,40 @@
+"""Messages that are sent more often than their values change."""
+
+from collections.abc import Iterator
+
+from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.system import LiveBinding, PopulatedMessage, Quantity, SplitBinding, System
+
+RULE = Rule(
+    "rate-above-update",
+    "A stream's default rate is above the update rate of a component that its messages report: the same values go "
+    "out again and again.",
+    Severity.WARNING,
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """Every populated message with the slowest component that it reports."""
+    for message in system.messages:
+        rate = message.stream.rate if message.stream.rate is not None else _default_rate(message)
+        for name in sorted(_components(message)):
+            period = system.components[name].period_ms
+            if period is not None and rate * period > 1000:
+                yield Diagnostic(
+                    message.population.at("stream"),
+                    RULE,
+                    f"{message.name} goes out at {rate} Hz, but {name} is updated every {period} ms",
+                    related=((system.components[name].spec.at("update_rate"), f"{name} is updated at this rate"),),
+                )
+
+
+def _default_rate(message: PopulatedMessage) -> int:
+    return message.stream.parameter.default if message.stream.parameter else 0
+
+
+def _components(message: PopulatedMessage) -> set[str]:
+    return {
+        binding.source.component
+        for binding in message.bindings
+        if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity)
+    }

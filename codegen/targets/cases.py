@@ -1,0 +1,263 @@
+"""The cases of the generated test suite, as data: what is set, what must go out, and which criterion asks for it."""
+
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.system import (
+    SMALL_INT_MAX,
+    Component,
+    FlagsBinding,
+    LiveBinding,
+    PopulatedMessage,
+    Quantity,
+    QuantityKind,
+    SplitBinding,
+    System,
+)
+from codegen.targets.expected import (
+    Known,
+    Wire,
+    converted,
+    expected_fields,
+    is_settable,
+    limits_in_steps,
+    nominal,
+    rounded,
+)
+from codegen.targets.naming import parameter_attribute
+
+Setting = tuple[str, str, int | float | str | None]
+"""Component, attribute and value; ``"nan"``, ``"inf"`` and ``"-inf"`` stand for the floats."""
+
+
+@dataclass(frozen=True, slots=True)
+class MessageCase:
+    """A state and the message that must come of it. ``requirement`` is the criterion that asks for it."""
+
+    name: str
+    requirement: str
+    message: str
+    instance: int
+    settings: tuple[Setting, ...]
+    expect: dict[str, Wire]
+
+
+@dataclass(frozen=True, slots=True)
+class ConversionCase:
+    """An ADC count and a multiplier in steps, and the stored integer that must come of them."""
+
+    name: str
+    requirement: str
+    component: str
+    parameter: str
+    steps: int
+    count: int
+    attribute: str
+    expect: int
+
+
+def message_cases(system: System) -> list[MessageCase]:
+    """Every case of every populated message, in order of id and offset."""
+    return [case for message in system.messages for case in _cases_of(message, system)]
+
+
+def conversion_cases(system: System) -> list[ConversionCase]:
+    """Counts over the whole range of each ADC, with the smallest, the default and the largest multiplier."""
+    cases = []
+    for component, quantity in system.measured():
+        conversion = quantity.conversion
+        assert conversion is not None
+        full = conversion.channel.full_scale
+        parameter = conversion.multiplier
+        for steps in sorted({parameter.minimum, parameter.default, parameter.maximum}):
+            for count in sorted({0, 1, 2, full // 3, full // 2, 3000 * full // 4095, full - 1, full}):
+                cases.append(
+                    ConversionCase(
+                        name=f"{component}.{quantity.name}-{count}-times-{steps}",
+                        requirement=str(quantity.citation or ""),
+                        component=component,
+                        parameter=parameter_attribute(parameter.name),
+                        steps=steps,
+                        count=count,
+                        attribute=quantity.attribute,
+                        expect=converted(quantity, count, steps),
+                    )
+                )
+    return cases
+
+
+def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:
+    used = _used_quantities(message, system)
+    base: dict[str, int | None] = {quantity.path: nominal(quantity) for quantity in used.values()}
+    for instance in range(message.instances):
+        suffix = f"-{instance}" if message.instances > 1 else ""
+        yield _case(message, f"nominal{suffix}", str(message.citation), base, instance, used)
+    unknown: dict[str, int | None] = dict.fromkeys(base)
+    yield _case(message, "everything-unknown", str(message.citation), unknown, 0, used)
+    for binding in message.bindings:
+        criterion = str(binding.covers.citation)
+        if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
+            for name, value in _live_values(binding):
+                known = {**base, binding.source.path: value}
+                yield _case(message, f"{binding.covers.label}-{name}", criterion, known, 0, used)
+            yield from _float_cases(message, binding, base, used)
+        elif isinstance(binding, FlagsBinding):
+            for flag, _, quantity in binding.conditional:
+                path = quantity.path if is_settable(quantity) else f"{quantity.component}.{quantity.while_known}"
+                values = (1, 0) if is_settable(quantity) else (nominal(used[path]), None)
+                for name, value in zip(("set", "clear"), values, strict=True):
+                    known = {**base, path: value}
+                    yield _case(message, f"{flag}-{name}", criterion, known, 0, used)
+
+
+def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:
+    """The quantities that tests of the message set, by path: those it reads, and those that these follow."""
+    used = {}
+    for binding in message.bindings:
+        sources: list[Quantity] = []
+        if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
+            sources = [binding.source]
+        elif isinstance(binding, FlagsBinding):
+            sources = [quantity for _, _, quantity in binding.conditional]
+        for quantity in sources:
+            followed = quantity.while_known
+            source = system.components[quantity.component].quantities[followed] if followed else quantity
+            used[source.path] = source
+    return used
+
+
+def _live_values(binding: LiveBinding | SplitBinding) -> Iterator[tuple[str, int | None]]:
+    """Name and stored value: the ends of the range, beyond both, unknown, and what would read as the sentinel."""
+    low, high = limits_in_steps(binding)
+    source = binding.source
+    yield "minimum", low
+    yield "maximum", high
+    yield "below-minimum", max(low - 1, -SMALL_INT_MAX)
+    yield "above-maximum", min(high + 1, SMALL_INT_MAX)
+    yield "far-below", -SMALL_INT_MAX
+    yield "far-above", SMALL_INT_MAX
+    yield "unknown", None
+    yield "zero", 0
+    step = 1 / binding.factor
+    if isinstance(binding, SplitBinding):
+        for cells in range(1, binding.covers.count + 1):
+            for name, wire in (("full", 0), ("full-and-one", 1), ("full-less-one", -1)):
+                yield f"{cells}-cells-{name}", rounded((cells * binding.cell_high + wire) * step, binding.rounding)
+        yield "sentinel", rounded(binding.unused * step, binding.rounding)
+        return
+    sentinel = binding.covers.field.sentinel
+    wire_sentinel = sentinel.values[binding.covers.first] if sentinel else None
+    if isinstance(wire_sentinel, int) and isinstance(source, Quantity):
+        yield "sentinel", rounded(Fraction(wire_sentinel) * step, binding.rounding)
+    yield "minus-one", -1
+
+
+def _float_cases(
+    message: PopulatedMessage,
+    binding: LiveBinding | SplitBinding,
+    base: Known,
+    used: dict[str, Quantity],
+) -> Iterator[MessageCase]:
+    """The same field set through the property for people: None, NaN, the infinities and a plain number."""
+    quantity = binding.source
+    if not isinstance(quantity, Quantity) or quantity.attribute == quantity.name:
+        return
+    if quantity.kind is not QuantityKind.NUMBER:
+        return
+    plain = nominal(quantity)
+    for name, value, stored in (
+        ("nan", "nan", None),
+        ("none", None, None),
+        ("infinity", "inf", SMALL_INT_MAX),
+        ("minus-infinity", "-inf", -SMALL_INT_MAX),
+        ("in-its-unit", float(plain / quantity.steps), plain),
+    ):
+        known = {**base, quantity.path: stored}
+        case = _case(message, f"{binding.covers.label}-{name}", str(binding.covers.citation), known, 0, used)
+        settings = [setting for setting in case.settings if setting[:2] != (quantity.component, quantity.attribute)]
+        yield MessageCase(
+            case.name,
+            case.requirement,
+            case.message,
+            case.instance,
+            (*settings, (quantity.component, quantity.name, value)),
+            case.expect,
+        )
+
+
+def _case(
+    message: PopulatedMessage, name: str, requirement: str, known: Known, instance: int, used: dict[str, Quantity]
+) -> MessageCase:
+    settings = tuple(
+        (
+            used[path].component,
+            used[path].attribute,
+            value if used[path].kind is not QuantityKind.BOOLEAN else bool(value),
+        )
+        for path, value in known.items()
+    )
+    return MessageCase(
+        name=f"{message.name}.{name}",
+        requirement=requirement,
+        message=message.name,
+        instance=instance,
+        settings=settings,
+        expect=expected_fields(message, known, instance),
+    )
+
+
+def instances_of(components: dict[str, Component]) -> dict[str, int]:
+    """How many of each component exist: the runner reaches the n-th of several through a list."""
+    return {name: component.instances for name, component in components.items()}
+
+
+def cases_text(system: System, origin: dict[str, object]) -> str:
+    """The cases as JSON, one case a line, so that a diff shows which cases changed."""
+    messages = [
+        {
+            "name": case.name,
+            "requirement": case.requirement,
+            "message": case.message,
+            "instance": case.instance,
+            "set": case.settings,
+            "expect": case.expect,
+        }
+        for case in message_cases(system)
+    ]
+    conversions = [
+        {
+            "name": case.name,
+            "requirement": case.requirement,
+            "component": case.component,
+            "parameter": case.parameter,
+            "steps": case.steps,
+            "count": case.count,
+            "attribute": case.attribute,
+            "expect": case.expect,
+        }
+        for case in conversion_cases(system)
+    ]
+    parts = [f'"generated": {json.dumps(origin)}']
+    parts.append(f'"instances": {json.dumps(instances_of(dict(system.components)))}')
+    for key, cases in (("messages", messages), ("conversions", conversions)):
+        lines = ",\n".join(_json(case) for case in cases)
+        parts.append(f'"{key}": [\n{lines}\n]')
+    return "{" + ",\n".join(parts) + "}\n"
+
+
+def _json(case: dict[str, object]) -> str:
+    return json.dumps(case, allow_nan=False) if "NaN" not in json.dumps(case) else json.dumps(_without_nan(case))
+
+
+def _without_nan(value: object) -> object:
+    """JSON has no NaN: it is written as the text "nan"."""
+    if isinstance(value, float) and math.isnan(value):
+        return "nan"
+    if isinstance(value, dict):
+        return {key: _without_nan(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_without_nan(item) for item in value]
+    return value

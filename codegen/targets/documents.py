@@ -1,0 +1,88 @@
+"""Review documents: the resolved system as tables that are committed, so that their diff shows what a change does."""
+
+from dataclasses import dataclass
+
+from codegen.model.system import Citation, PopulatedMessage, System
+from codegen.model.unit import decimal
+from codegen.render import render_template
+from codegen.targets.origin import origin_of, source_name
+from codegen.targets.table import FieldRow, field_rows
+
+
+@dataclass(frozen=True, slots=True)
+class MessageDocument:
+    """One message with its fields."""
+
+    name: str
+    id: int
+    crc_extra: int
+    base_length: int
+    length: int
+    rate: str
+    citation: str
+    table: str
+    rows: tuple[FieldRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CitedCriterion:
+    """A criterion that the specification cites, with its text."""
+
+    citation: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class TelemetryDocument:
+    """The document: messages in order of id, and the criteria that their fields answer to."""
+
+    project: str
+    sources: tuple[str, ...]
+    digest: str
+    messages: tuple[MessageDocument, ...]
+    criteria: tuple[CitedCriterion, ...]
+
+
+def render_documents(system: System) -> dict[str, str]:
+    """The files below ``docs/``."""
+    wires = [message.wire for message in system.messages]
+    origin = origin_of(system, system.spec.files, wires)
+    view = TelemetryDocument(
+        project=system.spec.project.project,
+        sources=origin.sources,
+        digest=origin.digest,
+        messages=tuple(_message(message, system) for message in system.messages),
+        criteria=tuple(_criteria(system)),
+    )
+    return {"docs/telemetry.md": render_template("docs/telemetry.md.j2", view)}
+
+
+def _message(message: PopulatedMessage, system: System) -> MessageDocument:
+    stream = message.stream
+    if stream.parameter is not None:
+        rate = f"{stream.parameter.name}, {stream.parameter.default} Hz by default"
+    else:
+        assert stream.rate is not None
+        rate = f"{decimal(stream.rate)} Hz"
+    return MessageDocument(
+        name=message.name,
+        id=message.wire.id,
+        crc_extra=message.wire.crc_extra,
+        base_length=message.wire.base_length,
+        length=message.wire.length,
+        rate=f"stream {stream.name}: {rate}",
+        citation=str(message.citation),
+        table=source_name(system, message.population.place.file),
+        rows=field_rows(message),
+    )
+
+
+def _criteria(system: System) -> list[CitedCriterion]:
+    cited: dict[str, Citation] = {}
+    for message in system.messages:
+        for citation in (message.citation, *(binding.covers.citation for binding in message.bindings)):
+            cited[str(citation)] = citation
+    return [
+        CitedCriterion(name, citation.criterion.text if citation.criterion else citation.requirement.title)
+        for name, citation in sorted(cited.items())
+    ]

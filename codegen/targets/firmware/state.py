@@ -1,0 +1,144 @@
+"""View of state.py: the vehicle state with its integers, their views for people and the updates from the ADC."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.system import Component, Quantity, QuantityKind, System
+from codegen.model.unit import decimal
+from codegen.targets.naming import parameter_attribute, state_class
+
+
+@dataclass(frozen=True, slots=True)
+class QuantityView:
+    """One quantity: its attribute, its value at start, and, with a unit, its property for people."""
+
+    name: str
+    attribute: str
+    initial: str
+    comment: str
+    unit: str
+    has_property: bool
+    follows: str | None
+    numerator: int
+    denominator: int
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredView:
+    """How a component's quantity comes from an ADC count: ``count * steps * numerator / denominator``.
+
+    ``formula`` is the same for people, in volts, with the names adc and mult.
+    """
+
+    name: str
+    attribute: str
+    unit: str
+    formula: str
+    formula_citation: str
+    multiplier: str
+    multiplier_name: str
+    latched: bool
+    numerator: int
+    denominator: int
+    warn_above: int | None
+    warn_text: str
+    invalid_after: int | None
+    stale_after_ms: int | None
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
+class ComponentView:
+    """One class of the state, and how SystemState holds it: alone, or as a list of several."""
+
+    name: str
+    class_name: str
+    doc: str
+    instances: int
+    first: str
+    quantities: tuple[QuantityView, ...]
+    measured: MeasuredView | None
+
+
+@dataclass(frozen=True, slots=True)
+class StateView:
+    """The module: the components in order, and the names that it imports from conversion."""
+
+    components: tuple[ComponentView, ...]
+    conversions: tuple[str, ...]
+    uses_clock: bool
+
+
+def state_view(system: System) -> StateView:
+    """The view of the whole module."""
+    components = tuple(_component(component) for component in system.components.values())
+    used = set()
+    if any(component.measured for component in components):
+        used |= {"product"}
+    if any(quantity.has_property for component in components for quantity in component.quantities):
+        used |= {"to_steps"}
+    return StateView(components, tuple(sorted(used)), any(component.measured for component in components))
+
+
+def _component(component: Component) -> ComponentView:
+    measured = [_measured(quantity) for quantity in component.quantities.values() if quantity.conversion]
+    return ComponentView(
+        name=component.name,
+        class_name=state_class(component.name),
+        doc=component.spec.doc,
+        instances=component.instances,
+        first=component.name if component.instances == 1 else f"{component.name}[0]",
+        quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
+        measured=measured[0] if measured else None,
+    )
+
+
+def _quantity(quantity: Quantity, component: Component) -> QuantityView:
+    initial = "None"
+    if quantity.kind is QuantityKind.BOOLEAN:
+        initial = str(bool(quantity.initial))
+    elif quantity.initial is not None:
+        initial = str(quantity.initial)
+    stored = f" [{quantity.stored.name}]" if quantity.stored.name else ""
+    enum = f" ({quantity.enum.name})" if quantity.enum else ""
+    follows = quantity.while_known
+    return QuantityView(
+        name=quantity.name,
+        attribute=quantity.attribute,
+        initial=initial,
+        comment=f"{quantity.spec.doc.rstrip('.')}{stored}{enum}",
+        unit=quantity.unit.name,
+        has_property=quantity.attribute != quantity.name,
+        follows=component.quantities[follows].attribute if follows else None,
+        numerator=quantity.steps.numerator,
+        denominator=quantity.steps.denominator,
+        citation=str(quantity.citation) if quantity.citation else "",
+    )
+
+
+def _measured(quantity: Quantity) -> MeasuredView:
+    conversion = quantity.conversion
+    assert conversion is not None
+    channel, multiplier = conversion.channel, conversion.multiplier
+    steps_to_volts = Fraction(1) if quantity.unit.name == "V" else 1 / quantity.steps
+    warn_text = ""
+    if quantity.warn_above is not None:
+        warn_text = f"{decimal(quantity.warn_above / quantity.steps * steps_to_volts)} {quantity.unit.name}"
+    return MeasuredView(
+        name=quantity.name,
+        attribute=quantity.attribute,
+        unit=quantity.unit.name,
+        formula=f"adc / {channel.full_scale} * {decimal(channel.reference)} * mult",
+        formula_citation=str(quantity.citation) if quantity.citation else "",
+        multiplier=parameter_attribute(multiplier.name),
+        multiplier_name=multiplier.name,
+        latched=multiplier.spec.reboot,
+        numerator=conversion.numerator,
+        denominator=conversion.denominator,
+        warn_above=quantity.warn_above,
+        warn_text=warn_text,
+        invalid_after=quantity.spec.invalid_after,
+        stale_after_ms=quantity.stale_after_ms,
+        citation=str(quantity.citation) if quantity.citation else "",
+    )

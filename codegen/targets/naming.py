@@ -1,0 +1,33 @@
+"""Names of the generated Python: one place decides how a dialect's or a table's name is spelt in code."""
+
+import keyword
+
+from codegen.model.system import Component, PopulatedMessage
+
+
+def class_name(message: str) -> str:
+    """BATTERY_STATUS -> BatteryStatus."""
+    return "".join(part.capitalize() for part in message.split("_"))
+
+
+def state_class(component: str) -> str:
+    """battery -> BatteryState."""
+    return f"{class_name(component)}State"
+
+
+def builder_name(message: PopulatedMessage) -> str:
+    """BATTERY_STATUS -> build_battery_status."""
+    return f"build_{message.name.lower()}"
+
+
+def parameter_attribute(parameter: str) -> str:
+    """BATT_VOLT_MULT -> batt_volt_mult."""
+    name = parameter.lower()
+    return f"{name}_" if keyword.iskeyword(name) else name
+
+
+def instance_expression(component: Component, is_for_each: bool) -> str:
+    """How a builder reaches the component of its message: ``state.battery``, or one of a list of several."""
+    if component.instances == 1:
+        return f"state.{component.name}"
+    return f"state.{component.name}[{'instance' if is_for_each else '0'}]"

@@ -1,0 +1,90 @@
+"""The header of generated files: what they come from, and a hash of it."""
+
+import hashlib
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from codegen.model.dialect import WireMessage
+from codegen.model.system import System
+from codegen.render import copied, plain_files
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The sources of a generated file, by name below the project, and the first 16 digits of their sha256."""
+
+    sources: tuple[str, ...]
+    digest: str
+
+
+def source_name(system: System, path: str) -> str:
+    """The name of a specification file as headers and documents print it: ``specs/state.yaml``."""
+    return os.path.relpath(path, os.path.dirname(system.spec.folder)).replace(os.sep, "/")
+
+
+def origin_of_text(name: str, text: str) -> Origin:
+    """The origin of a file that is copied as it is."""
+    return Origin((name,), hashlib.sha256(text.encode()).hexdigest()[:16])
+
+
+def origin_of(system: System, paths: Iterable[str], messages: Iterable[WireMessage] = ()) -> Origin:
+    """The origin of a file that comes from specification files and from messages of the dialect.
+
+    Of the dialect only what the messages are on the wire counts, with corrections applied: a new release of it
+    that changes other messages changes no hash.
+    """
+    digest = hashlib.sha256()
+    names = []
+    for path in sorted(set(paths)):
+        name = source_name(system, path)
+        names.append(name)
+        digest.update(f"{name} {system.spec.files[path]}\n".encode())
+    described = [_wire_facts(message) for message in messages]
+    digest.update("".join(described).encode())
+    if described:
+        names.append(f"dialect {system.dialect.name}")
+    return Origin(tuple(names), digest.hexdigest()[:16])
+
+
+def _wire_facts(message: WireMessage) -> str:
+    facts = [f"{message.name} {message.id} {message.crc_extra} {message.base_length} {message.length}\n"]
+    for field in message.fields:
+        definition = field.definition
+        sentinel = field.sentinel.values if field.sentinel else None
+        facts.append(
+            f"{field.name} {field.type.name} {field.offset} {definition.length} {definition.units} "
+            f"{definition.enum} {definition.minimum} {definition.maximum} {sentinel}\n"
+        )
+    return "".join(facts)
+
+
+def specification_file(system: System, name: str) -> str:
+    """The absolute path of a file of the specification's folder."""
+    return os.path.join(system.spec.folder, name)
+
+
+def headed(text: str, origin: Origin) -> str:
+    """A Python file with the header that says what it comes from."""
+    return f"# Generated from {_wrapped(origin.sources)}: do not edit.\n# Inputs: {origin.digest}\n{text}"
+
+
+def _wrapped(sources: tuple[str, ...]) -> str:
+    """The sources in lines of comment that stay readable."""
+    lines = [""]
+    for source in sources:
+        if lines[-1] and len(lines[-1]) + len(source) > 90:
+            lines[-1] += ","
+            lines.append(source)
+        else:
+            lines[-1] += f", {source}" if lines[-1] else source
+    return "\n#   ".join(lines)
+
+
+def copied_files(folder: str) -> dict[str, str]:
+    """Every plain file of a template folder with its header, by its path in the output."""
+    files = {}
+    for name in plain_files(folder):
+        text = copied(f"{folder}/{name}")
+        files[f"{folder}/{name}"] = headed(text, origin_of_text(f"templates/{folder}/{name}", text))
+    return files

@@ -1,0 +1,46 @@
+"""The generated test suite: cases as data, one runner for every interpreter, and the comparison with pymavlink."""
+
+from dataclasses import dataclass
+
+from codegen.model.system import System
+from codegen.render import render_template
+from codegen.targets.cases import cases_text
+from codegen.targets.firmware.board import BoardView, board_view
+from codegen.targets.firmware.state import ComponentView, StateView, state_view
+from codegen.targets.origin import copied_files, headed, origin_of
+
+RENDERED = ("behaviour.py", "test_frames.py")
+
+
+@dataclass(frozen=True, slots=True)
+class SuiteView:
+    """What the templates of the suite need to know."""
+
+    dialect: str
+    system_id: int
+    component_id: int
+    board: BoardView
+    state: StateView
+    measured: tuple[ComponentView, ...]
+    builders: tuple[str, ...]
+
+
+def render_suite(system: System) -> dict[str, str]:
+    """The files below ``tests/``."""
+    wires = [message.wire for message in system.messages]
+    origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
+    about: dict[str, object] = {"from": list(origin.sources), "inputs": origin.digest}
+    files = {**copied_files("tests"), "tests/cases.json": cases_text(system, about)}
+    state = state_view(system)
+    view = SuiteView(
+        dialect=system.dialect.name,
+        system_id=system.system_id,
+        component_id=system.component_id,
+        board=board_view(system),
+        state=state,
+        measured=tuple(component for component in state.components if component.measured),
+        builders=tuple(message.name.lower() for message in system.messages),
+    )
+    for name in RENDERED:
+        files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)
+    return files

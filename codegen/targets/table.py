@@ -1,0 +1,123 @@
+"""One row per binding, as documents and ``explain`` print it."""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.spec import Rounding
+from codegen.model.system import (
+    Binding,
+    FixedBinding,
+    FlagsBinding,
+    InstanceBinding,
+    LiveBinding,
+    Parameter,
+    PopulatedMessage,
+    Quantity,
+    SplitBinding,
+)
+from codegen.model.unit import decimal
+from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class FieldRow:
+    """What there is to say about the covered elements of one answer, as text; ``place`` is the answer's."""
+
+    offset: int
+    size: int
+    field: str
+    type: str
+    unit: str
+    source: str
+    conversion: str
+    limits: str
+    sentinel: str
+    criterion: str
+    place: Place
+
+
+def field_rows(message: PopulatedMessage) -> tuple[FieldRow, ...]:
+    """The rows of a message, in wire order."""
+    return tuple(_row(binding) for binding in message.bindings)
+
+
+def _row(binding: Binding) -> FieldRow:
+    covers = binding.covers
+    field = covers.field
+    length = f"[{field.count}]" if field.is_array else ""
+    extension = " ext" if field.definition.is_extension else ""
+    source, conversion, limits = _story(binding)
+    return FieldRow(
+        offset=covers.offset,
+        size=covers.count * field.type.size,
+        field=covers.label,
+        type=f"{field.type.name}{length}{extension}",
+        unit=field.definition.units or "",
+        source=source,
+        conversion=conversion,
+        limits=limits,
+        sentinel=_sentinel(binding),
+        criterion=str(covers.citation),
+        place=covers.answer.place,
+    )
+
+
+def _story(binding: Binding) -> tuple[str, str, str]:
+    """Source, conversion and limits in words."""
+    if isinstance(binding, FixedBinding):
+        values = {_shown(value) for value in binding.values}
+        shown = values.pop() if len(values) == 1 else ", ".join(_shown(value) for value in binding.values)
+        text = "unknown" if binding.is_unknown else binding.meaning
+        return text, f"= {shown}", ""
+    if isinstance(binding, InstanceBinding):
+        return f"number of the {binding.component}", "", ""
+    if isinstance(binding, FlagsBinding):
+        words = [*binding.names, *(f"{name} if {quantity.path}" for name, _, quantity in binding.conditional)]
+        always = f"= {binding.mask:#x}" if binding.mask or not binding.conditional else ""
+        return " + ".join(words) or "no flag", always, ""
+    kept = binding.source.stored.name if isinstance(binding.source, Quantity) else binding.source.unit.name
+    name = binding.source.name if isinstance(binding.source, Parameter) else binding.source.path
+    return name, _conversion(binding, kept), _limits(binding)
+
+
+def _conversion(binding: LiveBinding | SplitBinding, kept: str) -> str:
+    unit = binding.covers.field.definition.units or ""
+    if binding.factor == 1:
+        text = f"kept in {kept}" if kept else ""
+    else:
+        text = f"{kept} * {decimal(binding.factor)} = {unit}, {_ROUNDING[binding.rounding]}"
+    if isinstance(binding, SplitBinding):
+        spread = f"spills above {binding.cell_high}"
+        text = f"{text}, {spread}" if text else spread
+    return text
+
+
+_ROUNDING = {
+    Rounding.NEAREST: "to nearest",
+    Rounding.DOWN: "down",
+    Rounding.UP: "up",
+    Rounding.TOWARD_ZERO: "toward zero",
+}
+
+
+def _limits(binding: LiveBinding | SplitBinding) -> str:
+    text = f"{_number(binding.low)}..{_number(binding.high)}"
+    if isinstance(binding, LiveBinding) and binding.hole is not None and binding.beside is not None:
+        text += f", {_number(binding.hole)} -> {_number(binding.beside)}"
+    return text
+
+
+def _sentinel(binding: Binding) -> str:
+    sentinel = binding.covers.field.sentinel
+    return "" if sentinel is None else sentinel.written
+
+
+def _number(value: int | Fraction) -> str:
+    return decimal(Fraction(value))
+
+
+def _shown(value: int | float | str) -> str:
+    if isinstance(value, float) and math.isnan(value):
+        return "NaN"
+    return repr(value)

@@ -1,0 +1,47 @@
+# Generated from specs/board.yaml, specs/state.yaml: do not edit.
+# Inputs: 3b0f5fc6b5872aa7
+"""The hardware: Raspberry Pi Pico 2 W (RP2350)."""
+
+import time
+
+import machine
+
+
+class Board:
+    """The board; a part that cannot be set up is warned about and reads as failed, the vehicle goes on."""
+
+    def __init__(self, log=print):
+        self._log = log
+        self.battery_failures = 0  # failed readings in a row
+        self._battery_count = None
+        self._battery_adc = None
+        try:
+            self._battery_adc = machine.ADC(machine.Pin(26))
+        except Exception as error:
+            log("warning: no ADC for the battery on GPIO 26:", error)
+
+    def read_battery_adc(self):
+        """Return the mean of 5 samples as a count, 0 to 4095, FR-00066.1.
+
+        A failed or late reading returns the last good count, None before the first, and counts in
+        `battery_failures`.
+        """
+        started = time.ticks_us()
+        total = 0
+        try:
+            for _ in range(5):
+                total += self._battery_adc.read_u16() >> 4
+        except Exception as error:
+            return self._keep_battery("cannot be read:", error)
+        took = time.ticks_diff(time.ticks_us(), started)
+        if took > 2000:
+            return self._keep_battery("took too long to read, in us:", took)
+        self.battery_failures = 0
+        self._battery_count = (total + 2) // 5
+        return self._battery_count
+
+    def _keep_battery(self, problem, detail):
+        self.battery_failures += 1
+        if self.battery_failures == 1:  # once for each run of failures, not ten times a second
+            self._log("error: the battery's ADC", problem, detail)
+        return self._battery_count

@@ -1,0 +1,185 @@
+# Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
+# Inputs: 1c0378dfd73fca9f
+"""State of the vehicle: integers in the units that go out, None while a quantity is unknown.
+
+Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
+"""
+
+import time
+
+from conversion import product, to_steps
+from parameters import Parameters
+
+
+class BatteryState:
+    """One battery of the rover."""
+
+    def __init__(self):
+        # Voltage of the whole pack [mV]
+        self.voltage_mv = None
+        # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
+        self.current_ca = None
+        # Charge drawn since the pack was full [mAh]
+        self.consumed_mah = None
+        # Energy drawn since the pack was full [hJ]
+        self.energy_hj = None
+        # Charge that is left, of a full pack [%]
+        self.remaining_pct = None
+        # Temperature of the pack. The rover has no sensor for it [cdegC]
+        self.temperature_cdegc = None
+        self.updated_ms = None  # time of the last good reading
+        self.is_high = False
+
+    @property
+    def voltage(self):
+        """V, or None while it is unknown; FR-00069.1."""
+        if self.voltage_mv is None:
+            return None
+        return self.voltage_mv / 1000
+
+    @voltage.setter
+    def voltage(self, value):
+        self.voltage_mv = to_steps(value, 1000)
+
+    @property
+    def current(self):
+        """A, or None while it is unknown; FR-00068.4."""
+        if self.current_ca is None:
+            return None
+        return self.current_ca / 100
+
+    @current.setter
+    def current(self, value):
+        self.current_ca = to_steps(value, 100)
+
+    @property
+    def consumed(self):
+        """mAh, or None while it is unknown; FR-00068.6."""
+        return self.consumed_mah
+
+    @consumed.setter
+    def consumed(self, value):
+        self.consumed_mah = to_steps(value, 1)
+
+    @property
+    def energy(self):
+        """hJ, or None while it is unknown; FR-00068.6."""
+        return self.energy_hj
+
+    @energy.setter
+    def energy(self, value):
+        self.energy_hj = to_steps(value, 1)
+
+    @property
+    def remaining(self):
+        """%, or None while it is unknown; FR-00068.5."""
+        return self.remaining_pct
+
+    @remaining.setter
+    def remaining(self, value):
+        self.remaining_pct = to_steps(value, 1)
+
+    @property
+    def temperature(self):
+        """degC, or None while it is unknown; FR-00068.6."""
+        if self.temperature_cdegc is None:
+            return None
+        return self.temperature_cdegc / 100
+
+    @temperature.setter
+    def temperature(self, value):
+        self.temperature_cdegc = to_steps(value, 100)
+
+    @property
+    def healthy(self):
+        """Whether the pack's voltage is known, FR-00067.3."""
+        return self.voltage_mv is not None
+
+    @staticmethod
+    def voltage_from_adc(adc, mult):
+        """Return the volts that a count and a multiplier stand for, FR-00069.1."""
+        return adc / 4095 * 3.3 * mult
+
+    def set_count(self, count, multiplier):
+        """Take over a count; the multiplier is in steps of BATT_VOLT_MULT.
+
+        The same formula as voltage_from_adc() in whole numbers: nothing is lost and nothing allocated.
+        """
+        self.voltage_mv = product(count, multiplier, 11, 136500)
+
+    def expire(self, now_ms):
+        """Forget a reading that is older than 1000 ms."""
+        if self.updated_ms is not None and time.ticks_diff(now_ms, self.updated_ms) > 1000:
+            self.voltage_mv = None
+            self.updated_ms = None
+
+
+class VehicleState:
+    """The rover as a whole."""
+
+    def __init__(self):
+        # Whether the motors may turn
+        self.armed = False
+        # Drive mode, a number of the autopilot's own
+        self.mode = 0
+        # What the vehicle is doing (MAV_STATE)
+        self.status = 3
+        # Share of the main loop's time that is used [d%]
+        self.load_dpct = 0
+
+    @property
+    def load(self):
+        """%, or None while it is unknown."""
+        if self.load_dpct is None:
+            return None
+        return self.load_dpct / 10
+
+    @load.setter
+    def load(self, value):
+        self.load_dpct = to_steps(value, 10)
+
+
+class SystemState:
+    """Everything the telemetry reports."""
+
+    def __init__(self, parameters=None, log=print):
+        self.parameters = parameters or Parameters()
+        self._log = log
+        self.battery = BatteryState()
+        self._batt_volt_mult = self.parameters.batt_volt_mult  # a new one counts from the next start
+        self.vehicle = VehicleState()
+
+    def update_battery(self, board):
+        """Take one reading; call it ten times a second. It never raises, FR-00069.1.
+
+        A failed reading keeps the last value; 5 in a row make it unknown.
+        """
+        battery = self.battery
+        try:
+            count = board.read_battery_adc()
+            failures = board.battery_failures
+        except Exception as error:
+            self._log("error: the board cannot read the battery:", error)
+            return
+        if failures:
+            if failures >= 5:
+                battery.voltage_mv = None
+            return
+        battery.set_count(count, self._batt_volt_mult)
+        battery.updated_ms = time.ticks_ms()
+        is_high = battery.voltage_mv > 13000
+        if is_high and not battery.is_high:
+            self._log("warning: the battery's voltage is above 13 V:", battery.voltage)
+        battery.is_high = is_high
+
+    def calibrate_battery(self, measured):
+        """Set BATT_VOLT_MULT so that the present reading would be `measured` V; return whether it was accepted.
+
+        new = old * measured / reading; it counts from the next start.
+        """
+        reading = self.battery.voltage
+        if not reading or measured is None:
+            return False
+        old = self._batt_volt_mult
+        parameters = self.parameters
+        return parameters.set("BATT_VOLT_MULT", parameters.value("BATT_VOLT_MULT", old) * measured / reading)

@@ -1,0 +1,293 @@
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/corrections.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml, specs/streams.yaml,
+#   dialect common: do not edit.
+# Inputs: b174d9767152c701
+"""How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
+
+As a program it prints one JSON object: what went wrong in each check, or null.
+"""
+
+import json
+
+import mock_time
+
+mock_time.install()
+
+from mavlink import Link  # noqa: E402  the clock has to be in place before the firmware looks at it
+from mock_board import MockBoard, scenario  # noqa: E402
+from parameters import Parameters  # noqa: E402
+from state import SystemState  # noqa: E402
+
+import telemetry  # noqa: E402
+
+try:
+    from micropython import heap_lock, heap_unlock
+except ImportError:  # CPython collects by counting references: there is no heap to lock
+
+    def heap_lock():
+        pass
+
+    def heap_unlock():
+        pass
+
+
+class Log:
+    """Keeps what was logged."""
+
+    def __init__(self):
+        self.lines = []
+
+    def __call__(self, *words):
+        self.lines.append(" ".join(str(word) for word in words))
+
+
+class Sink:
+    """A stream that takes everything and keeps nothing."""
+
+    def write(self, data):
+        return len(data)
+
+
+def fresh(count):
+    """Return a board that reads this count, a state, and the log of both."""
+    log = Log()
+    board = MockBoard(log=log)
+    board.set_adc_value(count)
+    return board, SystemState(log=log), log
+
+
+def battery_mean():
+    board, _, _ = fresh(0)
+    samples = [1000 + 7 * index for index in range(5)]
+    board.set_adc_waveform(samples)
+    expected = (sum(sample >> 0 for sample in samples) * 2 + 5) // (2 * 5)
+    assert board.read_battery_adc() == expected
+
+
+def battery_full_scale():
+    board, _, _ = fresh(4095)
+    assert board.read_battery_adc() == 4095
+
+
+def battery_failed_reading_keeps_the_last_value():
+    board, state, log = fresh(3000)
+    state.update_battery(board)
+    before = state.battery.voltage_mv
+    assert before is not None
+    board.set_adc_value(1000)
+    board.fail_adc(1)
+    state.update_battery(board)
+    assert state.battery.voltage_mv == before
+    assert board.battery_failures == 1
+    assert len(log.lines) == 1, log.lines
+    state.update_battery(board)
+    assert state.battery.voltage_mv < before
+    assert board.battery_failures == 0
+
+
+def battery_repeated_failures_make_it_unknown():
+    board, state, log = fresh(3000)
+    state.update_battery(board)
+    board.fail_adc(5)
+    for failures in range(1, 6):
+        assert state.battery.voltage_mv is not None
+        state.update_battery(board)
+        assert board.battery_failures == failures
+    assert state.battery.voltage_mv is None
+    assert len(log.lines) == 1, log.lines
+    state.update_battery(board)
+    assert state.battery.voltage_mv is not None
+
+
+def battery_absent_converter_is_no_reason_to_stop():
+    log = Log()
+    board = MockBoard(log=log, absent=True)
+    state = SystemState(log=log)
+    for _ in range(10):
+        state.update_battery(board)
+    assert state.battery.voltage_mv is None
+    assert "warning" in log.lines[0], log.lines
+
+
+def battery_broken_board_does_not_raise():
+    _, state, log = fresh(0)
+    state.update_battery(None)
+    assert len(log.lines) == 1, log.lines
+
+
+def battery_late_reading_keeps_the_last_value():
+    board, state, log = fresh(3000)
+    state.update_battery(board)
+    before = state.battery.voltage_mv
+    board.set_adc_value(1000)
+    board.delay_adc(401)
+    state.update_battery(board)
+    assert state.battery.voltage_mv == before
+    assert len(log.lines) == 1, log.lines
+    board.delay_adc(400)
+    state.update_battery(board)
+    assert state.battery.voltage_mv < before
+
+
+def battery_old_reading_is_unknown():
+    for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
+        mock_time.set_ticks_us(start_us)
+        board, state, _ = fresh(3000)
+        state.update_battery(board)
+        mock_time.advance_us(1000 * 1000)
+        for build in BUILDERS:
+            build(state)
+        assert state.battery.voltage_mv is not None
+        mock_time.advance_us(1000)
+        for build in BUILDERS:
+            build(state)
+        assert state.battery.voltage_mv is None
+    mock_time.set_ticks_us(0)
+
+
+def battery_high_value_warns_once():
+    board, state, log = fresh(4095)
+    state.update_battery(board)
+    is_high = state.battery.voltage_mv > 13000
+    state.update_battery(board)
+    assert len(log.lines) == (1 if is_high else 0), log.lines
+    board.set_adc_value(0)
+    state.update_battery(board)
+    board.set_adc_value(4095)
+    state.update_battery(board)
+    assert len(log.lines) == (2 if is_high else 0), log.lines
+
+
+def battery_formula_of_people_agrees():
+    board, state, _ = fresh(3000)
+    state.update_battery(board)
+    component = state.battery
+    by_hand = component.voltage_from_adc(3000, state.parameters.get("BATT_VOLT_MULT"))
+    assert abs(component.voltage - by_hand) < 0.001
+
+
+def battery_calibration():
+    board, state, _ = fresh(3000)
+    state.update_battery(board)
+    component = state.battery
+    before = component.voltage_mv
+    assert state.calibrate_battery(component.voltage * 1.01)
+    state.update_battery(board)
+    assert component.voltage_mv == before  # a new multiplier counts from the next start
+    state = SystemState(state.parameters, log=Log())
+    component = state.battery
+    state.update_battery(board)
+    assert abs(component.voltage_mv - before * 1.01) < 5
+    component.voltage = None
+    assert not state.calibrate_battery(12.0)
+
+
+def battery_scenarios():
+    for name in ("nominal", "low", "critical", "rising", "falling"):
+        board, state, _ = fresh(0)
+        board.set_adc_waveform(scenario(name))
+        seen = []
+        for _ in range(20):
+            state.update_battery(board)
+            seen.append(state.battery.voltage_mv)
+        assert seen == sorted(seen, reverse=name == "falling"), name
+        assert (seen[0] != seen[-1]) == (name in ("rising", "falling")), name
+
+
+def battery_steady_cycle_allocates_nothing():
+    board, state, log = fresh(4095)
+    links = [Link(Sink(), version=2), Link(Sink(), version=1)]
+    state.update_battery(board)  # what there is to warn about at full scale is said now
+    heap_lock()
+    try:
+        for count in range(4095, -1, -13):
+            board.set_adc_value(count)
+            state.update_battery(board)
+            for build in BUILDERS:
+                message = build(state)
+                for link in links:
+                    link.send(message)
+    finally:
+        heap_unlock()
+    assert links[0].sequence != links[0].tx_errors == 0
+    assert board.battery_failures == 0
+    assert state.battery.voltage_mv < 100
+    assert len(log.lines) <= 1, log.lines
+
+
+def every_value_allocates_nothing():
+    state = SystemState(log=Log())
+    link = Link(Sink())
+    values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
+    quantities = (
+        (state.battery, "voltage_mv"),
+        (state.battery, "current_ca"),
+        (state.battery, "consumed_mah"),
+        (state.battery, "energy_hj"),
+        (state.battery, "remaining_pct"),
+        (state.battery, "temperature_cdegc"),
+        (state.vehicle, "armed"),
+        (state.vehicle, "mode"),
+        (state.vehicle, "status"),
+        (state.vehicle, "load_dpct"),
+    )
+    heap_lock()
+    try:
+        for owner, attribute in quantities:
+            for value in values:
+                setattr(owner, attribute, value)
+                for build in BUILDERS:
+                    link.send(build(state))
+    finally:
+        heap_unlock()
+
+
+def parameters_keep_their_limits():
+    parameters = Parameters()
+    for name in parameters.names():
+        default = parameters.get(name)
+        for refused in (None, float("nan"), float("inf"), -float("inf"), 1e9, -1e9):
+            assert not parameters.set(name, refused), (name, refused)
+            assert parameters.get(name) == default
+        assert parameters.set(name, default)
+        assert parameters.get(name) == default
+    assert not parameters.set("NO_SUCH_NAME", 1)
+
+
+BUILDERS = (
+    telemetry.build_heartbeat,
+    telemetry.build_sys_status,
+    telemetry.build_battery_status,
+)
+
+CHECKS = (
+    ("FR-00066.1", battery_mean),
+    ("FR-00066.1", battery_full_scale),
+    ("FR-00066.1", battery_failed_reading_keeps_the_last_value),
+    ("FR-00069.1", battery_repeated_failures_make_it_unknown),
+    ("FR-00066.1", battery_absent_converter_is_no_reason_to_stop),
+    ("FR-00066.1", battery_broken_board_does_not_raise),
+    ("FR-00066.1", battery_late_reading_keeps_the_last_value),
+    ("FR-00069.1", battery_old_reading_is_unknown),
+    ("FR-00069.1", battery_high_value_warns_once),
+    ("FR-00069.1", battery_formula_of_people_agrees),
+    ("FR-00069.1", battery_calibration),
+    ("FR-00066.1", battery_scenarios),
+    ("FR-00069.1", battery_steady_cycle_allocates_nothing),
+    ("", every_value_allocates_nothing),
+    ("", parameters_keep_their_limits),
+)
+
+
+def outcome(check):
+    """Return None for a check that passes, else what went wrong."""
+    try:
+        check()
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
+if __name__ == "__main__":
+    print(json.dumps([[f"{check.__name__}-{criterion}", outcome(check)] for criterion, check in CHECKS]))

