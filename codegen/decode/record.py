@@ -3,7 +3,7 @@
 from difflib import get_close_matches
 from typing import Any, Generic, TypeVar
 
-from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mismatch, read_scalar
+from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mismatch, read_scalar, shortened
 from codegen.decode.shape import (
     Key,
     ListOf,
@@ -96,7 +96,9 @@ class _RecordDecoder(Generic[Record]):
         unknown = [key for key, _ in node.entries if key.text not in self._keys]
         meant: set[str] = set()
         for key in unknown:
-            self._report.add(UNKNOWN_KEY, key.place, f"unknown key {key.text!r}", did_you_mean(key.text, self._keys))
+            self._report.add(
+                UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", did_you_mean(key.text, self._keys)
+            )
             meant.update(get_close_matches(key.text, self._keys.keys() - written.keys(), n=1))
         missing = [key for key in self._keys.values() if key.is_required and key.name not in written]
         for absent in missing:

@@ -115,12 +115,13 @@ def found(node: YamlNode) -> str:
         case ScalarNode(value=bool()):
             return node.text
         case ScalarNode(value=str()):
-            return f"the text {_shortened(node.text)!r}"
+            return f"the text {shortened(node.text)!r}"
         case _:
-            return f"the number {_shortened(node.text)}"
+            return f"the number {shortened(node.text)}"
 
 
-def _shortened(text: str) -> str:
+def shortened(text: str) -> str:
+    """``text`` as a message quotes it: at most 40 characters."""
     return text if len(text) <= 40 else f"{text[:37]}..."
 
 
@@ -131,7 +132,7 @@ def _text(node: ScalarNode, shape: Text) -> Value | Mismatch:
         if not isinstance(node.value, str) or not re.fullmatch(shape.pattern, node.value):
             return mismatch(node, shape, "write it as in 3.3 V, 10 Hz or 2 ms")
     if not isinstance(node.value, str):
-        return mismatch(node, shape, f'for this text, put it in quotes: "{_shortened(node.text)}"')
+        return mismatch(node, shape, f'for this text, put it in quotes: "{shortened(node.text)}"')
     return node.value
 
 
@@ -148,7 +149,7 @@ def _number(node: ScalarNode, shape: Number | Whole) -> Fraction | Mismatch:
     if isinstance(node.value, Fraction):
         return node.value
     if isinstance(node.value, float):
-        return Mismatch(UNUSABLE_NUMBER, f"wants a number, and {_shortened(node.text)} cannot be used as one")
+        return Mismatch(UNUSABLE_NUMBER, f"wants a number, and {shortened(node.text)} cannot be used as one")
     hint = None
     if isinstance(node.value, str) and re.match(r"[-+]?\.?[0-9]", node.value):
         hint = "write the number alone, without quotes and unit"
@@ -169,7 +170,7 @@ def _choice(node: ScalarNode, shape: Choice) -> Value | Mismatch:
         return mismatch(node, shape)
     if node.value not in list(shape.words):
         hint = did_you_mean(node.value, shape.words)
-        return Mismatch(UNKNOWN_CHOICE, f"is {_shortened(node.value)!r}, not {wanted(shape)}", hint)
+        return Mismatch(UNKNOWN_CHOICE, f"is {shortened(node.value)!r}, not {wanted(shape)}", hint)
     return shape.words(node.value)
 
 

@@ -73,7 +73,7 @@ def conversion_cases(system: System) -> list[ConversionCase]:
         full = conversion.channel.full_scale
         parameter = conversion.multiplier
         for steps in sorted({parameter.minimum, parameter.default, parameter.maximum}):
-            for count in sorted({0, 1, 2, full // 3, full // 2, 3000 * full // 4095, full - 1, full}):
+            for count in sorted({0, 1, full // 2, 3000 * full // 4095, full - 1, full, *_sharpest(quantity, steps)}):
                 cases.append(
                     ConversionCase(
                         name=f"{component}.{quantity.name}-{count}-times-{steps}",
@@ -87,6 +87,14 @@ def conversion_cases(system: System) -> list[ConversionCase]:
                     )
                 )
     return cases
+
+
+def _sharpest(quantity: Quantity, steps: int) -> list[int]:
+    """The counts whose exact result lies nearest to a half, for their size: the first to notice a wrong factor."""
+    assert quantity.conversion is not None
+    step = steps * Fraction(quantity.conversion.numerator, quantity.conversion.denominator)
+    counts = range(1, quantity.conversion.channel.full_scale + 1)
+    return sorted(counts, key=lambda count: abs(count * step % 1 - Fraction(1, 2)) / (count * step))[:8]
 
 
 def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:

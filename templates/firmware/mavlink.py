@@ -30,7 +30,7 @@ class Message:
     CRC_EXTRA = 0
     BASE_LENGTH = 0  # bytes of payload without extension fields: all that MAVLink 1 sends
     LENGTH = 0
-    FIELDS = {}  # noqa: RUF012 - name: (struct code, offset, count), see fields; MicroPython has no ClassVar
+    FIELDS = {}  # name: (struct code, offset, count), see fields
 
     system_id = 0
     component_id = 0

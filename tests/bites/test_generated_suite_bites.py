@@ -11,16 +11,21 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 
 MUTATIONS = [
-    ("sentinel-of-temperature", "telemetry.py", "value = 32767  # unknown", "value = 32766  # unknown"),
+    ("sentinel-of-temperature", "telemetry.py", "value = 32767 if value is None", "value = 32766 if value is None"),
     ("sentinel-of-unused-cells", "telemetry.py", "65534, 65535)", "65534, 0)"),
     ("collision-with-the-sentinel", "telemetry.py", "value = -2  #", "value = -1  #"),
     ("limit", "telemetry.py", "limited(value, 0, 100)", "limited(value, 0, 101)"),
-    ("factor-of-the-adc", "state.py", "product(count, multiplier, 11, 136500)", "product(count, multiplier, 11, 136501)"),
+    ("factor-of-the-adc", "state.py", "multiplier, 11, 136500)", "multiplier, 11, 136501)"),
     ("factor-of-volts", "state.py", "to_steps(value, 1000)", "to_steps(value, 1001)"),
-    ("rounding", "conversion.py", "+ denominator // 2) // denominator\n\n\ndef spill", ") // denominator\n\n\ndef spill"),
+    (
+        "rounding",
+        "conversion.py",
+        "numerator + denominator // 2) // denominator\n\n\ndef s",
+        "numerator) // denominator\n\n\ndef s",
+    ),
     ("field-order", "telemetry.py", 'pack_into("<h", payload, 30, value)', 'pack_into("<h", payload, 8, value)'),
     ("constant", "telemetry.py", "# type: MAV_BATTERY_TYPE_LIPO", "+ 1  # type: MAV_BATTERY_TYPE_LIPO"),
-    ("flag", "telemetry.py", "if battery.healthy", "if not battery.healthy"),
+    ("flag", "telemetry.py", "0x02 if battery.healthy", "0x02 if not battery.healthy"),
     ("crc-extra", "messages.py", "CRC_EXTRA = 154", "CRC_EXTRA = 155"),
     ("crc-start", "crc.py", "0xFFFF", "0xFFFE"),
     ("length", "messages.py", "BASE_LENGTH = 36", "BASE_LENGTH = 35"),
@@ -34,7 +39,8 @@ MUTATIONS = [
 
 def run_suite(folder: Path) -> subprocess.CompletedProcess[str]:
     """Run the generated suite of ``folder`` as a user does."""
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", str(folder / "tests")]
+    options = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist"]
+    command = [sys.executable, "-m", "pytest", *options, str(folder / "tests")]
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=environment, check=False)
 

@@ -29,9 +29,22 @@ BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status"
 
 CASES = [
     # a value that contradicts the dialect
-    Case("sentinel-contradiction", BATTERY, "voltages: {state: battery.voltage, split: true, ", "voltages: {constant: §0, ", "65535"),
-    Case("sentinel-contradiction", BATTERY, "temperature: {state: battery.temperature, ", "temperature: {constant: §-1, "),
-    Case("sentinel-as-constant", BATTERY, "temperature: {state: battery.temperature, ", "temperature: {constant: §32767, "),
+    Case(
+        "sentinel-contradiction",
+        BATTERY,
+        "voltages: {state: battery.voltage, split: true, ",
+        "voltages: {constant: §0, ",
+        "UINT16_MAX",
+    ),
+    Case(
+        "sentinel-contradiction", BATTERY, "temperature: {state: battery.temperature, ", "temperature: {constant: §-1, "
+    ),
+    Case(
+        "sentinel-as-constant",
+        BATTERY,
+        "temperature: {state: battery.temperature, ",
+        "temperature: {constant: §32767, ",
+    ),
     Case("no-sentinel", SYS, "load: {state: vehicle.load}", "load: §unknown", "corrections"),
     Case("no-sentinel", "state.yaml", "        max: 100\n        initial: 0", "        max: 100"),
     Case("unit-mismatch", BATTERY, "{state: battery.consumed, ", "{state: §battery.current, ", "current (A)"),
@@ -40,22 +53,82 @@ CASES = [
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: §0.5}"),
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: §none}"),
     Case("bad-amount", SYS, "drop_rate_comm: {constant: 0", "drop_rate_comm: {constant: §1 percent"),
-    Case("unknown-enum-entry", HEARTBEAT, "enum: MAV_TYPE_GROUND_ROVER", "enum: §MAV_TYPE_GROUND_ROVR", "did you mean MAV_TYPE_GROUND_ROVER"),
-    Case("unknown-enum-entry", HEARTBEAT, "enum: MAV_TYPE_GROUND_ROVER", "enum: §MAV_STATE_STANDBY", "belongs to MAV_STATE"),
-    Case("unknown-enum-entry", "board.yaml", "chemistry: MAV_BATTERY_TYPE_LIPO", "chemistry: MAV_BATTERY_TYPE_LEAD", "MAV_BATTERY_TYPE"),
-    Case("unknown-enum", "state.yaml", "enum: MAV_STATE\n        initial: MAV_STATE_STANDBY", "enum: §MAV_STAT\n        initial: MAV_STATE_STANDBY"),
+    Case(
+        "unknown-enum-entry",
+        HEARTBEAT,
+        "enum: MAV_TYPE_GROUND_ROVER",
+        "enum: §MAV_TYPE_GROUND_ROVR",
+        "did you mean MAV_TYPE_GROUND_ROVER",
+    ),
+    Case(
+        "unknown-enum-entry",
+        HEARTBEAT,
+        "enum: MAV_TYPE_GROUND_ROVER",
+        "enum: §MAV_STATE_STANDBY",
+        "belongs to MAV_STATE",
+    ),
+    Case(
+        "unknown-enum-entry",
+        "board.yaml",
+        "chemistry: MAV_BATTERY_TYPE_LIPO",
+        "chemistry: MAV_BATTERY_TYPE_LEAD",
+        "MAV_BATTERY_TYPE",
+    ),
+    Case(
+        "unknown-enum",
+        "state.yaml",
+        "enum: MAV_STATE\n        initial: MAV_STATE_STANDBY",
+        "enum: §MAV_STAT\n        initial: MAV_STATE_STANDBY",
+    ),
     Case("not-an-enum-field", SYS, "errors_comm: {constant: 0}", "errors_comm: {enum: §MAV_STATE_STANDBY}"),
-    Case("not-an-enum-field", BATTERY, "mode: {enum: MAV_BATTERY_MODE_UNKNOWN, ", "mode: {flags: §[], ", "not a bitmask"),
-    Case("not-a-boolean", SYS, "MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy", "MAV_SYS_STATUS_SENSOR_BATTERY if vehicle.mode"),
-    Case("empty-limits", BATTERY, "battery_remaining: {state: battery.remaining, min: 0, max: 100", "battery_remaining: {state: battery.remaining, min: §101, max: 100"),
-    Case("bad-source", BATTERY, "voltages: {state: battery.voltage, split: true, ", "voltages: {state: §battery.voltage, ", "split: true"),
-    Case("bad-split", SYS, "voltage_battery: {state: battery.voltage}", "voltage_battery: {state: battery.voltage, split: §true}"),
+    Case(
+        "not-an-enum-field", BATTERY, "mode: {enum: MAV_BATTERY_MODE_UNKNOWN, ", "mode: {flags: §[], ", "not a bitmask"
+    ),
+    Case(
+        "not-a-boolean",
+        SYS,
+        "MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy",
+        "MAV_SYS_STATUS_SENSOR_BATTERY if vehicle.mode",
+    ),
+    Case(
+        "empty-limits",
+        BATTERY,
+        "battery_remaining: {state: battery.remaining, min: 0, max: 100",
+        "battery_remaining: {state: battery.remaining, min: §101, max: 100",
+    ),
+    Case(
+        "bad-source",
+        BATTERY,
+        "voltages: {state: battery.voltage, split: true, ",
+        "voltages: {state: §battery.voltage, ",
+        "split: true",
+    ),
+    Case(
+        "bad-split",
+        SYS,
+        "voltage_battery: {state: battery.voltage}",
+        "voltage_battery: {state: battery.voltage, split: §true}",
+    ),
     Case("bad-source", HEARTBEAT, "custom_mode: {state: vehicle.mode}", "custom_mode: {state: §vehicle.armed}"),
     # elements
-    Case("answered-twice", BATTERY, "  id: {state", "  §voltages[3]: unknown\n  id: {state", "answered twice"),
+    Case(
+        "answered-twice", BATTERY, "  voltages: {state", "  voltages[3]: unknown\n  §voltages: {state", "answered twice"
+    ),
     Case("unanswered-field", SYS, "  errors_comm: {constant: 0}\n", "", "errors_comm"),
-    Case("unanswered-field", BATTERY, "  voltages_ext: {unknown: true, ", "  voltages_ext[0..2]: {unknown: true, ", "element 3"),
-    Case("unknown-element", BATTERY, "  voltages_ext: {unknown: true, ", "  §voltages_ext[0..4]: {unknown: true, ", "0 to 3"),
+    Case(
+        "unanswered-field",
+        BATTERY,
+        "  voltages_ext: {unknown: true, ",
+        "  voltages_ext[0..2]: {unknown: true, ",
+        "element 3",
+    ),
+    Case(
+        "unknown-element",
+        BATTERY,
+        "  voltages_ext: {unknown: true, ",
+        "  §voltages_ext[0..4]: {unknown: true, ",
+        "0 to 3",
+    ),
     Case("unknown-element", SYS, "  load: {", "  §load[0]: {"),
     Case("unknown-field", SYS, "  load: {", "  §laod: {", "did you mean load"),
     # references

@@ -28,7 +28,7 @@ def write(tmp_path: Path) -> Callable[..., str]:
 
 @pytest.fixture
 def read(write: Callable[..., str]) -> Callable[..., SimpleNamespace]:
-    """Resolve XML text, later texts as overlays: the dialect, its files, the report, and ``found`` as 'line:col rule'."""
+    """Resolve XML text, later texts as overlays: dialect, files, report, and ``found`` as 'line:col rule'."""
 
     def read(*texts: str | bytes, corrections: tuple = ()) -> SimpleNamespace:
         report = Report()

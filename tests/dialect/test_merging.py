@@ -6,6 +6,9 @@ from types import SimpleNamespace
 import pytest
 from pymavlink.generator import mavparse
 
+from codegen.diagnostics import Report
+from codegen.resolve.dialect import resolve_dialect
+
 Read = Callable[..., SimpleNamespace]
 Write = Callable[..., str]
 
@@ -126,7 +129,7 @@ def test_contradicting_messages(second: str, read: Read) -> None:
 def test_overlays_add_messages_and_entries(read: Read) -> None:
     """Messages come in the order of their ids, whatever file they are from; fields may use enums of any file."""
     result = read(
-        message(FIELD, number=9, name="NINE") + "",
+        message(FIELD, number=9, name="NINE"),
         message("<field type='uint8_t' name='f' enum='E'/>", number=3, name="THREE"),
         enum(entry("A", "1"), "bitmask='true'"),
     )
@@ -140,9 +143,6 @@ def test_a_file_that_comes_twice_counts_once(read: Read) -> None:
     """Dialect and overlay may include the same file; entries without a value would contradict themselves."""
     text = enum(entry("A") + entry("B"))
     files = read(text).files
-    from codegen.diagnostics import Report
-    from codegen.resolve.dialect import resolve_dialect
-
     report = Report()
     dialect = resolve_dialect("d", files + files, (), report)
     assert list(report) == []

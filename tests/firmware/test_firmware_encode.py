@@ -118,7 +118,7 @@ def test_stream_that_does_not_take_the_frame_is_counted(firmware: SimpleNamespac
 )
 def test_impossible_links_are_refused(firmware: SimpleNamespace, arguments: dict[str, int]) -> None:
     """0 is a broadcast address and never a source; a byte holds no more than 255."""
-    with pytest.raises(ValueError, match="255|versions"):
+    with pytest.raises(ValueError, match=r"255|versions"):
         firmware.mavlink.Link(None, **arguments)
 
 

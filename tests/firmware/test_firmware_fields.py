@@ -81,7 +81,7 @@ def test_unknown_names(message: SimpleNamespace) -> None:
         message.get("voltage")
     with pytest.raises(KeyError):
         message.set("voltage", 1)
-    with pytest.raises(ValueError, match="SAMPLE.id cannot carry 256"):
+    with pytest.raises(ValueError, match=r"SAMPLE\.id cannot carry 256"):
         message.set("id", 256)
 
 

@@ -1,0 +1,189 @@
+"""Requirement and decision documents: their id, metadata, links and numbered criteria.
+
+# FR-00068 | Title
+## Metadata               - Status: Approved, - Aliases: FR-zxxlp
+## Links                  the ids of other documents
+## Acceptance Criteria    1. ..., 2. ...; in an ADR the numbered items of "Decision", where it has no criteria
+"""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from codegen.diagnostics import Report, Rule, Severity
+from codegen.load.markdown import Document, Item, Section
+from codegen.model.spec import Criterion, Requirement
+from codegen.source import Place
+
+REQUIREMENT_TITLE = Rule(
+    "requirement-title",
+    "A requirement document begins with one heading of the form '# ID | Title', where the ID is capital letters, a "
+    "hyphen, and digits or small letters, such as FR-00068. Without it nothing can refer to the document.",
+)
+REQUIREMENT_STATUS = Rule(
+    "requirement-status",
+    "The section Metadata of a requirement document states the status: '- Status: Approved'.",
+)
+REQUIREMENT_METADATA = Rule(
+    "requirement-metadata",
+    "An entry of the section Metadata is written twice, or an alias is no document id.",
+)
+REQUIREMENT_WITHOUT_CRITERIA = Rule(
+    "requirement-without-criteria",
+    "A requirement (FR, NFR) needs a section 'Acceptance Criteria' with a numbered list: without criteria nothing "
+    "can be traced to it.",
+)
+CRITERION_NUMBER = Rule(
+    "criterion-number",
+    "Acceptance criteria are numbered 1, 2, 3 and so on, because tables and tests cite them by number. The message "
+    "says which number is expected at the place.",
+)
+REQUIREMENT_DUPLICATE = Rule(
+    "requirement-duplicate",
+    "Two documents have the same id or alias, so that a reference to it is ambiguous. Renumber one of them.",
+)
+METADATA_SPELLING = Rule(
+    "metadata-spelling",
+    "An entry of the section Metadata is spelt nearly like one that is read, but not the same, so it has no effect.",
+    Severity.WARNING,
+)
+
+_ID = r"[A-Z]+-[0-9a-z]+"
+_TITLE = re.compile(rf"({_ID})\s*\|\s*(\S.*)")
+_LINK = re.compile(rf"(?<![A-Za-z0-9-]){_ID}")
+_ENTRY = re.compile(r"([^:]{1,40}):\s*(.*)", re.DOTALL)
+_READ_ENTRIES = ("type", "status", "aliases")
+_NEEDS_CRITERIA = ("FR", "NFR")
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    value: str
+    place: Place
+
+
+def decode_requirement(document: Document, report: Report) -> Requirement | None:
+    """The requirement that a document states; None, after a diagnostic, where it has no id.
+
+    ``places`` has ``id``, ``status``, ``aliases`` and each alias (``aliases[0]``) as far as they are written.
+    """
+    heading = _heading(document, report)
+    metadata = _metadata(_items(document, "metadata"), report)
+    links = [link for item in _items(document, "links") for link in _LINK.findall(item.text)]
+    if heading is None:
+        return None
+    match = _TITLE.fullmatch(heading.title)
+    assert match is not None
+    identifier, title = match.groups()
+    if "status" not in metadata:
+        report.add(REQUIREMENT_STATUS, heading.place, f"{identifier} states no status", "## Metadata: - Status: ...")
+    places = {"id": heading.place} | {name: entry.place for name, entry in metadata.items()}
+    aliases = _aliases(metadata.get("aliases"), report)
+    places |= {f"aliases[{index}]": metadata["aliases"].place for index in range(len(aliases))}
+    return Requirement(
+        place=heading.place,
+        places=places,
+        id=identifier,
+        title=title,
+        aliases=aliases,
+        status=metadata["status"].value if "status" in metadata else "",
+        links=tuple(dict.fromkeys(links)),
+        criteria=_criteria(document, identifier, heading.place, report),
+    )
+
+
+def check_unique(requirements: Iterable[Requirement], report: Report) -> None:
+    """Report every id and alias that a document shares with an earlier one, at the later one."""
+    known: dict[str, Place] = {}
+    for requirement in requirements:
+        names = [(requirement.id, requirement.at("id"))]
+        names += [(alias, requirement.at(f"aliases[{index}]")) for index, alias in enumerate(requirement.aliases)]
+        for name, place in names:
+            if name in known:
+                message = f"{name} is already the id or an alias of another document"
+                if known[name].file == place.file:
+                    message = f"{name} is written twice"
+                report.add(REQUIREMENT_DUPLICATE, place, message, related=[(known[name], f"{name} is stated here")])
+            else:
+                known[name] = place
+
+
+def _heading(document: Document, report: Report) -> Section | None:
+    """The first heading of level 1, if it names the document."""
+    headings = [section for section in document.sections if section.level == 1]
+    if not headings:
+        report.add(REQUIREMENT_TITLE, Place(document.path), "the document has no heading '# ID | Title'")
+        return None
+    for further in headings[1:]:
+        related = [(headings[0].place, "the first one")]
+        report.add(REQUIREMENT_TITLE, further.place, "a second heading of level 1; use ##", related=related)
+    if not _TITLE.fullmatch(headings[0].title):
+        message = f"the heading {headings[0].title!r} is not of the form 'ID | Title'"
+        report.add(REQUIREMENT_TITLE, headings[0].place, message, "for instance: # FR-00068 | Battery telemetry")
+        return None
+    return headings[0]
+
+
+def _items(document: Document, title: str) -> list[Item]:
+    """The items of the sections with a title, whatever its case."""
+    return [item for section in document.sections if section.title.casefold() == title for item in section.items]
+
+
+def _metadata(items: Iterable[Item], report: Report) -> Mapping[str, _Entry]:
+    """The entries ``Name: value`` by their name in small letters."""
+    entries: dict[str, _Entry] = {}
+    for item in items:
+        match = _ENTRY.fullmatch(item.text)
+        if match is None:
+            continue
+        name = match[1].strip().casefold()
+        near = get_close_matches(name, _READ_ENTRIES, n=1, cutoff=0.75)
+        if name in entries:
+            related = [(entries[name].place, "first written here")]
+            report.add(REQUIREMENT_METADATA, item.place, f"{match[1].strip()} is written twice", related=related)
+        elif near and name not in _READ_ENTRIES:
+            hint = f"did you mean {near[0].capitalize()}?"
+            report.add(METADATA_SPELLING, item.place, f"{match[1].strip()} is not read", hint)
+        elif match[2].strip():
+            entries[name] = _Entry(match[2].strip(), item.place)
+    return entries
+
+
+def _aliases(entry: _Entry | None, report: Report) -> tuple[str, ...]:
+    if entry is None or entry.value.casefold() == "none":
+        return ()
+    aliases = []
+    for alias in (part.strip() for part in entry.value.split(",")):
+        if re.fullmatch(_ID, alias):
+            aliases.append(alias)
+        else:
+            hint = "write ids such as FR-zxxlp, with commas between them"
+            report.add(REQUIREMENT_METADATA, entry.place, f"the alias {alias!r} is no document id", hint)
+    return tuple(aliases)
+
+
+def _criteria(document: Document, identifier: str, place: Place, report: Report) -> tuple[Criterion, ...]:
+    """The numbered items of the outermost lists; an item without the expected number is reported.
+
+    A criterion keeps the number that is written, so that references to it hold; of two with one number the first stays.
+    """
+    items = [item for item in _items(document, "acceptance criteria") if item.depth == 0]
+    prefix = identifier.partition("-")[0]
+    if not items and prefix == "ADR":
+        items = [item for item in _items(document, "decision") if item.depth == 0 and item.number is not None]
+    if not items and prefix in _NEEDS_CRITERIA:
+        hint = "add '## Acceptance Criteria' with '1. ...'"
+        report.add(REQUIREMENT_WITHOUT_CRITERIA, place, f"{identifier} has no acceptance criteria", hint)
+    criteria: dict[int, Criterion] = {}
+    expected = 1
+    for item in items:
+        if item.number is None:
+            report.add(CRITERION_NUMBER, item.place, "the criterion is a bullet", f"number it: {expected}.")
+            continue
+        if item.number != expected:
+            message = f"the criterion is numbered {item.number} where {expected} is expected"
+            report.add(CRITERION_NUMBER, item.place, message)
+        criteria.setdefault(item.number, Criterion(place=item.place, number=item.number, text=item.text))
+        expected = item.number + 1
+    return tuple(criteria.values())

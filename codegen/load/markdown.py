@@ -1,0 +1,133 @@
+"""Markdown as headings, sections and list items that know their lines (CommonMark, read by markdown-it)."""
+
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+
+from codegen.diagnostics import Report
+from codegen.load.text import read_text
+from codegen.source import Place
+
+_LINE_END = re.compile(r"\r\n?|\n")
+_CHECK_BOX = re.compile(r"^\[[ xX]\]\s+")
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """One item of a list. ``number`` is as written (None for a bullet), ``depth`` 0 for the outermost list.
+
+    ``text`` is plain: without markup, and without the check box that may lead it; items of lists inside are not in it.
+    """
+
+    text: str
+    number: int | None
+    depth: int
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A heading of level 1 or 2 with the list items below it, those below deeper headings included."""
+
+    title: str
+    level: int
+    place: Place
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """One Markdown file; what stands before the first heading is not in it."""
+
+    path: str
+    sections: tuple[Section, ...]
+
+
+def read_markdown(path: str, report: Report, asked_at: Place | None = None) -> Document | None:
+    """The document of a file, or None after a diagnostic; ``asked_at`` as for ``read_text``."""
+    text = read_text(path, report, asked_at)
+    return None if text is None else parse_markdown(text, path)
+
+
+def parse_markdown(text: str, path: str) -> Document:
+    """The document of a text; every text is Markdown. Places count from 1 and name the absolute form of ``path``."""
+    return _Reader(text, os.path.abspath(path)).document()
+
+
+class _Reader:
+    """Walks over the tokens once."""
+
+    def __init__(self, text: str, path: str) -> None:
+        self._path = path
+        self._lines = _LINE_END.split(text)
+        self._markdown = MarkdownIt("commonmark")
+        # Blocks first: inline markup is read only where its text is wanted.
+        self._markdown.disable("inline")
+        self._tokens = self._markdown.parse(text)
+
+    def document(self) -> Document:
+        starts = [
+            index
+            for index, token in enumerate(self._tokens)
+            if token.type == "heading_open" and token.level == 0 and token.tag in ("h1", "h2")
+        ]
+        ends = [*starts[1:], len(self._tokens)]
+        sections = [self._section(start, end) for start, end in zip(starts, ends, strict=True)]
+        return Document(self._path, tuple(sections))
+
+    def _section(self, start: int, end: int) -> Section:
+        heading = self._tokens[start]
+        title = self._plain(self._tokens[start + 1].content)
+        return Section(title, int(heading.tag[1]), self._place(heading), tuple(self._items(start, end)))
+
+    def _items(self, start: int, end: int) -> list[Item]:
+        """The items between two tokens in the order of the document, those of lists in block quotes left out."""
+        items: list[Item] = []
+        opened: list[tuple[int, list[str]]] = []  # position in items, paragraphs
+        quotes = 0
+        for token in self._tokens[start:end]:
+            quotes += token.nesting if token.type.startswith("blockquote") else 0
+            if quotes:
+                continue
+            if token.type == "list_item_open":
+                number = int(token.info) if token.info else None
+                opened.append((len(items), []))
+                items.append(Item("", number, len(opened) - 1, self._place(token)))
+            elif token.type == "inline" and opened:
+                opened[-1][1].append(token.content)
+            elif token.type == "list_item_close":
+                position, paragraphs = opened.pop()
+                bare = items[position]
+                if paragraphs:
+                    paragraphs[0] = _CHECK_BOX.sub("", paragraphs[0])
+                text = " ".join(self._plain(paragraph) for paragraph in paragraphs)
+                items[position] = Item(text, bare.number, bare.depth, bare.place)
+        return items
+
+    def _plain(self, content: str) -> str:
+        """The text of inline markup as a reader sees it, on one line."""
+        pieces: list[str] = []
+        self._markdown.enable("inline")
+        for token in self._markdown.parseInline(content):
+            _collect(token.children or [], pieces)
+        self._markdown.disable("inline")
+        return " ".join("".join(pieces).split())
+
+    def _place(self, token: Token) -> Place:
+        line = token.map[0] if token.map else 0
+        written = self._lines[line] if line < len(self._lines) else ""
+        return Place(self._path, line + 1, len(written) - len(written.lstrip()) + 1)
+
+
+def _collect(tokens: Sequence[Token], pieces: list[str]) -> None:
+    for token in tokens:
+        if token.type in ("softbreak", "hardbreak"):
+            pieces.append(" ")
+        elif token.type in ("text", "code_inline", "text_special"):
+            pieces.append(token.content)
+        elif token.children:
+            _collect(token.children, pieces)
