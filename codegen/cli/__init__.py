@@ -6,6 +6,7 @@ Nothing heavy is imported before a command runs, so that ``--help`` and ``--vers
 import argparse
 import os
 import sys
+from contextlib import suppress
 from types import ModuleType
 from typing import TextIO
 
@@ -30,18 +31,33 @@ def main(argv: list[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         _accept_every_character(stream)
     try:
-        arguments = _parser().parse_args(argv)
-    except SystemExit as leaving:
-        return _finished(leaving.code if isinstance(leaving.code, int) else EXIT_USAGE)
-    try:
-        return _finished(int(arguments.run(arguments)))
+        code = _run(argv)
+        print(end="", flush=True)  # a reader that went away, or a full disk, may show only now
     except BrokenPipeError:
         _abandon_stdout()
         return EXIT_BROKEN_PIPE
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
+    except OSError as fault:
+        _abandon_stdout()
+        _show_traceback(fault, argv)
+        print(f"codegen: the system refuses to go on: {fault}", file=sys.stderr)
+        return EXIT_USAGE
     except Exception as fault:
-        return _report_internal(fault, arguments)
+        _show_traceback(fault, argv)
+        text = " ".join(f"{type(fault).__name__}: {fault}".split())
+        advice = "please report it with the files that lead to it; --debug shows where it is"
+        print(f"codegen: internal error ({text}); {advice}", file=sys.stderr)
+        return EXIT_INTERNAL
+    return code
+
+
+def _run(argv: list[str]) -> int:
+    try:
+        arguments = _parser().parse_args(argv)
+    except SystemExit as leaving:  # after --help, --version or wrong usage
+        return leaving.code if isinstance(leaving.code, int) else EXIT_USAGE
+    return int(arguments.run(arguments))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -68,32 +84,11 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _finished(code: int) -> int:
-    """``code``, once everything printed has left; a reader that went away or a full disk shows only then."""
-    try:
-        if sys.stdout is not None:
-            sys.stdout.flush()
-    except BrokenPipeError:
-        _abandon_stdout()
-        return code or EXIT_BROKEN_PIPE
-    except OSError as error:
-        _abandon_stdout()
-        print(f"codegen: the output cannot be written: {error.strerror}", file=sys.stderr)
-        return EXIT_USAGE
-    return code
-
-
-def _report_internal(fault: Exception, arguments: argparse.Namespace) -> int:
-    if getattr(arguments, "debug", False) or os.environ.get("CODEGEN_DEBUG", "") not in ("", "0"):
+def _show_traceback(fault: Exception, argv: list[str]) -> None:
+    if "--debug" in argv or os.environ.get("CODEGEN_DEBUG", "") not in ("", "0"):
         import traceback
 
         traceback.print_exception(fault)
-    text = " ".join(f"{type(fault).__name__}: {fault}".split())
-    print(
-        f"codegen: internal error ({text}); please report it with the files that lead to it, --debug shows where",
-        file=sys.stderr,
-    )
-    return EXIT_INTERNAL
 
 
 def _accept_every_character(stream: TextIO | None) -> None:
@@ -105,6 +100,7 @@ def _accept_every_character(stream: TextIO | None) -> None:
 
 def _abandon_stdout() -> None:
     """Let what is still buffered go nowhere, or the interpreter would complain about it when it ends."""
-    descriptor = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(descriptor, sys.stdout.fileno())
-    os.close(descriptor)
+    with suppress(AttributeError, OSError):  # there may be no stdout, or one that is no file
+        descriptor = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(descriptor, sys.stdout.fileno())
+        os.close(descriptor)

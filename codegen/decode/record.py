@@ -5,7 +5,6 @@ from typing import Any, Generic, TypeVar
 
 from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mismatch, read_scalar, shortened
 from codegen.decode.shape import (
-    Key,
     ListOf,
     MappingOf,
     RecordOf,

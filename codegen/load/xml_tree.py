@@ -37,8 +37,8 @@ XML_SYNTAX = Rule(
 _ENCODINGS = frozenset({"utf-8", "ascii", "iso8859-1", "iso8859-15", "cp1252"})
 _UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _DECLARED_ENCODING = re.compile(rb"""<\?xml[^>]{0,200}?\bencoding\s*=\s*["']([A-Za-z][\w.\-]*)["']""")
-# Possessive and atomic: whatever stands before the root is walked over once (libxml2 skips a second byte order mark).
-_PROLOGUE = re.compile(r"(?>[\s\ufeff]+|<\?.*?\?>|<!--.*?-->)*+", re.DOTALL)
+# Possessive: whatever stands before the root is walked over once. libxml2 skips a second byte order mark, so this does.
+_PROLOGUE = re.compile(r"(?:[\s\ufeff]+|<\?.*?\?>|<!--.*?-->)*+", re.DOTALL)
 # In well-formed XML a "<" outside of these three opens or closes an element.
 _MARKUP = re.compile(r"<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|[^/!?])", re.DOTALL)
 _PLACE_IN_MESSAGE = re.compile(r", line \d+, column \d+$")

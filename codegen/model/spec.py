@@ -75,6 +75,12 @@ class QuantitySpec(Written):
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
     stale_after: Amount | None = described("Age after which the last reading is unknown, such as 1 s.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration.",
+        default_factory=dict,
+    )
+
+    ASPECTS = ("multiplier", "rounding", "warn_above", "invalid_after", "stale_after", "calibration")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,6 +91,12 @@ class ComponentSpec(Written):
     instances: int = described("How many of them the vehicle has.", default=1)
     update_rate: Amount | None = described("How often its readings are taken, such as 10 Hz.", default=None)
     quantities: Mapping[str, QuantitySpec] = described("The quantities by name.")
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: robustness, steady, scenarios.", default_factory=dict
+    )
+
+    ASPECTS = ("robustness", "steady", "scenarios")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,6 +116,11 @@ class AdcSpec(Written):
     samples: int = described("Readings whose mean is one reading of the battery.", default=1)
     read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: reference, samples, read_limit, failure, absence.", default_factory=dict
+    )
+
+    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

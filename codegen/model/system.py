@@ -56,6 +56,11 @@ class AdcChannel:
     read_limit_us: int | None
     spec: AdcSpec
     citation: Citation | None
+    aspects: Mapping[str, Citation]
+
+    def cited(self, aspect: str) -> str:
+        """The criterion that asks for one aspect, or the requirement of the channel, or nothing."""
+        return str(self.aspects.get(aspect, self.citation or ""))
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +128,11 @@ class Quantity:
     stale_after_ms: int | None
     spec: QuantitySpec
     citation: Citation | None
+    aspects: Mapping[str, Citation]
+
+    def cited(self, aspect: str) -> str:
+        """The criterion that asks for one aspect, or the requirement of the quantity, or nothing."""
+        return str(self.aspects.get(aspect, self.citation or ""))
 
     @property
     def path(self) -> str:
@@ -139,6 +149,12 @@ class Component:
     period_ms: int | None
     quantities: Mapping[str, Quantity]
     spec: ComponentSpec
+    citation: Citation | None
+    aspects: Mapping[str, Citation]
+
+    def cited(self, aspect: str) -> str:
+        """The criterion that asks for one aspect, or the requirement of the component, or nothing."""
+        return str(self.aspects.get(aspect, self.citation or ""))
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import Requirement
+from codegen.model.spec import AdcSpec, ComponentSpec, QuantitySpec, Requirement
 from codegen.model.system import Citation
 from codegen.source import Place
 
@@ -11,6 +11,10 @@ UNKNOWN_REQUIREMENT = Rule(
     "unknown-requirement",
     "A table cites a requirement or a criterion that no document in requirements/ has. "
     "Cite an existing one as ID or ID.number; older ids work where the document lists them as aliases.",
+)
+UNKNOWN_ASPECT = Rule(
+    "unknown-aspect",
+    "criteria names an aspect that the record does not have, so no test would carry the criterion.",
 )
 
 
@@ -48,3 +52,19 @@ def cite(text: str, place: Place, index: Mapping[str, Requirement], report: Repo
 def cite_optional(text: str | None, place: Place, index: Mapping[str, Requirement], report: Report) -> Citation | None:
     """Like :func:`cite`; None, without a finding, where nothing is cited."""
     return None if text is None else cite(text, place, index, report)
+
+
+def cite_aspects(
+    spec: AdcSpec | QuantitySpec | ComponentSpec, index: Mapping[str, Requirement], report: Report
+) -> dict[str, Citation]:
+    """The criteria that a record gives for single aspects of it."""
+    cited = {}
+    for aspect, text in spec.criteria.items():
+        place = spec.at(f"criteria.{aspect}")
+        if aspect not in spec.ASPECTS:
+            report.add(UNKNOWN_ASPECT, place, f"there is no aspect {aspect}", did_you_mean(aspect, spec.ASPECTS))
+            continue
+        citation = cite(text, place, index, report)
+        if citation is not None:
+            cited[aspect] = citation
+    return cited

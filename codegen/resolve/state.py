@@ -17,7 +17,7 @@ from codegen.model.system import (
     QuantityKind,
 )
 from codegen.model.unit import NUMBER, UNITS, Unit
-from codegen.resolve.citation import cite_optional
+from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_amount
 from codegen.resolve.vehicle import UNKNOWN_PARAMETER
 
@@ -63,7 +63,15 @@ def resolve_components(
             if quantity is not None:
                 quantities[quantity_name] = quantity
         _check_quantities(written, quantities, report)
-        components[name] = Component(name, written.instances, period, quantities, written)
+        components[name] = Component(
+            name=name,
+            instances=written.instances,
+            period_ms=period,
+            quantities=quantities,
+            spec=written,
+            citation=cite_optional(written.requirement, written.at("requirement"), index, report),
+            aspects=cite_aspects(written, index, report),
+        )
     return components
 
 
@@ -155,6 +163,7 @@ class _QuantityResolver:
             stale_after_ms=None if stale_after is None else int(stale_after),
             spec=spec,
             citation=citation,
+            aspects=cite_aspects(spec, index, self.report),
         )
 
     def _kind(self) -> QuantityKind:

@@ -7,7 +7,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.spec import BoardSpec, ParameterSpec, ParametersSpec, Requirement, StreamSpec, StreamsSpec
 from codegen.model.system import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.model.unit import UNITS
-from codegen.resolve.citation import cite_optional
+from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.measure import find_unit, read_amount
 
 BAD_ADC = Rule(
@@ -60,6 +60,7 @@ def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report:
             read_limit_us=None if limit is None else int(limit),
             spec=spec,
             citation=citation,
+            aspects=cite_aspects(spec, index, report),
         )
     return channels
 

@@ -77,7 +77,7 @@ def conversion_cases(system: System) -> list[ConversionCase]:
                 cases.append(
                     ConversionCase(
                         name=f"{component}.{quantity.name}-{count}-times-{steps}",
-                        requirement=str(quantity.citation or ""),
+                        requirement=quantity.cited("rounding"),
                         component=component,
                         parameter=parameter_attribute(parameter.name),
                         steps=steps,

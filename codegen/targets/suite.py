@@ -7,6 +7,7 @@ from codegen.render import render_template
 from codegen.targets.cases import cases_text
 from codegen.targets.firmware.board import BoardView, board_view
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
+from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.origin import copied_files, headed, origin_of
 
 RENDERED = ("behaviour.py", "test_frames.py")
@@ -23,6 +24,7 @@ class SuiteView:
     state: StateView
     measured: tuple[ComponentView, ...]
     builders: tuple[str, ...]
+    streams: tuple[StreamView, ...]
 
 
 def render_suite(system: System) -> dict[str, str]:
@@ -40,6 +42,7 @@ def render_suite(system: System) -> dict[str, str]:
         state=state,
         measured=tuple(component for component in state.components if component.measured),
         builders=tuple(message.name.lower() for message in system.messages),
+        streams=stream_views(system),
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)

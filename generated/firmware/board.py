@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 3b0f5fc6b5872aa7
+# Inputs: 05ae6130ed76699b
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time
@@ -21,7 +21,7 @@ class Board:
             log("warning: no ADC for the battery on GPIO 26:", error)
 
     def read_battery_adc(self):
-        """Return the mean of 5 samples as a count, 0 to 4095, FR-00066.1.
+        """Return the mean of 5 samples as a count, 0 to 4095, FR-00066.2.
 
         A failed or late reading returns the last good count, None before the first, and counts in
         `battery_failures`.
@@ -42,6 +42,6 @@ class Board:
 
     def _keep_battery(self, problem, detail):
         self.battery_failures += 1
-        if self.battery_failures == 1:  # once for each run of failures, not ten times a second
+        if self.battery_failures == 1:  # once for each run of failures, not at each reading
             self._log("error: the battery's ADC", problem, detail)
         return self._battery_count

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/mavlink.py: do not edit.
-# Inputs: 80f1a4670e4872af
+# Inputs: 8239de74e17e4c75
 """MAVLink 1 and 2: the messages' base class, and the link that makes and reads frames.
 
 Sending allocates nothing once a link exists: its frame is written in place, and a view of every length of it is
@@ -32,7 +32,7 @@ class Message:
     CRC_EXTRA = 0
     BASE_LENGTH = 0  # bytes of payload without extension fields: all that MAVLink 1 sends
     LENGTH = 0
-    FIELDS = {}  # noqa: RUF012 - name: (struct code, offset, count), see fields; MicroPython has no ClassVar
+    FIELDS = {}  # name: (struct code, offset, count), see fields
 
     system_id = 0
     component_id = 0

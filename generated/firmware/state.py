@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 1c0378dfd73fca9f
+# Inputs: 4a91608687bba80d
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -108,7 +108,7 @@ class BatteryState:
         self.voltage_mv = product(count, multiplier, 11, 136500)
 
     def expire(self, now_ms):
-        """Forget a reading that is older than 1000 ms."""
+        """Forget a reading that is older than 1000 ms, FR-00067.3."""
         if self.updated_ms is not None and time.ticks_diff(now_ms, self.updated_ms) > 1000:
             self.voltage_mv = None
             self.updated_ms = None
@@ -150,9 +150,9 @@ class SystemState:
         self.vehicle = VehicleState()
 
     def update_battery(self, board):
-        """Take one reading; call it ten times a second. It never raises, FR-00069.1.
+        """Take one reading; call it every 100 ms, FR-00067.1.
 
-        A failed reading keeps the last value; 5 in a row make it unknown.
+        It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
         """
         battery = self.battery
         try:
@@ -173,13 +173,13 @@ class SystemState:
         battery.is_high = is_high
 
     def calibrate_battery(self, measured):
-        """Set BATT_VOLT_MULT so that the present reading would be `measured` V; return whether it was accepted.
+        """Set BATT_VOLT_MULT to what a meter shows, in V; return whether it was accepted.
 
-        new = old * measured / reading; it counts from the next start.
+        new = old * measured / reading, FR-00069.6; it counts from the next start.
         """
         reading = self.battery.voltage
         if not reading or measured is None:
             return False
-        old = self._batt_volt_mult
-        parameters = self.parameters
-        return parameters.set("BATT_VOLT_MULT", parameters.value("BATT_VOLT_MULT", old) * measured / reading)
+        steps = self._batt_volt_mult
+        old = self.parameters.value("BATT_VOLT_MULT", steps)
+        return self.parameters.set("BATT_VOLT_MULT", old * measured / reading)

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 1713ee589ffdb5c6
+# Inputs: a54bf13a8c3ac865
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next

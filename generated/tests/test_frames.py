@@ -1,14 +1,14 @@
-# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/corrections.yaml,
-#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml, specs/streams.yaml,
-#   dialect common: do not edit.
-# Inputs: b174d9767152c701
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_v2.xml,
+#   specs/dialects/corrections.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/sys_status.yaml, specs/parameters.yaml,
+#   specs/state.yaml, specs/streams.yaml, dialect common: do not edit.
+# Inputs: db0965e098fde33c
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json
 
 import pytest
-from conftest import CASES
+from interpreters import CASES
 from pymavlink.dialects.v10 import common as v10
 from pymavlink.dialects.v20 import common as v20
 

@@ -62,13 +62,13 @@ def test_an_output_folder_that_is_a_file_ends_with_2(pipeline: Any, run: Any) ->
 
 
 def test_check_names_every_kind_of_stale_file_and_writes_nothing(pipeline: Any, run: Any) -> None:
-    pipeline.files = {name: "1\n" for name in ("changed.py", "edited.py", "missing.py", "orphan.py", "same.py")}
+    pipeline.files = dict.fromkeys(("changed.py", "edited.py", "missing.py", "orphan.py", "same.py"), "1\n")
     run("build")
     assert run("build", "--check") == (0, "", "")
     (pipeline.folder / "edited.py").write_text("mine\n")
     (pipeline.folder / "missing.py").unlink()
     (pipeline.folder / "foreign.py").write_text("somebody's\n")
-    pipeline.files = {name: "1\n" for name in ("edited.py", "foreign.py", "missing.py", "same.py")}
+    pipeline.files = dict.fromkeys(("edited.py", "foreign.py", "missing.py", "same.py"), "1\n")
     pipeline.files["changed.py"] = "2\n"
     before = listing(pipeline.folder)
     code, out, err = run("build", "--check")

@@ -56,3 +56,11 @@ def test_a_rule_is_explained_without_a_project(pipeline: Any, run: Any, project:
     (project / "specs" / "codegen.yaml").unlink()
     assert run("explain", "broken-table") == (0, "A rule.\n", "")
     assert pipeline.projects == []
+
+
+@pytest.mark.usefixtures("stories")
+def test_anything_else_needs_a_project(pipeline: Any, run: Any, project: Any) -> None:
+    (project / "specs" / "codegen.yaml").unlink()
+    code, out, err = run("explain", "BATTERY_STATUS")
+    assert (code, out, pipeline.projects) == (2, "", [])
+    assert "--project" in err

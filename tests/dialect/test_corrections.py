@@ -101,6 +101,14 @@ def test_an_entry_is_corrected_before_sentinels_are_read(read: Read) -> None:
     assert result.dialect.messages["M"].field("state").sentinel.values == (128,)
 
 
+def test_a_corrected_value_is_no_longer_implied(read: Read) -> None:
+    """The correction writes what the XML left to counting."""
+    xml = XML.replace(' value="2"', "")
+    assert read(xml).dialect.enums["STATE"].entry("STATE_B").is_implicit
+    result = read(xml, corrections=(correction(enum="STATE", entry="STATE_B", set={"value": "9"}),))
+    assert not result.dialect.enums["STATE"].entry("STATE_B").is_implicit
+
+
 def test_corrections_are_applied_in_their_order(read: Read) -> None:
     """The later one wins."""
     result = read(XML, corrections=(of_field("volts", units="mV"), of_field("volts", units="cV")))

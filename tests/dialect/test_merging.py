@@ -49,6 +49,7 @@ def test_entry_values(written: str, value: int, read: Read) -> None:
         [[("A", "100"), ("B", "105")], [("C", None), ("D", None)]],
         [[("A", "1"), ("B", "5")], [("C", "3"), ("D", None), ("E1", "20"), ("F", None)]],
         [[("A", None), ("B", None)], [("C", None)]],
+        [[("A", "5")], [("B", "4"), ("C", None)]],
     ],
 )
 def test_entries_without_a_value_are_numbered_as_mavgen_numbers_them(
@@ -79,6 +80,15 @@ def test_enums_of_all_files_are_one(read: Read) -> None:
         "Flags",
     )
     assert merged.place == result.files[0].enums[0].place
+
+
+@pytest.mark.parametrize(
+    "attributes", [("bitmask='true'", ""), ("", "bitmask='1'"), ("bitmask='false'", "bitmask='true'")]
+)
+def test_a_bitmask_in_one_file_is_a_bitmask(attributes: tuple[str, str], read: Read) -> None:
+    """Whichever file it is."""
+    result = read(enum(entry("A", "1"), attributes[0]), enum(entry("B", "2"), attributes[1]))
+    assert result.dialect.enums["E"].is_bitmask
 
 
 def test_the_same_entry_twice_is_fine(read: Read) -> None:
@@ -158,6 +168,7 @@ HEARTBEAT = "<messages><message id='0' name='H'><field type='uint8_t_mavlink_ver
         (f"<version>3</version>{HEARTBEAT}", "<version>1</version>", 3),
         (HEARTBEAT, "<version>1</version>", 1),
         ("<version>5</version>", "", 5),
+        ("<version>5</version>", "<version>6</version>", 6),
         ("", "", 2),
     ],
 )

@@ -84,9 +84,11 @@ class Traffic:
         self.stream += b"".join(self.chance.choices(starts, k=self.chance.randrange(1, 30)))
 
     def add_damaged(self) -> None:
-        *_, version, _, good = self.random_frame(KNOWN)
-        frame = bytearray(good)
-        frame[6 if version == 1 else 10] ^= 1 << self.chance.randrange(8)
+        frame = bytearray(b"\xfe\xfe")
+        while 0xFD in frame[1:] or 0xFE in frame[1:]:
+            *_, version, _, good = self.random_frame(KNOWN)
+            frame = bytearray(good)
+            frame[6 if version == 1 else 10] ^= 1 << self.chance.randrange(8)
         self.stream += frame
         self.damaged += 1
 

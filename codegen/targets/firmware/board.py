@@ -1,7 +1,9 @@
 """View of board.py: how each measured component is read."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from codegen.model.spec import AdcSpec
 from codegen.model.system import AdcChannel, System
 
 
@@ -21,6 +23,7 @@ class ReaderView:
     half: int
     read_limit_us: int | None
     citation: str
+    cited: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,5 +55,6 @@ def _reader(component: str, channel: AdcChannel) -> ReaderView:
         samples=channel.samples,
         half=channel.samples // 2,
         read_limit_us=channel.read_limit_us,
-        citation=str(channel.citation) if channel.citation else "",
+        citation=channel.cited("samples"),
+        cited={aspect: channel.cited(aspect) for aspect in AdcSpec.ASPECTS},
     )

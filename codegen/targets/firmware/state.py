@@ -1,8 +1,10 @@
 """View of state.py: the vehicle state with its integers, their views for people and the updates from the ADC."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.model.spec import ComponentSpec, QuantitySpec
 from codegen.model.system import Component, Quantity, QuantityKind, System
 from codegen.model.unit import decimal
 from codegen.targets.naming import parameter_attribute, state_class
@@ -35,7 +37,7 @@ class MeasuredView:
     attribute: str
     unit: str
     formula: str
-    formula_citation: str
+    citation: str
     multiplier: str
     multiplier_name: str
     latched: bool
@@ -45,7 +47,7 @@ class MeasuredView:
     warn_text: str
     invalid_after: int | None
     stale_after_ms: int | None
-    citation: str
+    cited: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +61,9 @@ class ComponentView:
     first: str
     quantities: tuple[QuantityView, ...]
     measured: MeasuredView | None
+    period_ms: int | None
+    citation: str
+    cited: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +96,9 @@ def _component(component: Component) -> ComponentView:
         first=component.name if component.instances == 1 else f"{component.name}[0]",
         quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
         measured=measured[0] if measured else None,
+        period_ms=component.period_ms,
+        citation=str(component.citation or ""),
+        cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
     )
 
 
@@ -130,7 +138,7 @@ def _measured(quantity: Quantity) -> MeasuredView:
         attribute=quantity.attribute,
         unit=quantity.unit.name,
         formula=f"adc / {channel.full_scale} * {decimal(channel.reference)} * mult",
-        formula_citation=str(quantity.citation) if quantity.citation else "",
+        citation=str(quantity.citation or ""),
         multiplier=parameter_attribute(multiplier.name),
         multiplier_name=multiplier.name,
         latched=multiplier.spec.reboot,
@@ -140,5 +148,5 @@ def _measured(quantity: Quantity) -> MeasuredView:
         warn_text=warn_text,
         invalid_after=quantity.spec.invalid_after,
         stale_after_ms=quantity.stale_after_ms,
-        citation=str(quantity.citation) if quantity.citation else "",
+        cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )

@@ -1,0 +1,184 @@
+"""The folder of a project file: which files belong to a specification, and the specification they state."""
+
+import hashlib
+import os
+from typing import TypeVar
+
+from codegen.decode.record import decode_record
+from codegen.decode.requirement import check_unique, decode_requirement
+from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.load.markdown import parse_markdown
+from codegen.load.text import decode_text, read_bytes
+from codegen.load.yaml_tree import parse_yaml
+from codegen.model.spec import (
+    BoardSpec,
+    Correction,
+    CorrectionsSpec,
+    ParametersSpec,
+    PopulationSpec,
+    Project,
+    Requirement,
+    Spec,
+    StateSpec,
+    StreamsSpec,
+)
+from codegen.source import Place, Written, shown_path
+
+NO_MESSAGES = Rule(
+    "no-messages",
+    "The folder messages beside codegen.yaml has no YAML file, so there is nothing to send. Write one population table "
+    "for each message.",
+)
+DUPLICATE_TABLE = Rule(
+    "duplicate-table",
+    "Two population tables are for the same message, so it is ambiguous what is sent. Merge them into one.",
+)
+UNREAD_FILE = Rule(
+    "unread-file",
+    "A YAML file lies where the files of the specification lie, but nothing reads it: its name is misspelt, or "
+    "codegen.yaml does not name it.",
+    Severity.WARNING,
+)
+
+FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
+"""The files that every project has beside its project file."""
+READ_BY_OTHERS = ("scenarios.yaml",)
+"""Files beside the project file that belong to other commands than ``build``."""
+
+_Record = TypeVar("_Record", bound=Written)
+
+
+def decode_spec(project_file: str, report: Report) -> Spec | None:
+    """The specification of a project file and of the files beside it.
+
+    Everything that is wrong in any of the files is reported. The result is None where the project file or one of
+    the four fixed files could not be decoded at all; otherwise it lacks the records that could not be, so what later
+    stages say about a missing record may follow from an error that was reported here.
+    """
+    return _SpecReader(os.path.abspath(project_file), report).read()
+
+
+class _SpecReader:
+    """Reads the files of one specification and keeps account of them."""
+
+    def __init__(self, project_file: str, report: Report) -> None:
+        self._project_file = project_file
+        self._folder = os.path.dirname(project_file)
+        self._report = report
+        self._hashes: dict[str, str] = {}
+
+    def read(self) -> Spec | None:
+        text = self._text(self._project_file, None)
+        if text is None:
+            return None
+        # A project file with errors does not keep the other files from being checked.
+        project = self._record_of(text, self._project_file, Project)
+        state = self._fixed("state.yaml", StateSpec)
+        board = self._fixed("board.yaml", BoardSpec)
+        parameters = self._fixed("parameters.yaml", ParametersSpec)
+        streams = self._fixed("streams.yaml", StreamsSpec)
+        populations = self._populations()
+        corrections = self._corrections(project)
+        requirements = self._requirements()
+        if project is not None:
+            self._add_hashes(project)
+            self._report_unread()
+        if project is None or state is None or board is None or parameters is None or streams is None:
+            return None
+        return Spec(
+            folder=self._folder,
+            project=project,
+            state=state,
+            board=board,
+            parameters=parameters,
+            streams=streams,
+            populations=populations,
+            corrections=corrections,
+            requirements=requirements,
+            files=dict(sorted(self._hashes.items())),
+        )
+
+    def _text(self, path: str, asked_at: Place | None) -> str | None:
+        data = read_bytes(path, self._report, asked_at)
+        if data is None:
+            return None
+        self._hashes[path] = hashlib.sha256(data).hexdigest()
+        return decode_text(data, path, self._report)
+
+    def _record(self, path: str, cls: type[_Record], asked_at: Place) -> _Record | None:
+        text = self._text(path, asked_at)
+        return None if text is None else self._record_of(text, path, cls)
+
+    def _record_of(self, text: str, path: str, cls: type[_Record]) -> _Record | None:
+        node = parse_yaml(text, path, self._report)
+        return None if node is None else decode_record(node, cls, self._report)
+
+    def _fixed(self, name: str, cls: type[_Record]) -> _Record | None:
+        return self._record(os.path.join(self._folder, name), cls, Place(self._project_file))
+
+    def _populations(self) -> tuple[PopulationSpec, ...]:
+        """The tables by the names of their files; of two for one message the first."""
+        paths = self._listed("messages", (".yaml",))
+        if not paths:
+            self._report.add(NO_MESSAGES, Place(self._project_file), "there is no population table messages/*.yaml")
+        tables: dict[str, PopulationSpec] = {}
+        for path in paths:
+            table = self._record(path, PopulationSpec, Place(path))
+            if table is None:
+                continue
+            first = tables.setdefault(table.message, table)
+            if first is not table:
+                place = first.at("message")
+                message = f"{table.message} has a table already, {shown_path(place.file)}"
+                self._report.add(DUPLICATE_TABLE, table.at("message"), message, related=[(place, "the first table")])
+        return tuple(tables.values())
+
+    def _corrections(self, project: Project | None) -> tuple[Correction, ...]:
+        corrections: list[Correction] = []
+        for index, name in enumerate(project.corrections if project else ()):
+            assert project is not None
+            decoded = self._record(self._path(name), CorrectionsSpec, project.at(f"corrections[{index}]"))
+            corrections.extend(decoded.corrections if decoded else ())
+        return tuple(corrections)
+
+    def _requirements(self) -> tuple[Requirement, ...]:
+        requirements = []
+        for path in self._listed("requirements", (".md",)):
+            text = self._text(path, Place(path))
+            requirement = None if text is None else decode_requirement(parse_markdown(text, path), self._report)
+            if requirement is not None:
+                requirements.append(requirement)
+        check_unique(requirements, self._report)
+        return tuple(requirements)
+
+    def _add_hashes(self, project: Project) -> None:
+        """Account for the XML files that the project names; whoever reads them reports what is wrong with them."""
+        for name in (project.dialect, *project.overlays):
+            data = read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
+            if data is not None:
+                self._hashes[self._path(name)] = hashlib.sha256(data).hexdigest()
+
+    def _report_unread(self) -> None:
+        for folder in ("", "messages", "dialects", "requirements"):
+            for path in self._listed(folder, (".yaml", ".yml")):
+                name = os.path.basename(path)
+                if path in self._hashes or (not folder and name in READ_BY_OTHERS):
+                    continue
+                hint = "name it under corrections in codegen.yaml" if folder == "dialects" else None
+                if folder == "messages":
+                    hint = "population tables end in .yaml"
+                elif not folder:
+                    hint = did_you_mean(name, (*FIXED_FILES, *READ_BY_OTHERS))
+                self._report.add(UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", hint)
+
+    def _path(self, name: str) -> str:
+        return os.path.normpath(os.path.join(self._folder, name))
+
+    def _listed(self, folder: str, endings: tuple[str, ...]) -> list[str]:
+        """The files of a folder with one of the endings, by name; hidden files (of editors) are left out."""
+        path = os.path.join(self._folder, folder) if folder else self._folder
+        try:
+            names = sorted(os.listdir(path))
+        except OSError:
+            return []
+        return [os.path.join(path, name) for name in names if name.endswith(endings) and not name.startswith(".")]

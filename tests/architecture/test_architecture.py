@@ -1,0 +1,167 @@
+"""Dependencies point one way, and only the command line talks to the terminal."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import codegen
+
+PACKAGE = Path(codegen.__file__).parent
+
+GROUND = {"source", "diagnostics"}
+READING = {"load", "decode", "resolve", "rules"}
+
+MAY_IMPORT: dict[str, set[str]] = {
+    "source": set(),
+    "diagnostics": {"source"},
+    "model": {"source"},
+    "load": GROUND,
+    "decode": {"load", "model", *GROUND},
+    "resolve": {"model", *GROUND},
+    "rules": {"resolve", "model", *GROUND},
+    "render": set(),
+    "schemas": {"model", *GROUND},
+    "targets": {"resolve", "render", "schemas", "model", *GROUND},
+    "manifest": GROUND,
+    "emit": {"manifest", *GROUND},
+    "catalogue": GROUND,
+    "pipeline": {*READING, "targets", "render", "emit", "model", *GROUND},
+    "explain": {"catalogue", "targets", "model", *GROUND},
+    "cli": {"pipeline", "explain", "catalogue", "emit", "model", *GROUND},
+    "__main__": {"cli"},
+}
+"""Part of the package (a folder or a module of its own) -> the other parts that it may import."""
+
+VAGUE = {"util", "utils", "helper", "helpers", "manager", "managers", "core", "common", "misc", "base"}
+
+MODULES = sorted(PACKAGE.rglob("*.py"))
+
+
+def name_of(path: Path) -> str:
+    """The dotted name of a module below the package, without the package: ``emit.plan``."""
+    return ".".join(path.relative_to(PACKAGE).with_suffix("").parts).removesuffix("__init__").rstrip(".")
+
+
+def part_of(name: str) -> str:
+    return name.split(".", maxsplit=1)[0]
+
+
+def imported(text: str, name: str, *, is_package: bool = False) -> set[str]:
+    """The parts of codegen that a module imports, at its top or anywhere in it."""
+    return {part_of(found) for found in _imported_names(ast.parse(text), name, is_package)} - {""}
+
+
+def _imported_names(tree: ast.AST, name: str, is_package: bool) -> Iterator[str]:
+    """The dotted names below codegen; what is imported from the package itself may be a part or a value of it."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.removeprefix("codegen.") for alias in node.names if alias.name[:8] == "codegen.")
+        elif isinstance(node, ast.ImportFrom):
+            absolute = node.module or ""
+            if node.level:
+                parents = f"codegen.{name}".split(".")
+                parents = parents[: len(parents) - node.level + is_package]
+                absolute = ".".join([*parents, *([node.module] if node.module else [])])
+            if absolute == "codegen":
+                yield from (alias.name for alias in node.names if alias.name != "__version__")
+            elif absolute.startswith("codegen."):
+                yield absolute.removeprefix("codegen.")
+
+
+def outcries(text: str) -> list[str]:
+    """The places where a module prints, reads the keyboard, ends the program, or takes a stream to do so."""
+    found = []
+    for node in ast.walk(ast.parse(text)):
+        match node:
+            case ast.Call(func=ast.Name(id="print" | "input" | "exit" | "quit" | "breakpoint" as called)):
+                found.append(f"{node.lineno}: {called}()")
+            case ast.Attribute(
+                value=ast.Name(id="sys"), attr="exit" | "stdout" | "stderr" | "__stdout__" | "__stderr__" as taken
+            ):
+                found.append(f"{node.lineno}: sys.{taken}")
+            case ast.Attribute(value=ast.Name(id="os"), attr="_exit" | "abort" as taken):
+                found.append(f"{node.lineno}: os.{taken}")
+            case ast.ImportFrom(module="sys", names=names):
+                found.extend(f"{node.lineno}: from sys import {name.name}" for name in names if name.name == "exit")
+            case ast.Name(id="SystemExit"):
+                found.append(f"{node.lineno}: SystemExit")
+    return found
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_a_module_imports_only_what_lies_below_it(path: Path) -> None:
+    name = name_of(path)
+    if not name:
+        assert imported(path.read_text(), name, is_package=True) == set(), "the package itself imports none of it"
+        return
+    part = part_of(name)
+    assert part in MAY_IMPORT, f"{part} is new: give it a place in MAY_IMPORT"
+    forbidden = imported(path.read_text(), name, is_package=path.name == "__init__.py") - MAY_IMPORT[part] - {part}
+    assert not forbidden, f"codegen.{name} must not import {', '.join(sorted(forbidden))}"
+
+
+def test_the_allowed_directions_have_no_circle() -> None:
+    """Whatever is added to the table: no part may come back to itself through others."""
+    settled: set[str] = set()
+    while len(settled) < len(MAY_IMPORT):
+        ready = {part for part, below in MAY_IMPORT.items() if part not in settled and below <= settled}
+        assert ready, f"a circle among {sorted(set(MAY_IMPORT) - settled)}"
+        settled |= ready
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_only_the_command_line_prints_and_exits(path: Path) -> None:
+    """Stages return values and report findings, so that tests, editors and other programs can call them."""
+    if part_of(name_of(path)) not in ("cli", "__main__"):
+        assert outcries(path.read_text()) == []
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_a_module_is_called_what_it_is_about(path: Path) -> None:
+    assert not VAGUE & set(name_of(path).split("."))
+
+
+def test_modules_stay_small() -> None:
+    """One idea a module: none above 400 lines, and three of four below 200."""
+    sizes = sorted(((len(path.read_text().splitlines()), name_of(path)) for path in MODULES), reverse=True)
+    shown = "\n".join(f"{size:5} {name}" for size, name in sizes[:15])
+    assert sizes[0][0] <= 400, f"too large:\n{shown}"
+    assert sum(size < 200 for size, _ in sizes) >= 0.75 * len(sizes), f"too many large ones:\n{shown}"
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "parts"),
+    [
+        ("from codegen.load.text import read", "model.spec", {"load"}),
+        ("import codegen.load.text as t", "model.spec", {"load"}),
+        ("from codegen import pipeline, __version__", "cli.build", {"pipeline"}),
+        ("def f():\n    from codegen.decode import spec", "targets.mocks", {"decode"}),
+        ("from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from codegen.decode import x", "t", {"decode"}),
+        ("from ..decode.spec import x", "targets.mocks", {"decode"}),
+        ("from .naming import x", "targets.mocks", {"targets"}),
+        ("import os\nfrom codegenerator import x", "targets.mocks", set()),
+    ],
+)
+def test_imports_are_found_however_they_are_written(text: str, name: str, parts: set[str]) -> None:
+    """A check that finds nothing protects nothing."""
+    assert imported(text, name) == parts
+
+
+def test_relative_imports_of_a_package_count_from_itself() -> None:
+    assert imported("from .mocks import x", "targets", is_package=True) == {"targets"}
+    assert imported("from ..decode import x", "targets", is_package=True) == {"decode"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["print('x')", "import sys\nsys.exit(1)", "import sys as s\nraise SystemExit", "from sys import exit", "input()",
+     "import sys\nsys.stderr.write('x')", "import os\nos._exit(1)"],
+)  # fmt: skip
+def test_printing_and_exits_are_found_however_they_are_written(text: str) -> None:
+    assert outcries(text)
+
+
+def test_a_method_that_is_called_like_them_is_none() -> None:
+    assert outcries("page.print()\nself.exit = 3\nfoo(stdout=1)") == []

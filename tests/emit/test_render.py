@@ -1,0 +1,50 @@
+"""Templates become text exactly as they are laid out, and a name that nobody set is never silently empty."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from jinja2 import UndefinedError
+
+from codegen import render
+from codegen.render import copied, render_template, templates_folder
+
+TEMPLATES = sorted(path.relative_to(templates_folder()).as_posix() for path in templates_folder().rglob("*.j2"))
+
+
+@pytest.fixture
+def templates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A template folder of the test's own."""
+    monkeypatch.setattr(render, "templates_folder", lambda: tmp_path)
+    monkeypatch.setattr(render, "_environment", render._environment.__wrapped__)
+    return tmp_path
+
+
+def test_templates_of_the_checkout_are_found() -> None:
+    assert (templates_folder() / "firmware").is_dir()
+
+
+def test_lines_of_the_template_language_leave_no_trace(templates: Path) -> None:
+    (templates / "a.py.j2").write_text(
+        "{% for x in view.names %}\n    {% if x %}\n  {{ x }} = '<&>'\n    {% endif %}\n{% endfor %}\n"
+    )
+    assert render_template("a.py.j2", SimpleNamespace(names=["a", "", "b"])) == "  a = '<&>'\n  b = '<&>'\n"
+
+
+@pytest.mark.parametrize("text", ["{{ view.missing }}", "{{ missing }}", "{% if view.missing %}{% endif %}",
+                                  "{% for x in view.missing %}{% endfor %}"])  # fmt: skip
+def test_a_name_that_is_not_there_raises(templates: Path, text: str) -> None:
+    (templates / "a.j2").write_text(text)
+    with pytest.raises(UndefinedError):
+        render_template("a.j2", SimpleNamespace(there=1))
+
+
+def test_a_plain_file_is_copied_to_the_byte(templates: Path) -> None:
+    (templates / "a.py").write_bytes("µ = '{{ x }}'\r\n".encode())
+    assert copied("a.py") == "µ = '{{ x }}'\r\n"
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_every_template_of_the_project_can_be_compiled(name: str) -> None:
+    """Also those that the shipped specification never asks for."""
+    assert render._environment().get_template(name)

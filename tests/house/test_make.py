@@ -1,0 +1,166 @@
+"""The Makefile and what continuous integration runs, with stand-ins for the tools."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+TOOL = """#!/bin/sh
+echo "$(basename "$0") $*" >> calls
+case "$(basename "$0") $*" in "$FAILING"*) exit 1 ;; esac
+"""
+"""Notes how it was called; fails if the call begins with $FAILING."""
+
+PYTHON = """#!/bin/sh
+echo "python $*" >> calls
+case "$*" in
+    *"-m venv --clear .venv") mkdir -p .venv/bin; exit "$NO_ENSUREPIP" ;;
+    *"-m venv --clear --without-pip .venv") mkdir -p .venv/bin; exit "$NO_VENV" ;;
+    *"-m virtualenv"*) mkdir -p .venv/bin; exit "$NO_VIRTUALENV" ;;
+    *"-c"*) exit "$TOO_OLD" ;;
+esac
+"""
+"""A Python whose modules are missing as the environment says."""
+
+STEPS = [
+    "ruff check",
+    "ruff format --check",
+    "mypy ",
+    "python -m pytest -n auto",
+    "codegen build --check",
+    "codegen check",
+]
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A checkout whose .venv holds stand-ins."""
+    for name in ("Makefile", "pyproject.toml", ".ci/run"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    tools = tmp_path / ".venv" / "bin"
+    tools.mkdir(parents=True)
+    for name in ("ruff", "mypy", "python", "codegen"):
+        (tools / name).write_text(TOOL)
+        (tools / name).chmod(0o755)
+    (tmp_path / ".venv" / ".installed").touch()
+    return tmp_path
+
+
+def called(checkout: Path) -> list[str]:
+    """The calls of stand-ins so far."""
+    calls = checkout / "calls"
+    return calls.read_text().splitlines() if calls.exists() else []
+
+
+def run(checkout: Path, *command: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
+    everything = {"FAILING": "nothing", "NO_ENSUREPIP": "0", "NO_VENV": "0", "NO_VIRTUALENV": "0", "TOO_OLD": "0"}
+    return subprocess.run(
+        command, cwd=checkout, env={**clean, **everything, **environment}, capture_output=True, text=True, check=False
+    )
+
+
+def test_make_test_runs_every_step(checkout: Path) -> None:
+    ran = run(checkout, "make", "test")
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert [call.strip() for call in called(checkout)] == [step.strip() for step in STEPS]
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_one_failing_step_fails_make_test_and_the_others_still_run(checkout: Path, step: str) -> None:
+    ran = run(checkout, "bash", ".ci/run", FAILING=step)
+    assert ran.returncode != 0
+    assert len(called(checkout)) == len(STEPS)
+    assert "Not good yet: " in ran.stdout
+
+
+def test_ci_runs_wherever_it_is_called_from(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    elsewhere = tmp_path_factory.mktemp("elsewhere")
+    ran = run(elsewhere, "bash", str(checkout / ".ci" / "run"))
+    assert ran.returncode == 0
+    assert len(called(checkout)) == len(STEPS)
+
+
+def test_install_only_when_pyproject_changed(checkout: Path) -> None:
+    run(checkout, "make", "build")
+    assert called(checkout) == ["codegen build"]
+    later = (checkout / ".venv" / ".installed").stat().st_mtime + 10
+    os.utime(checkout / "pyproject.toml", (later, later))
+    assert run(checkout, "make", "build").returncode == 0
+    installs = [call for call in called(checkout) if "install" in call]
+    assert installs == ["python -m pip install --quiet --disable-pip-version-check --editable .[dev]"]
+
+
+def test_a_failed_install_is_tried_again(checkout: Path) -> None:
+    (checkout / ".venv" / ".installed").unlink()
+    assert run(checkout, "make", "build", FAILING="python -m pip install").returncode != 0
+    assert not (checkout / ".venv" / ".installed").exists()
+    assert "codegen build" not in called(checkout)
+
+
+@pytest.fixture
+def python(checkout: Path) -> Path:
+    """A stand-in for PYTHON in a checkout without .venv; the environments that it makes hold a link to itself."""
+    shutil.rmtree(checkout / ".venv")
+    program = checkout / "python"
+    program.write_text(PYTHON.replace("mkdir -p .venv/bin;", f"mkdir -p .venv/bin; cp {program} .venv/bin/python;"))
+    program.chmod(0o755)
+    return program
+
+
+@pytest.mark.parametrize(
+    ("missing", "expected"),
+    [
+        ({}, ["-m venv --clear .venv"]),
+        (
+            {"NO_ENSUREPIP": "1"},
+            [
+                "-m venv --clear .venv",
+                "-m venv --clear --without-pip .venv",
+                "-m pip --python .venv/bin/python install --quiet pip",
+            ],
+        ),
+        (
+            {"NO_ENSUREPIP": "1", "NO_VENV": "1"},
+            ["-m venv --clear .venv", "-m venv --clear --without-pip .venv", "-m virtualenv --clear .venv"],
+        ),
+    ],
+)
+def test_environment_is_made_with_what_there_is(
+    checkout: Path, python: Path, missing: dict[str, str], expected: list[str]
+) -> None:
+    """A Debian with Python, pip and make lacks ensurepip: that has to be enough."""
+    run(checkout, "make", "build", f"PYTHON={python}", **missing)
+    calls = [call.removeprefix("python ") for call in called(checkout)]
+    made = [call for call in calls if "venv" in call]
+    assert made == expected
+    assert calls[-1] == "-m pip install --quiet --disable-pip-version-check --editable .[dev]"
+
+
+def test_no_way_to_make_an_environment_names_what_to_install(checkout: Path, python: Path) -> None:
+    ran = run(checkout, "make", "build", f"PYTHON={python}", NO_ENSUREPIP="1", NO_VENV="1", NO_VIRTUALENV="1")
+    assert ran.returncode != 0
+    assert "install python3-venv" in ran.stderr
+
+
+def test_old_and_missing_pythons_are_named(checkout: Path, python: Path) -> None:
+    old = run(checkout, "make", "build", f"PYTHON={python}", TOO_OLD="1")
+    assert old.returncode != 0
+    assert "3.11 or newer" in old.stderr
+    absent = run(checkout, "make", "build", "PYTHON=python-that-is-not-there")
+    assert absent.returncode != 0
+    assert "python-that-is-not-there is missing" in absent.stderr
+
+
+def test_clean_keeps_what_is_committed(checkout: Path) -> None:
+    (checkout / "generated" / "__pycache__").mkdir(parents=True)
+    (checkout / "generated" / "manifest.json").touch()
+    assert run(checkout, "make", "clean").returncode == 0
+    assert not (checkout / ".venv").exists()
+    assert not (checkout / "generated" / "__pycache__").exists()
+    assert (checkout / "generated" / "manifest.json").exists()

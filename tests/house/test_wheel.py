@@ -1,0 +1,85 @@
+"""What users install: it works away from the checkout, and generates the same bytes there."""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import codegen
+
+ROOT = Path(__file__).parents[2]
+LEFT_BY_RUNS = {"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
+
+
+def tree(folder: Path) -> dict[str, bytes]:
+    """The content of every file by its path, without what running the code leaves behind."""
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file() and not LEFT_BY_RUNS & set(path.parts))
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
+def run(*command: str, cwd: Path, **environment: str) -> str:
+    """The stdout of a program, which has to succeed."""
+    ran = subprocess.run(
+        command, cwd=cwd, env={**os.environ, **environment}, capture_output=True, text=True, check=False
+    )
+    assert ran.returncode == 0, f"{command}\n{ran.stdout}\n{ran.stderr}"
+    return ran.stdout
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel, built from the source distribution, so that neither may lack a file."""
+    folder = tmp_path_factory.mktemp("dist")
+    run(sys.executable, "-m", "build", "--no-isolation", "--outdir", str(folder), str(ROOT), cwd=folder)
+    (built,) = folder.glob("*.whl")
+    return built
+
+
+@pytest.fixture(scope="module")
+def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder that the wheel is installed in; in PYTHONPATH it goes before the checkout."""
+    folder = tmp_path_factory.mktemp("installed")
+    options = ["--no-deps", "--no-index", "--no-compile", "--disable-pip-version-check", "--target", str(folder)]
+    run(sys.executable, "-m", "pip", "install", *options, str(wheel), cwd=folder)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("source", "packed"), [("templates", "codegen/templates"), ("generated/schemas", "codegen/schema_files")]
+)
+def test_wheel_holds_every_template_and_schema(wheel: Path, tmp_path: Path, source: str, packed: str) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(tmp_path)
+    expected = tree(ROOT / source)
+    assert expected
+    assert tree(tmp_path / packed) == expected
+
+
+def test_wheel_holds_the_package_and_nothing_beside_it(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        tops = {name.split("/", 1)[0] for name in archive.namelist()}
+        modules = {name for name in archive.namelist() if name.endswith(".py") and "/templates/" not in name}
+    assert tops == {"codegen", f"codegen-{codegen.__version__}.dist-info"}
+    assert modules == {path.relative_to(ROOT).as_posix() for path in (ROOT / "codegen").rglob("*.py")}
+
+
+def test_installed_command_is_the_one_of_the_wheel(installed: Path, tmp_path: Path) -> None:
+    where = run(
+        sys.executable, "-c", "import codegen; print(codegen.__file__)", cwd=tmp_path, PYTHONPATH=str(installed)
+    )
+    assert Path(where.strip()) == installed / "codegen" / "__init__.py"
+    version = run(sys.executable, "-m", "codegen", "--version", cwd=tmp_path, PYTHONPATH=str(installed))
+    assert version == f"codegen {codegen.__version__}\n"
+
+
+def test_installed_command_generates_the_committed_bytes(installed: Path, tmp_path: Path) -> None:
+    """No date, no path of this machine and no file of the checkout gets into the output."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    run(sys.executable, "-m", "codegen", "build", cwd=tmp_path, PYTHONPATH=str(installed))
+    generated, committed = tree(tmp_path / "generated"), tree(ROOT / "generated")
+    assert sorted(generated) == sorted(committed)
+    assert [path for path in generated if generated[path] != committed[path]] == []
