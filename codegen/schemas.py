@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, assert_never
 
-from codegen.decode.shape import (
+from codegen.model.shape import (
     AnyScalar,
     Choice,
     Key,
@@ -75,9 +75,11 @@ def _record(model: type[Written], definitions: dict[str, _Schema]) -> _Schema:
     schema: _Schema = {
         "type": "object",
         "properties": {key.name: _property(key, definitions) for key in keys},
-        "required": sorted(key.name for key in keys if key.is_required),
         "additionalProperties": False,
     }
+    required = sorted(key.name for key in keys if key.is_required)
+    if required:
+        schema["required"] = required
     choice = one_of(model)
     if choice:
         schema["oneOf"] = [{"required": [name]} for name in choice]
@@ -104,7 +106,7 @@ def _shape(shape: Shape, definitions: dict[str, _Schema]) -> _Schema:
                 "type": "object",
                 "additionalProperties": _shape(shape.value, definitions),
                 "propertyNames": {"minLength": 1},
-                "minProperties": 0 if shape.may_be_empty else 1,
+                **({} if shape.may_be_empty else {"minProperties": 1}),
             }
         case RecordOf():
             name = shape.model.__name__

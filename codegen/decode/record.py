@@ -4,7 +4,9 @@ from difflib import get_close_matches
 from typing import Any, Generic, TypeVar
 
 from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mismatch, read_scalar, shortened
-from codegen.decode.shape import (
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
+from codegen.model.shape import (
     ListOf,
     MappingOf,
     RecordOf,
@@ -14,8 +16,6 @@ from codegen.decode.shape import (
     one_of,
     short_forms,
 )
-from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
 from codegen.source import Place, Written
 
 UNKNOWN_KEY = Rule(

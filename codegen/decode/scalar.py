@@ -5,7 +5,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import assert_never
 
-from codegen.decode.shape import (
+from codegen.diagnostics import Rule, did_you_mean
+from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
+from codegen.model.shape import (
     AnyScalar,
     Choice,
     ListOf,
@@ -19,8 +21,6 @@ from codegen.decode.shape import (
     Whole,
     YesNo,
 )
-from codegen.diagnostics import Rule, did_you_mean
-from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
 
 WRONG_TYPE = Rule(
     "wrong-type",

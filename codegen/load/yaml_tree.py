@@ -7,6 +7,7 @@ so that neither deep nesting nor aliases of aliases can exhaust anything.
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 import yaml
 
@@ -126,17 +127,18 @@ class _Composer:
 
     def read(self, text: str, loader: type[yaml.SafeLoader]) -> None:
         """Read everything, up to the first thing that makes the rest meaningless."""
+        stream: Any = loader(text)
         try:
-            for event in yaml.parse(text, loader):
-                self._reached = self._place(event)
+            while self.broken is None and self._documents < 2 and stream.check_event():
+                event = stream.get_event()
+                self._reached = self._place(event.start_mark)
                 self._take(event)
-                if self.broken is not None or self._documents > 1:
-                    return
-        # RecursionError, ValueError and OverflowError: what Python makes of odd escapes and directives.
+        # ValueError, OverflowError and RecursionError: what Python makes of odd escapes and directives.
         except (yaml.YAMLError, ValueError, OverflowError, RecursionError) as error:
+            if isinstance(stream, yaml.SafeLoader):
+                self._reached = self._place(stream.get_mark())
             self.broken = syntax_finding(error, self._path, self._reached)
-            return
-        if self.root is None:
+        if self.root is None and self.broken is None:
             self._empty()
 
     def _take(self, event: yaml.Event) -> None:
@@ -145,16 +147,16 @@ class _Composer:
                 self._start_document(event)
             case yaml.AliasEvent():
                 self._refuse(event, f"*{event.anchor} is an alias", "write the value out")
-                self._add(ScalarNode(None, "", self._place(event)))
+                self._add(ScalarNode(None, "", self._place(event.start_mark)))
             case yaml.ScalarEvent():
                 self._check_properties(event)
                 self._add(self._scalar(event))
             case yaml.SequenceStartEvent() | yaml.MappingStartEvent():
                 self._check_properties(event)
-                self._open.append(_Open(self._place(event), isinstance(event, yaml.MappingStartEvent)))
+                self._open.append(_Open(self._place(event.start_mark), isinstance(event, yaml.MappingStartEvent)))
                 if len(self._open) > MAX_DEPTH:
                     message = f"lists and mappings are nested more than {MAX_DEPTH} deep"
-                    self.broken = Diagnostic(self._place(event), YAML_TOO_DEEP, message)
+                    self.broken = Diagnostic(self._place(event.start_mark), YAML_TOO_DEEP, message)
             case yaml.SequenceEndEvent():
                 closed = self._open.pop()
                 self._add(SequenceNode(tuple(closed.children), closed.place))
@@ -162,7 +164,7 @@ class _Composer:
                 self._add(self._mapping(self._open.pop()))
         if len(self.findings) > MAX_FINDINGS:
             message = f"more than {MAX_FINDINGS} findings; the rest of the file was not read"
-            self.broken = Diagnostic(self._place(event), YAML_TOO_MANY_FINDINGS, message)
+            self.broken = Diagnostic(self._place(event.start_mark), YAML_TOO_MANY_FINDINGS, message)
 
     def _start_document(self, event: yaml.DocumentStartEvent) -> None:
         self._documents += 1
@@ -181,7 +183,7 @@ class _Composer:
     def _scalar(self, event: yaml.ScalarEvent) -> ScalarNode:
         text = event.value
         is_plain = bool(event.implicit[0])
-        place = self._place(event)
+        place = self._place(event.start_mark)
         if is_plain and not text and self._open and self._open[-1].awaits_value:
             # Nothing is written, so there is no place of it; parsers differ, the key is what one looks for.
             place = self._open[-1].children[-1].place
@@ -218,12 +220,11 @@ class _Composer:
         self.refused = True
 
     def _refuse(self, at: yaml.Event | YamlNode, message: str, hint: str) -> None:
-        place = self._place(at) if isinstance(at, yaml.Event) else at.place
+        place = self._place(at.start_mark) if isinstance(at, yaml.Event) else at.place
         self.findings.append(Diagnostic(place, YAML_UNSUPPORTED, message, hint))
         self.refused = True
 
-    def _place(self, event: yaml.Event) -> Place:
-        mark = event.start_mark
+    def _place(self, mark: Any) -> Place:
         return Place(self._path, mark.line + 1, mark.column + 1) if mark is not None else self._reached
 
 

@@ -285,6 +285,15 @@ class PopulatedMessage:
         """How many of the message exist."""
         return self.component.instances if self.component else 1
 
+    @property
+    def live_floats(self) -> tuple[LiveBinding, ...]:
+        """The bindings that write a float at each build, which allocates on MicroPython."""
+        return tuple(
+            binding
+            for binding in self.bindings
+            if isinstance(binding, LiveBinding) and not binding.covers.field.type.is_integer
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class System:

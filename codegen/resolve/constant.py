@@ -50,7 +50,7 @@ def bind_constant(covers: Elements, written: str | Fraction, key: str, report: R
         if not isinstance(written, str) or not written.isascii() or len(written) > field.count:
             report.add(BAD_CONSTANT, place, f"{field.name} is text of at most {field.count} ASCII characters")
             return None
-        return FixedBinding(covers, (written,), repr(written))
+        return FixedBinding(covers, (written,), "text")
     unit = field_unit(field, place, report)
     if unit is None:
         return None

@@ -4,11 +4,12 @@ from collections.abc import Callable, Iterator
 
 from codegen.diagnostics import Diagnostic
 from codegen.model.system import System
-from codegen.rules import full_scale, lifecycle, protocol, small_int, stream_rate
+from codegen.rules import full_scale, lifecycle, live_float, protocol, small_int, stream_rate
 
 RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
     full_scale.check,
     lifecycle.check,
+    live_float.check,
     protocol.check,
     small_int.check,
     stream_rate.check,

@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -222,6 +223,19 @@ def instances_of(components: dict[str, Component]) -> dict[str, int]:
     return {name: component.instances for name, component in components.items()}
 
 
+def _dialect_files(system: System) -> dict[str, object]:
+    """What pymavlink needs to make the same dialect: the one that it ships, and the project's own files.
+
+    The paths of these are relative to the folder of the tests.
+    """
+    spec = system.spec
+    is_file = spec.project.dialect.endswith(".xml")
+    own = [*([spec.project.dialect] if is_file else []), *spec.project.overlays]
+    tests = os.path.join(spec.folder, spec.project.output, "tests")
+    files = [os.path.relpath(os.path.join(spec.folder, name), tests).replace(os.sep, "/") for name in own]
+    return {"shipped": None if is_file else spec.project.dialect, "files": files}
+
+
 def cases_text(system: System, origin: dict[str, object]) -> str:
     """The cases as JSON, one case a line, so that a diff shows which cases changed."""
     messages = [
@@ -249,6 +263,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
         for case in conversion_cases(system)
     ]
     parts = [f'"generated": {json.dumps(origin)}']
+    parts.append(f'"dialect": {json.dumps(_dialect_files(system))}')
     parts.append(f'"instances": {json.dumps(instances_of(dict(system.components)))}')
     for key, cases in (("messages", messages), ("conversions", conversions)):
         lines = ",\n".join(_json(case) for case in cases)

@@ -1,5 +1,6 @@
 """Names of the generated Python: one place decides how a dialect's or a table's name is spelt in code."""
 
+import json
 import keyword
 
 from codegen.model.system import Component, PopulatedMessage
@@ -31,3 +32,8 @@ def instance_expression(component: Component, is_for_each: bool) -> str:
     if component.instances == 1:
         return f"state.{component.name}"
     return f"state.{component.name}[{'instance' if is_for_each else '0'}]"
+
+
+def quoted(text: str) -> str:
+    """A text literal of the generated Python, in double quotes."""
+    return json.dumps(text)

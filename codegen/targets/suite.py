@@ -17,13 +17,13 @@ RENDERED = ("behaviour.py", "test_frames.py")
 class SuiteView:
     """What the templates of the suite need to know."""
 
-    dialect: str
     system_id: int
     component_id: int
     board: BoardView
     state: StateView
     measured: tuple[ComponentView, ...]
     builders: tuple[str, ...]
+    steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
 
 
@@ -35,13 +35,13 @@ def render_suite(system: System) -> dict[str, str]:
     files = {**copied_files("tests"), "tests/cases.json": cases_text(system, about)}
     state = state_view(system)
     view = SuiteView(
-        dialect=system.dialect.name,
         system_id=system.system_id,
         component_id=system.component_id,
         board=board_view(system),
         state=state,
         measured=tuple(component for component in state.components if component.measured),
         builders=tuple(message.name.lower() for message in system.messages),
+        steady=tuple(message.name.lower() for message in system.messages if not message.live_floats),
         streams=stream_views(system),
     )
     for name in RENDERED:

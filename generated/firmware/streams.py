@@ -1,11 +1,22 @@
-# Generated from specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
+# Generated from specs/codegen.yaml, specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: 3dd6260f313ca3ab
+# Inputs: 66a05cd7d335e0b4
 """Sends each message at the rate of its stream."""
 
 import time
 
+import messages
 import telemetry
+from mavlink import Link
+
+SYSTEM_ID = 1
+COMPONENT_ID = 1  # MAV_COMP_ID_AUTOPILOT1
+VERSION = 2
+
+
+def open_link(stream):
+    """Return a link with the ids and the MAVLink version of this vehicle."""
+    return Link(stream, SYSTEM_ID, COMPONENT_ID, VERSION, messages.ALL)
 
 
 class Streams:

@@ -17,6 +17,7 @@ from mock_board import MockBoard  # noqa: E402
 from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
 
+import streams  # noqa: E402
 import telemetry  # noqa: E402
 
 _FLOATS = {"nan": float("nan"), "inf": float("inf"), "-inf": -float("inf")}
@@ -72,7 +73,7 @@ def silent(*_words):
 
 def run(cases):
     """Return the results of all cases by name."""
-    links = [Link(Sink(), version=2), Link(Sink(), version=1)]
+    links = [Link(Sink(), streams.SYSTEM_ID, streams.COMPONENT_ID, version) for version in (2, 1)]
     instances = cases["instances"]
     return {
         "frames": {case["name"]: frames_of(case, instances, links) for case in cases["messages"]},

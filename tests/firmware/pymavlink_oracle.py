@@ -6,6 +6,7 @@ from typing import Any
 
 from pymavlink.dialects.v10 import common as common_1
 from pymavlink.dialects.v20 import common as common_2
+from pymavlink.generator.mavcrc import x25crc
 
 SYSTEM, COMPONENT = 42, 190
 
@@ -91,6 +92,12 @@ def frame(name: str, values: Values, sequence: int, version: int = 2, signed: bo
     message_type = dialect.mavlink_map[BY_NAME[name].id]
     message = message_type(**{field: values[field] for field in message_type.fieldnames})
     return bytes(message.pack(sender))
+
+
+def raw_frame(message_id: int, payload: bytes, extra: int, flags: int = 0, tail: bytes = b"") -> bytes:
+    """A MAVLink 2 frame put together by hand, for what pymavlink does not send; sequence 9."""
+    body = bytes([len(payload), flags, 0, 9, SYSTEM, COMPONENT]) + message_id.to_bytes(3, "little") + payload
+    return b"\xfd" + body + x25crc(body + bytes([extra])).crc.to_bytes(2, "little") + tail
 
 
 def payload(name: str, values: Values, base_only: bool = False) -> bytes:

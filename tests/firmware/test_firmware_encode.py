@@ -32,7 +32,7 @@ def names_of(version: int) -> list[str]:
 @pytest.mark.parametrize("version", [1, 2])
 def test_frames_are_those_of_pymavlink(exercise: Exercise, version: int) -> None:
     """Random values through set(), encode() and get(), plain and machine code, all truncated lengths that occur."""
-    chance = random.Random(version)  # noqa: S311 - test data
+    chance = random.Random(version)
     names = names_of(version)
     descriptions = [oracle.describe(name) for name in names]
     cases, expected, read = [], [], []
@@ -55,6 +55,20 @@ def test_frames_are_those_of_pymavlink(exercise: Exercise, version: int) -> None
     for frames in results.values():
         assert [found for found, _ in frames] == expected
         assert [values for _, values in frames] == read
+
+
+FAR = {"NAME": "FAR", "ID": 0xABCDEF, "CRC_EXTRA": 7, "BASE_LENGTH": 2, "LENGTH": 2, "FIELDS": {"one": ("H", 0, 1)}}
+
+
+def test_ids_have_three_bytes(exercise: Exercise) -> None:
+    """No message of the common dialect has an id above 65535, nor an array of one element; both are legal."""
+    arguments = {"classes": [FAR], "version": 2, "system": oracle.SYSTEM, "component": oracle.COMPONENT}
+    results = exercise("frames", **arguments, cases=[[0, 9, {"one": [0x1234]}]])
+    frame = oracle.raw_frame(0xABCDEF, b"\x34\x12", extra=7)
+    for frames in results.values():
+        assert frames == [[frame.hex(), {"one": [0x1234]}]]
+    answer = exercise("decode", classes=[FAR], pieces=[frame.hex()])
+    assert answer["messages"] == [["FAR", "3412", [oracle.SYSTEM, oracle.COMPONENT, 9]]]
 
 
 def test_pymavlink_reads_our_stream(firmware: SimpleNamespace) -> None:

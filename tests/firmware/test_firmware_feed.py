@@ -9,7 +9,6 @@ import pytest
 from conftest import Exercise
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from pymavlink.generator.mavcrc import x25crc
 
 KNOWN = oracle.NAMES[:-4]
 UNKNOWN = ("VIBRATION", "TUNNEL", "WHEEL_DISTANCE")
@@ -26,12 +25,6 @@ def cut(data: bytes, chance: random.Random, longest: int) -> list[bytes]:
     return pieces
 
 
-def raw_frame(message_id: int, payload: bytes, extra: int, flags: int = 0, tail: bytes = b"") -> bytes:
-    """A MAVLink 2 frame built by hand, for what pymavlink does not send; sequence 9, system 5, component 6."""
-    body = bytes([len(payload), flags, 0, 9, 5, 6]) + message_id.to_bytes(3, "little") + payload
-    return b"\xfd" + body + x25crc(body + bytes([extra])).crc.to_bytes(2, "little") + tail
-
-
 def receiver(firmware: SimpleNamespace, *names: str) -> Any:
     """A link that decodes the named messages."""
     classes = [type(name, (firmware.mavlink.Message,), oracle.describe(name)) for name in names]
@@ -46,7 +39,7 @@ class Traffic:
     """A random stream: both versions, signed frames, unknown messages, garbage and damaged frames."""
 
     def __init__(self, seed: int, frames: int) -> None:
-        self.chance = random.Random(seed)  # noqa: S311 - test data
+        self.chance = random.Random(seed)
         self.stream = bytearray()
         self.messages: list[list[Any]] = []
         self.signed = self.unknown = self.damaged = 0
@@ -111,7 +104,7 @@ def test_every_message_of_a_mixed_stream_is_found(exercise: Exercise, longest: i
 def test_clean_stream_has_no_errors(firmware: SimpleNamespace) -> None:
     """Counters stay at zero unless there is a reason."""
     link = receiver(firmware, *KNOWN)
-    values = oracle.random_values(oracle.describe("BATTERY_STATUS"), random.Random(3))  # noqa: S311 - test data
+    values = oracle.random_values(oracle.describe("BATTERY_STATUS"), random.Random(3))
     for version, signed in ((1, False), (2, False), (2, True)):
         (message,) = link.feed(oracle.frame("BATTERY_STATUS", values, 77, version, signed))
         assert message.payload == oracle.payload("BATTERY_STATUS", values, base_only=version == 1)
@@ -122,9 +115,9 @@ def test_clean_stream_has_no_errors(firmware: SimpleNamespace) -> None:
 def test_newer_extensions_are_left_out(firmware: SimpleNamespace) -> None:
     """A sender may know more extension fields: its checksum covers them, our payload keeps its length."""
     link = receiver(firmware, "HEARTBEAT")
-    (message,) = link.feed(raw_frame(0, bytes(range(1, 21)), extra=50))
+    (message,) = link.feed(oracle.raw_frame(0, bytes(range(1, 21)), extra=50))
     assert message.payload == bytes(range(1, 10))
-    (message,) = link.feed(raw_frame(0, bytes(range(1, 256)), extra=50))
+    (message,) = link.feed(oracle.raw_frame(0, bytes(range(1, 256)), extra=50))
     assert message.payload == bytes(range(1, 10))
     assert counters(link) == (2, 0, 0, 0, 0)
 
@@ -133,22 +126,22 @@ def test_frames_need_not_be_truncated(firmware: SimpleNamespace) -> None:
     """A sender may leave the zeros in, and may send an empty payload for all zeros."""
     link = receiver(firmware, "HEARTBEAT")
     for payload in (bytes(9), bytes(1), b""):
-        (message,) = link.feed(raw_frame(0, payload, extra=50))
+        (message,) = link.feed(oracle.raw_frame(0, payload, extra=50))
         assert message.payload == bytes(9)
 
 
 def test_unknown_incompatible_flags_are_dropped(firmware: SimpleNamespace) -> None:
     """Such a frame means something else; the one after it counts."""
     link = receiver(firmware, "HEARTBEAT")
-    frame = raw_frame(0, bytes(range(1, 10)), extra=50)
+    frame = oracle.raw_frame(0, bytes(range(1, 10)), extra=50)
     for flags in (0x02, 0x03, 0x80):
-        assert len(list(link.feed(raw_frame(0, bytes(range(1, 10)), extra=50, flags=flags) + frame))) == 1
+        assert len(list(link.feed(oracle.raw_frame(0, bytes(range(1, 10)), extra=50, flags=flags) + frame))) == 1
     assert counters(link) == (3, 0, 0, 0, 3)
 
 
 def test_frame_behind_a_false_magic_is_not_lost(firmware: SimpleNamespace) -> None:
     """A magic byte in garbage announces a frame that would swallow the true one."""
-    frame = oracle.frame("HEARTBEAT", oracle.random_values(oracle.describe("HEARTBEAT"), random.Random(5)), 1)  # noqa: S311
+    frame = oracle.frame("HEARTBEAT", oracle.random_values(oracle.describe("HEARTBEAT"), random.Random(5)), 1)
     for false in (b"\xfd", b"\xfe", b"\xfd\x14\x00\x00", b"\xfe\x09\x00\x01\x01\x00", b"\xfd\xfd\xfe\xfe"):
         link = receiver(firmware, "HEARTBEAT")
         assert len(list(link.feed(false + frame + bytes(280)))) == 1, false.hex()
@@ -157,15 +150,15 @@ def test_frame_behind_a_false_magic_is_not_lost(firmware: SimpleNamespace) -> No
 
 def test_unknown_message_is_skipped_whole(firmware: SimpleNamespace) -> None:
     """A message that carries a frame as its content, such as a log being read out, does not speak for itself."""
-    inner = raw_frame(0, bytes(range(1, 10)), extra=50)
+    inner = oracle.raw_frame(0, bytes(range(1, 10)), extra=50)
     link = receiver(firmware, "HEARTBEAT")
-    assert list(link.feed(raw_frame(120, inner, extra=134) + raw_frame(70000, inner, extra=1))) == []
+    assert list(link.feed(oracle.raw_frame(120, inner, extra=134) + oracle.raw_frame(70000, inner, extra=1))) == []
     assert counters(link) == (0, 0, 2, 0, 0)
 
 
 def test_messages_not_taken_come_later(firmware: SimpleNamespace) -> None:
     """Stopping in the middle of the iterator, or not starting it, loses nothing; feed() may be called meanwhile."""
-    frames = [raw_frame(0, bytes([number]), extra=50) for number in range(1, 7)]
+    frames = [oracle.raw_frame(0, bytes([number]), extra=50) for number in range(1, 7)]
     link = receiver(firmware, "HEARTBEAT")
     link.feed(frames[0])
     found = [next(iter(link.feed(frames[1] + frames[2]))).payload[0]]
@@ -180,7 +173,7 @@ def test_messages_not_taken_come_later(firmware: SimpleNamespace) -> None:
 def test_nothing_is_no_data(firmware: SimpleNamespace) -> None:
     """UART.read() returns None without data; views and arrays of bytes do as well as bytes."""
     link = receiver(firmware, "HEARTBEAT")
-    frame = raw_frame(0, b"\x01", extra=50)
+    frame = oracle.raw_frame(0, b"\x01", extra=50)
     assert list(link.feed(None)) == []
     assert list(link.feed(b"")) == []
     for data in (frame, bytearray(frame), memoryview(frame)):
@@ -190,14 +183,16 @@ def test_nothing_is_no_data(firmware: SimpleNamespace) -> None:
 def test_bytes_done_with_are_not_kept(firmware: SimpleNamespace) -> None:
     """Days of garbage do not fill the memory of a board."""
     link = receiver(firmware, "HEARTBEAT")
-    chance = random.Random(8)  # noqa: S311 - test data
+    chance = random.Random(8)
     for _ in range(2000):
         list(link.feed(chance.randbytes(100)))
         assert len(link._pending) < 10 + 255 + 2 + 13
 
 
 magics = st.sampled_from([b"\xfd", b"\xfe", b"\xfd\x01\x00", b"\xfe\x09", b"\xfd\x09\x01\x00\x01\x01\x01\x00\x00\x00"])
-noise = st.lists(st.binary(max_size=40) | magics | st.just(raw_frame(0, b"\x07", extra=50)), max_size=8).map(b"".join)
+noise = st.lists(st.binary(max_size=40) | magics | st.just(oracle.raw_frame(0, b"\x07", extra=50)), max_size=8).map(
+    b"".join
+)
 
 
 @FUZZ
@@ -220,6 +215,6 @@ def test_any_bytes_in_any_pieces(firmware: SimpleNamespace, data: bytes, sizes: 
 def test_true_frame_is_found_behind_any_garbage(firmware: SimpleNamespace, data: bytes) -> None:
     """Nothing in front of a frame hides it, as long as it is not taken for an unknown message (1 of 256)."""
     link = receiver(firmware, "HEARTBEAT")
-    frame = raw_frame(0, b"\x2a\x2b\x2c", extra=50)
+    frame = oracle.raw_frame(0, b"\x2a\x2b\x2c", extra=50)
     found = [bytes(message.payload[:3]) for message in link.feed(data + frame + bytes(300))]
     assert link.unknown > 0 or found[-1:] == [b"\x2a\x2b\x2c"]

@@ -6,7 +6,7 @@ from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.messages import message_views
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.state import state_view
-from codegen.targets.firmware.streams import stream_views
+from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 
@@ -15,6 +15,7 @@ def render_firmware(system: System) -> dict[str, str]:
     """The files below ``firmware/``."""
     board, state = specification_file(system, "board.yaml"), specification_file(system, "state.yaml")
     parameters = specification_file(system, "parameters.yaml")
+    project = system.spec.project.place.file
     streams = specification_file(system, "streams.yaml")
     tables = [message.population.place.file for message in system.messages]
     wires = [message.wire for message in system.messages]
@@ -23,7 +24,7 @@ def render_firmware(system: System) -> dict[str, str]:
         "messages.py": (message_views(system), tables, wires),
         "parameters.py": (parameter_views(system), [parameters], []),
         "state.py": (state_view(system), [state, board, parameters], []),
-        "streams.py": (stream_views(system), [streams, parameters, *tables], []),
+        "streams.py": (streams_view(system), [project, streams, parameters, *tables], []),
         "telemetry.py": (telemetry_view(system), [*tables, state, board, parameters], wires),
     }
     files = copied_files("firmware")

@@ -33,6 +33,7 @@ class BoardView:
     board: str
     mcu: str
     readers: tuple[ReaderView, ...]
+    is_timed: bool
 
 
 def board_view(system: System) -> BoardView:
@@ -42,7 +43,10 @@ def board_view(system: System) -> BoardView:
         for component, quantity in system.measured()
         if quantity.conversion is not None
     ]
-    return BoardView(board=system.spec.board.board, mcu=system.spec.board.mcu, readers=tuple(readers))
+    is_timed = any(reader.read_limit_us is not None for reader in readers)
+    return BoardView(
+        board=system.spec.board.board, mcu=system.spec.board.mcu, readers=tuple(readers), is_timed=is_timed
+    )
 
 
 def _reader(component: str, channel: AdcChannel) -> ReaderView:

@@ -40,6 +40,25 @@ class StreamView:
     messages: tuple[SentView, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class StreamsView:
+    """The module: who the vehicle is on the link, and its streams."""
+
+    system_id: int
+    component_id: int
+    component_name: str
+    version: int
+    streams: tuple[StreamView, ...]
+
+
+def streams_view(system: System) -> StreamsView:
+    """The view of the whole module."""
+    project = system.spec.project
+    return StreamsView(
+        system.system_id, system.component_id, project.component_id, project.protocol, stream_views(system)
+    )
+
+
 def stream_views(system: System) -> tuple[StreamView, ...]:
     """The streams that have messages, in the order of streams.yaml."""
     views = (_stream(stream, system) for stream in system.streams.values())

@@ -21,7 +21,7 @@ from codegen.model.system import (
     SplitBinding,
     System,
 )
-from codegen.targets.naming import builder_name, class_name, instance_expression, parameter_attribute
+from codegen.targets.naming import builder_name, class_name, instance_expression, parameter_attribute, quoted
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class SpillView:
 class FlagByteView:
     """A byte of a bitmask some bits of which depend on the state."""
 
-    comment: str
+    comment: tuple[str, ...]
     offset: int
     expression: str
 
@@ -177,7 +177,7 @@ def _prefilled(covers: Elements, values: tuple[int | float | str, ...], meaning:
     field = covers.field
     if field.type.kind is Kind.CHAR:
         text = str(values[0])
-        return FixedView(f'message.set("{field.name}", {text!r})' if text else "", comment)
+        return FixedView(f'message.set("{field.name}", {quoted(text)})' if text else "", comment)
     if all(value == 0 for value in values):
         return FixedView("", f"{comment}, 0" if str(meaning) != "0" else comment)
     shown = [_number(value) for value in values]
@@ -317,10 +317,16 @@ def _flag_bytes(binding: FlagsBinding) -> Iterator[FlagByteView]:
             if byte:
                 source = f"{quantity.component}.{quantity.attribute}"
                 terms.setdefault(index, []).append(f"({byte:#04x} if {source} else 0)")
-    comment = f"{covers.label}: {', '.join(words)} ({covers.citation})"
+    comment = _flag_comment(f"{covers.label}:", words, f"({covers.citation})")
     for index in sorted(terms):
         always = struct.pack("<Q", binding.mask)[index]
         parts = [f"{always:#04x}"] * bool(always) + terms[index]
         expression = " | ".join(parts) if len(parts) > 1 else parts[0].strip("()")
         yield FlagByteView(comment, covers.offset + index, expression)
-        comment = ""
+        comment = ()
+
+
+def _flag_comment(label: str, words: list[str], citation: str) -> tuple[str, ...]:
+    """One line, or, where that gets long, a line for each flag."""
+    line = f"{label} {', '.join(words)} {citation}"
+    return (line,) if len(line) < 100 else (f"{label} {citation}", *(f"  {word}" for word in words))

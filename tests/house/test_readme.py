@@ -1,0 +1,57 @@
+"""The README's example does what the README says, to the letter."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from pymavlink.dialects.v20 import common
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text()
+BIN = Path(sys.executable).parent
+
+
+def block(language: str, containing: str) -> str:
+    """The fenced block of a language that holds some text."""
+    blocks = re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+    return next(text for text in blocks if containing in text)
+
+
+def test_example_prints_what_the_readme_shows(tmp_path):
+    """The program runs under MicroPython, its output is the README's, and pymavlink decodes the frame."""
+    script = tmp_path / "example.py"
+    script.write_text(block("python", "MockBoard"))
+    environment = {**os.environ, "MICROPYPATH": "generated/firmware:generated/mocks"}
+    command = [str(BIN / "micropython"), str(script)]
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout == block("text", "9549 mV")
+    frame = bytes.fromhex(done.stdout.split()[-1])
+    message = common.MAVLink(None).decode(bytearray(frame))
+    assert message.voltages[:2] == [9549, 65535]
+
+
+def test_commands_print_what_the_readme_shows():
+    """Each `$ command` of a console block prints the lines below it."""
+    environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
+    shown = block("console", "$ ")
+    commands = re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", shown, re.MULTILINE)
+    assert commands
+    for command, output in commands:
+        bash = ["bash", "-c", command]
+        done = subprocess.run(bash, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+        assert done.stdout == output, command
+
+
+def test_finding_is_the_one_that_the_readme_shows(tmp_path):
+    """The contradiction in the README is reported in these words."""
+    lines = (ROOT / "specs/messages/battery_status.yaml").read_text()
+    wrong = lines.replace("temperature: {state: battery.temperature,", "temperature: {constant: 0,")
+    assert wrong != lines
+    copy = tmp_path / "specs"
+    subprocess.run(["cp", "-r", str(ROOT / "specs"), str(copy)], check=True)
+    (copy / "messages/battery_status.yaml").write_text(wrong)
+    done = subprocess.run([str(BIN / "codegen"), "check"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stdout.startswith(block("text", "sentinel-contradiction").rstrip("\n"))

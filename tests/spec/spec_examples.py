@@ -1,0 +1,105 @@
+"""Texts of every kind of YAML file, right and wrong, that decoder and schemas are both held against."""
+
+GOOD = {
+    "codegen": "project: rover\ndialect: common\noverlays: [a.xml]\nsystem_id: 7\n",
+    "state": (
+        "components:\n  battery:\n    doc: A battery.\n    update_rate: 10 Hz\n    quantities:\n"
+        "      voltage: {doc: Volts., unit: V, min: -0.5, boolean: false, invalid_after: 5, initial: 12}\n"
+        "      mode: {doc: Mode., enum: E, initial: E_ONE}\n      armed: {doc: Armed., boolean: true, initial: false}\n"
+    ),
+    "board": (
+        "board: Pico\nmcu: RP2350\nadc:\n  pack: {gpio: 26, bits: 12, reference: 3.3 V}\n"
+        "facts:\n  battery: {cells: 3, kind: LIPO}\n"
+    ),
+    "parameters": "parameters:\n  MULT: {doc: d, default: 3.95, min: 1, max: 0x0a, step: 0.0001}\n",
+    "streams": "streams:\n  A: {doc: d, rate: 2 Hz}\n  B: {doc: d, parameter: P}\n",
+    "message": (
+        "message: BATTERY_STATUS\nrequirement: FR-00068\nstream: EXTRA1\nfields:\n"
+        "  id: {state: battery.instance}\n  voltages: {state: battery.volts, split: true, rounding: down, max: 65 V}\n"
+        "  energy_consumed: unknown\n  flags: {flags: [A, B if battery.low]}\n  load: {constant: 1.5, min: 0}\n"
+        "  rest: {unknown: true, note: none}\n"
+    ),
+    "corrections": (
+        "corrections:\n  - message: M\n    field: f\n    set: {invalid: 0xFFFF, units: mV, instance: true}\n"
+        "    reason: r\n    source: s\n"
+    ),
+}
+
+
+def field(answer: str) -> str:
+    """A population table whose only field has this answer, which begins at 5:6."""
+    return f"message: M\nrequirement: R\nstream: S\nfields:\n  f: {answer}\n"
+
+
+# kind, text, findings, whether a record is left; a JSON Schema says no to each of them, too.
+BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
+    ("codegen", "project: r\ndialect: common\nsystemid: 1\n", [("unknown-key", 3, 1)], True),
+    ("codegen", "project: r\n", [("missing-key", 1, 1)], False),
+    ("codegen", "projct: r\ndialect: common\n", [("unknown-key", 1, 1)], False),
+    ("codegen", "project: r\ndialect: 3\n", [("wrong-type", 2, 10)], False),
+    ("codegen", "project: r\ndialect: c\nsystem_id: one\n", [("wrong-type", 3, 12)], True),
+    ("codegen", "project: r\ndialect: c\nsystem_id: 1.5\n", [("wrong-type", 3, 12)], True),
+    ("codegen", "project: r\ndialect: c\nsystem_id: '1'\n", [("wrong-type", 3, 12)], True),
+    ("codegen", "project: r\ndialect: c\noverlays: a.xml\n", [("wrong-type", 3, 11)], True),
+    ("codegen", "project: r\ndialect: c\noverlays: {a: b}\n", [("wrong-type", 3, 11)], True),
+    ("codegen", "project: r\ndialect: c\noverlays: [1, [b]]\n", [("wrong-type", 3, 12), ("wrong-type", 3, 15)], True),
+    ("codegen", "project: r\ndialect:\n", [("missing-value", 2, 1)], False),
+    ("codegen", "project: r\ndialect: c\noverlays:\n", [("missing-value", 3, 1)], True),
+    ("codegen", "- project: r\n", [("wrong-type", 1, 1)], False),
+    ("codegen", "rover\n", [("wrong-type", 1, 1)], False),
+    ("codegen", "~\n", [("missing-value", 1, 1)], False),
+    ("state", "components: {}\n", [("empty-mapping", 1, 13)], False),
+    ("state", "components: []\n", [("wrong-type", 1, 13)], False),
+    ("state", "components:\n  b: {doc: d}\n", [("missing-key", 2, 3)], True),
+    ("state", "components:\n  b:\n", [("missing-value", 2, 3)], True),
+    (
+        "state",
+        "components:\n  b:\n    doc: d\n    quantities:\n      q: {doc: d, boolean: yes, initial: [1], min: .nan}\n",
+        [("unusable-number", 5, 52), ("wrong-type", 5, 28), ("wrong-type", 5, 42)],
+        True,
+    ),
+    (
+        "state",
+        "components:\n  b: {doc: d, update_rate: 10, quantities: {'': {doc: d}, q: {doc: d, max: 3 V}}}\n",
+        [("wrong-type", 2, 28), ("wrong-type", 2, 45), ("wrong-type", 2, 76)],
+        True,
+    ),
+    ("board", "board: b\nmcu: m\nadc: {a: {gpio: 1, bits: 2, reference: fast}}\n", [("wrong-type", 3, 40)], True),
+    ("board", "board: b\nmcu: m\nfacts: {b: {c: true}}\n", [("wrong-type", 3, 16)], True),
+    ("board", "board: b\nmcu: m\nfacts: {b: 1}\n", [("wrong-type", 3, 12)], True),
+    (
+        "parameters",
+        "parameters:\n  A: {doc: d, default: a, max: 2, step: 1}\n",
+        [("missing-key", 2, 3), ("wrong-type", 2, 24)],
+        True,
+    ),
+    ("streams", "streams:\n  A: {doc: d, rate: 2}\n", [("wrong-type", 2, 21)], True),
+    ("streams", "streams:\n  A: {doc: d, rates: 2 Hz}\n", [("unknown-key", 2, 15)], True),
+    ("message", field("unknwn"), [("wrong-type", 5, 6)], True),
+    ("message", field("{}"), [("one-of-keys", 5, 3)], True),
+    ("message", field("{note: n}"), [("one-of-keys", 5, 3)], True),
+    ("message", field("{state: a.b, enum: E, flags: []}"), [("one-of-keys", 5, 19)], True),
+    ("message", field("{sate: a.b}"), [("unknown-key", 5, 7)], True),
+    ("message", field("{unknown: false}"), [("wrong-type", 5, 16)], True),
+    ("message", field("{unknown: 1}"), [("wrong-type", 5, 16)], True),
+    ("message", field("{constant: 1, rounding: nerest}"), [("unknown-choice", 5, 30)], True),
+    ("message", field("{constant: 1, rounding: 1}"), [("wrong-type", 5, 30)], True),
+    ("message", field("{constant: true}"), [("wrong-type", 5, 17)], True),
+    ("message", field("{flags: A}"), [("wrong-type", 5, 14)], True),
+    ("message", field("[state]"), [("wrong-type", 5, 6)], True),
+    ("message", "message: M\nrequirement: R\nstream: S\nfields: {}\n", [("empty-mapping", 4, 9)], False),
+    ("message", "message: M\nrequirement: R\nstream: S\nfields:\n", [("missing-value", 4, 1)], False),
+    (
+        "corrections",
+        "corrections:\n  - message: M\n    field: f\n    set: {}\n    reason: r\n    source: s\n",
+        [("empty-mapping", 4, 10)],
+        True,
+    ),
+    (
+        "corrections",
+        "corrections:\n  - set: {invalid: [0]}\n    reason: r\n",
+        [("missing-key", 2, 5), ("wrong-type", 2, 20)],
+        True,
+    ),
+    ("corrections", "corrections: {message: M}\n", [("wrong-type", 1, 14)], False),
+]
