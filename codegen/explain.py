@@ -211,11 +211,22 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
         ("measured", measured),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
+        ("unknown", _becomes_unknown(quantity)),
+        ("warning", "" if quantity.warn_above is None else f"above {quantity.warn_above} {quantity.stored.name}"),
         ("sent in", ", ".join(fields)),
         ("criterion", _cited(quantity.citation)),
         ("declared at", quantity.spec.place.shown()),
     ]
     return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+
+
+def _becomes_unknown(quantity: Quantity) -> str:
+    causes = []
+    if quantity.spec.invalid_after is not None:
+        causes.append(f"after {quantity.spec.invalid_after} failed readings in a row")
+    if quantity.stale_after_ms is not None:
+        causes.append(f"{quantity.stale_after_ms} ms after the last good one")
+    return ", or ".join(causes)
 
 
 def _cited(citation: Citation | None) -> str:

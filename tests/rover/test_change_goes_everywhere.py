@@ -1,0 +1,106 @@
+"""Changing one number in a YAML file changes firmware, tests, documents and explanation together, and nothing else."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BIN = Path(sys.executable).parent
+
+CHANGES = [
+    (
+        "board.yaml",
+        "reference: 3.3 V",
+        "reference: 3.0 V",
+        {"firmware/state.py", "tests/cases.json"},
+        ("battery.voltage", "* 3 V"),
+    ),
+    (
+        "messages/battery_status.yaml",
+        "battery_remaining: {state: battery.remaining, min: 0, max: 100",
+        "battery_remaining: {state: battery.remaining, min: 0, max: 95",
+        {"firmware/telemetry.py", "tests/cases.json", "docs/telemetry.md"},
+        ("BATTERY_STATUS.battery_remaining", "0..95"),
+    ),
+    (
+        "parameters.yaml",
+        "default: 3.95",
+        "default: 4.05",
+        {"firmware/parameters.py", "tests/cases.json"},
+        ("BATT_VOLT_MULT", "4.05"),
+    ),
+    (
+        "state.yaml",
+        "invalid_after: 5",
+        "invalid_after: 7",
+        {"firmware/state.py", "tests/behaviour.py"},
+        ("battery.voltage", "7 failed readings"),
+    ),
+    (
+        "dialects/corrections.yaml",
+        'invalid: "0"',
+        'invalid: "-1"',
+        {"firmware/telemetry.py", "tests/cases.json", "docs/telemetry.md"},
+        ("BATTERY_STATUS.time_remaining", "= -1"),
+    ),
+]
+
+
+def body(path: Path) -> str:
+    """A generated file without its header, whose hash changes with every input."""
+    lines = path.read_text().splitlines()
+    return "\n".join(line for line in lines if not line.startswith(("# Inputs:", "<!-- Generated", '{"generated"')))
+
+
+def bodies(folder: Path) -> dict[str, str]:
+    """Every generated file of a folder by its relative path."""
+    paths = [path for path in folder.rglob("*") if path.is_file() and path.suffix in (".py", ".json", ".md")]
+    return {path.relative_to(folder).as_posix(): body(path) for path in paths if "__pycache__" not in path.parts}
+
+
+def run(folder: Path, *arguments: str) -> str:
+    """Run codegen in a folder; its standard output."""
+    command = [str(BIN / "codegen"), *arguments]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize(("file", "old", "new", "changed", "told"), CHANGES, ids=[change[2] for change in CHANGES])
+def test_one_number(file, old, new, changed, told, tmp_path):
+    """The files that state the number change, `explain` tells the new one, and the new suite is green."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    run(tmp_path, "build")
+    before = bodies(tmp_path / "generated")
+    path = tmp_path / "specs" / file
+    assert old in path.read_text()
+    path.write_text(path.read_text().replace(old, new, 1))
+    run(tmp_path, "build")
+    after = bodies(tmp_path / "generated")
+    assert after.keys() == before.keys()
+    assert {name for name in after if after[name] != before[name]} - {"manifest.json"} >= changed
+    topic, words = told
+    assert words in run(tmp_path, "explain", topic)
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
+    command = [sys.executable, "-m", "pytest", *options, "generated/tests"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-3000:]
+
+
+def test_deleting_the_output_and_building_restores_it(tmp_path):
+    """generated/ is a function of specs/: built again from nothing it is the committed one, byte for byte."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    run(tmp_path, "build")
+    made = {path.relative_to(tmp_path) for path in (tmp_path / "generated").rglob("*") if path.is_file()}
+    for path in made:
+        assert (tmp_path / path).read_bytes() == (ROOT / path).read_bytes(), path
+    stamps = {path: (tmp_path / path).stat().st_mtime_ns for path in made}
+    run(tmp_path, "build")
+    assert {path: (tmp_path / path).stat().st_mtime_ns for path in made} == stamps
+    shutil.rmtree(tmp_path / "generated")
+    run(tmp_path, "build")
+    assert {path.relative_to(tmp_path) for path in (tmp_path / "generated").rglob("*") if path.is_file()} == made
+    assert all((tmp_path / path).read_bytes() == (ROOT / path).read_bytes() for path in made)

