@@ -164,12 +164,18 @@ class _SpecReader:
                 name = os.path.basename(path)
                 if path in self._hashes or (not folder and name in READ_BY_OTHERS):
                     continue
-                hint = "name it under corrections in codegen.yaml" if folder == "dialects" else None
-                if folder == "messages":
-                    hint = "population tables end in .yaml"
-                elif not folder:
-                    hint = did_you_mean(name, (*FIXED_FILES, *READ_BY_OTHERS))
-                self._report.add(UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", hint)
+                self._report.add(
+                    UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", self._hint(folder, name)
+                )
+
+    def _hint(self, folder: str, name: str) -> str | None:
+        """What may have been meant by a file that nothing reads."""
+        if folder == "messages":
+            return "population tables end in .yaml"
+        if folder == "dialects":
+            return "name it under corrections in codegen.yaml"
+        absent = [fixed for fixed in FIXED_FILES if os.path.join(self._folder, fixed) not in self._hashes]
+        return did_you_mean(name, absent) if not folder else None
 
     def _path(self, name: str) -> str:
         return os.path.normpath(os.path.join(self._folder, name))

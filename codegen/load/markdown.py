@@ -4,6 +4,7 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
@@ -75,8 +76,7 @@ class _Reader:
             for index, token in enumerate(self._tokens)
             if token.type == "heading_open" and token.level == 0 and token.tag in ("h1", "h2")
         ]
-        ends = [*starts[1:], len(self._tokens)]
-        sections = [self._section(start, end) for start, end in zip(starts, ends, strict=True)]
+        sections = [self._section(start, end) for start, end in pairwise([*starts, len(self._tokens)])]
         return Document(self._path, tuple(sections))
 
     def _section(self, start: int, end: int) -> Section:

@@ -84,7 +84,8 @@ def parse_yaml(text: str, path: str, report: Report) -> YamlNode | None:
         return None
     composer = _Composer(path)
     composer.read(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))
-    if composer.broken is not None and len(text) < 1_000_000:
+    is_syntax = composer.broken is not None and composer.broken.rule is not YAML_TOO_MANY_FINDINGS
+    if is_syntax and len(text) < 1_000_000:
         # The parser in Python names the cause and the place better, but is too slow for the files that are right.
         second = _Composer(path)
         second.read(text, yaml.SafeLoader)
@@ -164,7 +165,7 @@ class _Composer:
                 self._add(self._mapping(self._open.pop()))
         if len(self.findings) > MAX_FINDINGS:
             message = f"more than {MAX_FINDINGS} findings; the rest of the file was not read"
-            self.broken = Diagnostic(self._place(event.start_mark), YAML_TOO_MANY_FINDINGS, message)
+            self.broken = Diagnostic(self.findings[-1].place, YAML_TOO_MANY_FINDINGS, message)
 
     def _start_document(self, event: yaml.DocumentStartEvent) -> None:
         self._documents += 1
@@ -194,6 +195,8 @@ class _Composer:
     def _mapping(self, closed: _Open) -> MappingNode:
         entries: dict[str, tuple[ScalarNode, YamlNode]] = {}
         for key, value in _pairs(closed.children):
+            if len(self.findings) > MAX_FINDINGS:
+                break
             if not isinstance(key, ScalarNode):
                 self._refuse(key, "a key is a list or a mapping", "keys are names")
             elif key.text == "<<":

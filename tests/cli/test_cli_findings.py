@@ -33,6 +33,8 @@ def test_quoted_input_can_neither_break_the_line_nor_steer_the_terminal(text: st
     shown = finding_text(Diagnostic(Place(f"/{text}"), ERROR, text, text))
     assert len(shown.splitlines()) == 2
     assert shown.replace("\n", "").isprintable()
+    assert "two" in shown
+    assert "\\n" not in shown, "lines of quoted input are joined, not spelled out"
 
 
 def test_findings_are_sorted_and_each_is_printed_once(pipeline: Any, run: Any) -> None:

@@ -108,6 +108,14 @@ def test_strays_are_reported_and_never_removed(output: Path, build: Any, tree: T
     assert tree() == {"a.py": b"1\n", "notes/todo.txt": b"mine\n"}
 
 
+def test_a_link_to_a_folder_is_a_stray_that_is_not_entered(output: Path, build: Any) -> None:
+    build({"a.py": "1\n"})
+    (output.parent / "elsewhere").mkdir()
+    (output.parent / "elsewhere" / "many.txt").touch()
+    (output / "link").symlink_to(output.parent / "elsewhere", target_is_directory=True)
+    assert build({"a.py": "1\n"}).rules == [("stray-file", "link")]
+
+
 def test_what_running_the_generated_code_leaves_behind_is_no_stray(output: Path, build: Any) -> None:
     build({"a.py": "1\n"})
     for path in ("__pycache__/a.pyc", ".pytest_cache/x/y", ".hypothesis/z", "loose.pyc"):

@@ -10,6 +10,11 @@ from typing import Any
 
 import pytest
 
+from codegen.diagnostics import Report
+from codegen.emit.plan import plan_output
+from codegen.emit.write import write_output
+from codegen.manifest import Manifest
+
 FILES = {"firmware/state.py": "a = 1\n", "docs/battery.md": "# Battery\n", "firmware/mavlink.py": "b = 2\n"}
 
 Tree = Callable[[], dict[str, bytes]]
@@ -73,6 +78,14 @@ def test_a_new_file_gets_the_usual_permissions_and_a_replaced_one_keeps_its_own(
         assert (output / "b.py").stat().st_mode & 0o777 == 0o644
     finally:
         os.umask(umask)
+
+
+def test_manifest_is_sorted_whatever_the_order_of_its_making() -> None:
+    one, other = (
+        Manifest({"b": "2", "a": "1"}, {"d": "4", "c": "3"}),
+        Manifest({"a": "1", "b": "2"}, {"c": "3", "d": "4"}),
+    )
+    assert one.text() == other.text()
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, name: str, fault: BaseException) -> None:
@@ -166,3 +179,17 @@ def test_a_target_cannot_render_outside_the_folder(path: str, build: Any, output
 def test_a_target_cannot_render_below_a_file(build: Any) -> None:
     with pytest.raises(ValueError, match="below a file"):
         build({"a": "", "a/b": ""})
+
+
+@pytest.mark.parametrize("rendered", [{"a/b.py": "2\n"}, {}], ids=["write", "remove"])
+def test_a_link_that_appears_after_the_plan_is_not_followed(output: Path, build: Any, rendered: dict[str, str]) -> None:
+    build({"a/b.py": "1\n"})
+    plan = plan_output(rendered, str(output), Report(), clean=True)
+    outside = output.parent / "outside"
+    os.rename(output / "a", outside)
+    (output / "a").symlink_to(outside, target_is_directory=True)
+    report = Report()
+    assert plan is not None
+    write_output(plan, report)
+    assert [found.rule.id for found in report] == ["output-unwritable"]
+    assert (outside / "b.py").read_text() == "1\n"

@@ -31,6 +31,12 @@ def test_lines_of_the_template_language_leave_no_trace(templates: Path) -> None:
     assert render_template("a.py.j2", SimpleNamespace(names=["a", "", "b"])) == "  a = '<&>'\n  b = '<&>'\n"
 
 
+def test_text_stays_as_the_view_and_the_template_have_it(templates: Path) -> None:
+    """The output is not HTML, and its last line end is part of it."""
+    (templates / "a.py.j2").write_text("{{ view.text }}\n")
+    assert render_template("a.py.j2", SimpleNamespace(text="a < b and '&'")) == "a < b and '&'\n"
+
+
 @pytest.mark.parametrize("text", ["{{ view.missing }}", "{{ missing }}", "{% if view.missing %}{% endif %}",
                                   "{% for x in view.missing %}{% endfor %}"])  # fmt: skip
 def test_a_name_that_is_not_there_raises(templates: Path, text: str) -> None:

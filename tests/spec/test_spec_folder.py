@@ -1,0 +1,181 @@
+"""The folder of a project: which files are read and accounted for, and what is said about missing and stray ones."""
+
+import hashlib
+import os
+from pathlib import Path
+
+import pytest
+from spec_examples import GOOD
+
+from codegen.decode.spec import decode_spec
+from codegen.diagnostics import Report, Severity
+from codegen.model.spec import Spec
+from codegen.source import Place
+
+REQUIREMENT = "# FR-{} | Title\n\n## Metadata\n\n- Status: Draft\n\n## Acceptance Criteria\n\n1. a\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A complete project without mistakes."""
+    files = {f"{kind}.yaml": GOOD[kind] for kind in ("state", "board", "parameters", "streams")}
+    files["codegen.yaml"] = GOOD["codegen"] + "corrections: [dialects/fixes.yaml]\n"
+    files["a.xml"] = "<mavlink/>"
+    files["dialects/fixes.yaml"] = GOOD["corrections"]
+    files["messages/b.yaml"] = GOOD["message"]
+    files["messages/a.yaml"] = GOOD["message"].replace("BATTERY_STATUS", "HEARTBEAT")
+    files["requirements/FR-1.md"] = REQUIREMENT.format(1)
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def read(folder: Path) -> tuple[Spec | None, list[tuple[str, str, int, int]]]:
+    report = Report()
+    spec = decode_spec(str(folder / "codegen.yaml"), report)
+    return spec, [(d.rule.id, os.path.relpath(d.place.file, folder), d.place.line, d.place.column) for d in report]
+
+
+def test_a_project_is_read_and_every_file_accounted_for(folder: Path) -> None:
+    """The tables by the names of their files; the hashes are those of the bytes, XML that is not read here included."""
+    spec, findings = read(folder)
+    assert findings == []
+    assert spec is not None
+    assert spec.folder == str(folder)
+    assert [table.message for table in spec.populations] == ["HEARTBEAT", "BATTERY_STATUS"]
+    assert [correction.message for correction in spec.corrections] == ["M"]
+    assert [requirement.id for requirement in spec.requirements] == ["FR-1"]
+    expected = {
+        str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.rglob("*") if path.is_file()
+    }
+    assert spec.files == expected
+    assert list(spec.files) == sorted(expected)
+
+
+def test_the_project_may_be_named_relative_to_the_working_directory(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder.parent)
+    spec = decode_spec(f"{folder.name}/codegen.yaml", Report())
+    assert spec is not None
+    assert spec.folder == str(folder)
+    assert spec.project.place.file == str(folder / "codegen.yaml")
+
+
+def test_without_a_project_file_there_is_one_finding(tmp_path: Path) -> None:
+    report = Report()
+    assert decode_spec(str(tmp_path / "codegen.yaml"), report) is None
+    assert [(d.rule.id, d.place) for d in report] == [("file-not-found", Place(str(tmp_path / "codegen.yaml")))]
+    assert report.exit_code == 2
+
+
+@pytest.mark.parametrize("name", ["state.yaml", "board.yaml", "parameters.yaml", "streams.yaml"])
+def test_a_missing_file_is_reported_at_the_project_file(folder: Path, name: str) -> None:
+    (folder / name).unlink()
+    assert read(folder) == (None, [("file-not-found", "codegen.yaml", 1, 1)])
+
+
+def test_a_misspelt_file_is_pointed_out(folder: Path) -> None:
+    (folder / "parameters.yaml").rename(folder / "paramters.yaml")
+    report = Report()
+    assert decode_spec(str(folder / "codegen.yaml"), report) is None
+    missing, stray = report
+    assert (missing.rule.id, missing.place) == ("file-not-found", Place(str(folder / "codegen.yaml")))
+    assert (stray.rule.id, stray.place) == ("unread-file", Place(str(folder / "paramters.yaml")))
+    assert stray.hint == "did you mean parameters.yaml?"
+    assert stray.rule.severity is Severity.WARNING
+
+
+def test_yaml_that_nothing_reads_is_a_warning(folder: Path) -> None:
+    """Also a table with the wrong ending and corrections that the project does not name; not an editor's own files."""
+    for name in ("messages/c.yml", "dialects/more.yaml", "requirements/FR-2.yaml", "notes.txt", "messages/.c.yaml"):
+        (folder / name).write_text("a: 1\n")
+    (folder / "scenarios.yaml").write_text("a: 1\n")
+    spec, findings = read(folder)
+    assert spec is not None
+    assert findings == [
+        ("unread-file", "dialects/more.yaml", 1, 1),
+        ("unread-file", "messages/c.yml", 1, 1),
+        ("unread-file", "requirements/FR-2.yaml", 1, 1),
+    ]
+
+
+def test_a_project_without_tables_is_an_error(folder: Path) -> None:
+    for path in (folder / "messages").iterdir():
+        path.unlink()
+    spec, findings = read(folder)
+    assert spec is not None
+    assert findings == [("no-messages", "codegen.yaml", 1, 1)]
+    (folder / "messages").rmdir()
+    assert read(folder)[1] == findings
+
+
+def test_two_tables_for_one_message_cite_each_other(folder: Path) -> None:
+    (folder / "messages" / "z.yaml").write_text("\n" + GOOD["message"])
+    report = Report()
+    spec = decode_spec(str(folder / "codegen.yaml"), report)
+    assert spec is not None
+    assert len(spec.populations) == 2
+    (finding,) = report
+    assert (finding.rule.id, finding.place) == ("duplicate-table", Place(str(folder / "messages/z.yaml"), 2, 10))
+    assert [place for place, _ in finding.related] == [Place(str(folder / "messages/b.yaml"), 1, 10)]
+
+
+def test_missing_corrections_are_reported_where_they_are_named(folder: Path) -> None:
+    (folder / "dialects" / "fixes.yaml").unlink()
+    spec, findings = read(folder)
+    assert spec is not None
+    assert findings == [("file-not-found", "codegen.yaml", 5, 15)]
+
+
+def test_two_documents_with_one_id_are_reported_at_the_second(folder: Path) -> None:
+    (folder / "requirements" / "FR-2.md").write_text(REQUIREMENT.format(1))
+    assert read(folder)[1] == [("requirement-duplicate", "requirements/FR-2.md", 1, 1)]
+
+
+def test_mistakes_of_all_files_are_reported_in_one_run(folder: Path) -> None:
+    """Nothing hides anything else: not a broken project file the tables, not one table the next."""
+    (folder / "codegen.yaml").write_text("project: 1\n")
+    (folder / "state.yaml").write_text("components: [\n")
+    (folder / "board.yaml").write_bytes(b"board: \xff\n")
+    (folder / "streams.yaml").write_text("")
+    (folder / "messages" / "a.yaml").write_text("message: A\nmessage: B\n")
+    (folder / "messages" / "b.yaml").write_text(GOOD["message"] + "strem: X\n")
+    (folder / "requirements" / "FR-1.md").write_text("no heading\n")
+    spec, findings = read(folder)
+    assert spec is None
+    assert findings == [
+        ("file-not-utf8", "board.yaml", 1, 8),
+        ("missing-key", "codegen.yaml", 1, 1),
+        ("wrong-type", "codegen.yaml", 1, 10),
+        ("missing-key", "messages/a.yaml", 1, 1),
+        ("missing-key", "messages/a.yaml", 1, 1),
+        ("missing-key", "messages/a.yaml", 1, 1),
+        ("yaml-duplicate-key", "messages/a.yaml", 2, 1),
+        ("unknown-key", "messages/b.yaml", 11, 1),
+        ("requirement-title", "requirements/FR-1.md", 1, 1),
+        ("yaml-syntax", "state.yaml", 2, 1),
+        ("yaml-empty", "streams.yaml", 1, 1),
+    ]
+
+
+def test_strange_entries_in_the_folder_do_not_raise(folder: Path) -> None:
+    """A folder where a file is expected, a file where a folder is, links into nowhere, names that are no text."""
+    (folder / "messages" / "c.yaml").mkdir()
+    (folder / "messages" / "d.yaml").symlink_to(folder / "nowhere")
+    (folder / "requirements" / "FR-1.md").unlink()
+    (folder / "requirements").rmdir()
+    (folder / "requirements").write_text("x")
+    (folder / "codegen.yaml").write_text('project: r\ndialect: "\\0.xml"\ncorrections: ["\\0", ., ""]\n')
+    with open(os.path.join(os.fsencode(folder), b"messages/\xff.yaml"), "w") as file:
+        file.write("a: 1")
+    spec, findings = read(folder)
+    assert spec is not None
+    assert {rule for rule, *_ in findings} >= {"file-not-found", "file-not-readable", "unknown-key"}
+    assert [place[1:] for place in findings if place[1] == "codegen.yaml"] == [
+        ("codegen.yaml", 3, 15),
+        ("codegen.yaml", 3, 21),
+        ("codegen.yaml", 3, 24),
+    ]
