@@ -76,7 +76,8 @@ UNITS: dict[str, Unit] = {
 }
 """Every unit that is known, by its name in the dialects."""
 
-_AMOUNT = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S+)\s*")
+# As long as any quantity of a vehicle needs, and short enough to compute with.
+_AMOUNT = re.compile(r"\s*([-+]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20})(?:[eE][-+]?\d{1,2})?)\s*(\S+)\s*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,4 +112,6 @@ def decimal(value: Fraction) -> str:
     places = 0
     while (value * 10**places).denominator != 1:
         places += 1
-    return f"{float(value):.{places}f}"
+    digits = str(abs(int(value * 10**places))).rjust(places + 1, "0")
+    sign = "-" if value < 0 else ""
+    return f"{sign}{digits[:-places]}.{digits[-places:]}" if places else f"{sign}{digits}"

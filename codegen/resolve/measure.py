@@ -16,6 +16,12 @@ UNIT_MISMATCH = Rule(
     "Only units of one dimension convert into each other.",
 )
 BAD_AMOUNT = Rule("bad-amount", "An amount is a number followed by a unit, such as 3.3 V, 10 Hz or 2 ms.")
+BAD_TIME = Rule(
+    "bad-time",
+    "A rate is above 0 and at most 1000 Hz, and a time is at most a day: the firmware counts whole milliseconds on a "
+    "clock that wraps after 12 days.",
+)
+DAY_S = 86400
 
 
 def find_unit(name: str | None, place: Place, report: Report) -> Unit | None:
@@ -45,6 +51,26 @@ def read_amount(text: str, unit: Unit, place: Place, report: Report) -> Fraction
             f"give it in {unit.name}" if unit.name else "give a number without a unit",
         )
     return value
+
+
+def read_rate(text: str, place: Place, report: Report) -> Fraction | None:
+    """A rate in Hz that the scheduler can keep: once a day to 1000 times a second."""
+    rate = read_amount(text, UNITS["Hz"], place, report)
+    if rate is not None and not Fraction(1, DAY_S) <= rate <= 1000:
+        report.add(BAD_TIME, place, f"{text} is not a rate from once a day to 1000 Hz")
+        return None
+    return rate
+
+
+def read_time(text: str, unit: Unit, place: Place, report: Report) -> int | None:
+    """A time in whole ``unit`` (ms or us), above 0 and at most a day."""
+    time = read_amount(text, unit, place, report)
+    if time is None:
+        return None
+    if not 1 <= time <= DAY_S * unit.factor or time.denominator != 1:
+        report.add(BAD_TIME, place, f"{text} is not a time of whole {unit.name}, above 0 and at most a day")
+        return None
+    return int(time)
 
 
 def read_number(written: str | Fraction, unit: Unit, place: Place, report: Report) -> Fraction | None:

@@ -18,7 +18,7 @@ from codegen.model.system import (
 )
 from codegen.model.unit import NUMBER, UNITS, Unit
 from codegen.resolve.citation import cite_aspects, cite_optional
-from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_amount
+from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
 from codegen.resolve.vehicle import UNKNOWN_PARAMETER
 
 BAD_QUANTITY = Rule(
@@ -51,11 +51,8 @@ def resolve_components(
         _check_component(name, written, report)
         period = None
         if written.update_rate is not None:
-            rate = read_amount(written.update_rate, UNITS["Hz"], written.at("update_rate"), report)
-            if rate is not None and rate > 0:
-                period = round(1000 / rate)
-            elif rate is not None:
-                report.add(BAD_COMPONENT, written.at("update_rate"), f"the update rate of {name} is not above 0 Hz")
+            rate = read_rate(written.update_rate, written.at("update_rate"), report)
+            period = None if rate is None else round(1000 / rate)
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
             resolver = _QuantityResolver(name, quantity_name, quantity_spec, report)
@@ -142,7 +139,7 @@ class _QuantityResolver:
         warn_above = None if spec.warn_above is None else self._in_steps("warn_above", spec.warn_above, steps)
         stale_after = None
         if spec.stale_after is not None:
-            stale_after = read_amount(spec.stale_after, UNITS["ms"], spec.at("stale_after"), self.report)
+            stale_after = read_time(spec.stale_after, UNITS["ms"], spec.at("stale_after"), self.report)
         if self.failed:
             return None
         return Quantity(
@@ -160,7 +157,7 @@ class _QuantityResolver:
             enum=enum,
             conversion=conversion,
             warn_above=warn_above,
-            stale_after_ms=None if stale_after is None else int(stale_after),
+            stale_after_ms=stale_after,
             spec=spec,
             citation=citation,
             aspects=cite_aspects(spec, index, self.report),

@@ -8,7 +8,7 @@ from codegen.model.spec import BoardSpec, ParameterSpec, ParametersSpec, Require
 from codegen.model.system import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.model.unit import UNITS
 from codegen.resolve.citation import cite_aspects, cite_optional
-from codegen.resolve.measure import find_unit, read_amount
+from codegen.resolve.measure import DAY_S, find_unit, read_amount, read_rate, read_time
 
 BAD_ADC = Rule(
     "bad-adc",
@@ -22,7 +22,7 @@ BAD_PARAMETER = Rule(
 )
 BAD_STREAM = Rule(
     "bad-stream",
-    "A stream has exactly one of rate and parameter; the parameter is in Hz.",
+    "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000.",
 )
 UNKNOWN_PARAMETER = Rule("unknown-parameter", "A table names a parameter that parameters.yaml does not have.")
 
@@ -35,7 +35,7 @@ def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report:
         reference = read_amount(spec.reference, UNITS["V"], spec.at("reference"), report)
         limit = None
         if spec.read_limit is not None:
-            limit = read_amount(spec.read_limit, UNITS["us"], spec.at("read_limit"), report)
+            limit = read_time(spec.read_limit, UNITS["us"], spec.at("read_limit"), report)
         sane = True
         for key, value, low, high in (
             ("gpio", spec.gpio, 26, 29),
@@ -57,7 +57,7 @@ def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report:
             full_scale=(1 << spec.bits) - 1,
             reference=reference,
             samples=spec.samples,
-            read_limit_us=None if limit is None else int(limit),
+            read_limit_us=limit,
             spec=spec,
             citation=citation,
             aspects=cite_aspects(spec, index, report),
@@ -138,10 +138,7 @@ def _resolve_stream(
         report.add(BAD_STREAM, spec.place, f"stream {name} needs exactly one of rate and parameter")
         return None
     if spec.rate is not None:
-        rate = read_amount(spec.rate, UNITS["Hz"], spec.at("rate"), report)
-        if rate is not None and rate <= 0:
-            report.add(BAD_STREAM, spec.at("rate"), f"the rate of stream {name} is not above 0 Hz")
-            return None
+        rate = read_rate(spec.rate, spec.at("rate"), report)
         return None if rate is None else Stream(name, rate, None, spec, citation)
     assert spec.parameter is not None
     parameter = parameters.get(spec.parameter)
@@ -153,11 +150,12 @@ def _resolve_stream(
             did_you_mean(spec.parameter, parameters),
         )
         return None
-    if parameter.unit.name != "Hz":
+    largest = parameter.maximum * parameter.step
+    if parameter.unit.name != "Hz" or parameter.minimum < 0 or largest > 1000 or parameter.step * DAY_S < 1:
         report.add(
             BAD_STREAM,
             spec.at("parameter"),
-            f"{parameter.name} is not in Hz",
+            f"{parameter.name} is not a rate from 0 to 1000 Hz",
             related=[(parameter.spec.at("unit"), f"{parameter.name} is declared here")],
         )
         return None
