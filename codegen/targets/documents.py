@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from codegen.model.system import Citation, PopulatedMessage, System
+from codegen.model.system import Citation, Parameter, PopulatedMessage, Quantity, System
 from codegen.model.unit import decimal
 from codegen.render import render_template
 from codegen.targets.origin import origin_of, source_name
@@ -25,6 +25,28 @@ class MessageDocument:
 
 
 @dataclass(frozen=True, slots=True)
+class QuantityRow:
+    """A quantity of the state: how it is kept, measured and limited."""
+
+    path: str
+    kept: str
+    source: str
+    initial: str
+    criterion: str
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterRow:
+    """A parameter in its unit."""
+
+    name: str
+    default: str
+    limits: str
+    step: str
+    criterion: str
+
+
+@dataclass(frozen=True, slots=True)
 class CitedCriterion:
     """A criterion that the specification cites, with its text."""
 
@@ -40,6 +62,8 @@ class TelemetryDocument:
     sources: tuple[str, ...]
     digest: str
     messages: tuple[MessageDocument, ...]
+    quantities: tuple[QuantityRow, ...]
+    parameters: tuple[ParameterRow, ...]
     criteria: tuple[CitedCriterion, ...]
 
 
@@ -52,6 +76,12 @@ def render_documents(system: System) -> dict[str, str]:
         sources=origin.sources,
         digest=origin.digest,
         messages=tuple(_message(message, system) for message in system.messages),
+        quantities=tuple(
+            _quantity(quantity)
+            for component in system.components.values()
+            for quantity in component.quantities.values()
+        ),
+        parameters=tuple(_parameter(parameter) for parameter in system.parameters.values()),
         criteria=tuple(_criteria(system)),
     )
     return {"docs/telemetry.md": render_template("docs/telemetry.md.j2", view)}
@@ -77,12 +107,47 @@ def _message(message: PopulatedMessage, system: System) -> MessageDocument:
     )
 
 
+def _quantity(quantity: Quantity) -> QuantityRow:
+    conversion = quantity.conversion
+    source = (
+        f"while {quantity.component}.{quantity.while_known} is known" if quantity.while_known else "set by the vehicle"
+    )
+    if conversion is not None:
+        channel = conversion.channel
+        source = f"GPIO {channel.gpio}: count / {channel.full_scale} * {decimal(channel.reference)} V"
+        source += f" * {conversion.multiplier.name}"
+    return QuantityRow(
+        path=quantity.path,
+        kept=f"{quantity.attribute} ({quantity.stored.name or quantity.kind.value})",
+        source=source,
+        initial="unknown" if quantity.initial is None else str(quantity.initial),
+        criterion=str(quantity.citation or ""),
+    )
+
+
+def _parameter(parameter: Parameter) -> ParameterRow:
+    unit = f" {parameter.unit.name}" if parameter.unit.name else ""
+    smallest, largest = (decimal(steps * parameter.step) for steps in (parameter.minimum, parameter.maximum))
+    return ParameterRow(
+        name=parameter.name,
+        default=f"{decimal(parameter.default * parameter.step)}{unit}",
+        limits=f"{smallest}..{largest}{unit}",
+        step=f"{decimal(parameter.step)}{unit}",
+        criterion=str(parameter.citation or ""),
+    )
+
+
+def _in_table(text: str) -> str:
+    """Text for a cell of a Markdown table."""
+    return text.replace("|", "\\|")
+
+
 def _criteria(system: System) -> list[CitedCriterion]:
     cited: dict[str, Citation] = {}
     for message in system.messages:
         for citation in (message.citation, *(binding.covers.citation for binding in message.bindings)):
             cited[str(citation)] = citation
     return [
-        CitedCriterion(name, citation.criterion.text if citation.criterion else citation.requirement.title)
+        CitedCriterion(name, _in_table(citation.criterion.text if citation.criterion else citation.requirement.title))
         for name, citation in sorted(cited.items())
     ]

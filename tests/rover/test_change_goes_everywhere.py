@@ -15,7 +15,7 @@ CHANGES = [
         "board.yaml",
         "reference: 3.3 V",
         "reference: 3.0 V",
-        {"firmware/state.py", "tests/cases.json"},
+        {"firmware/state.py", "tests/cases.json", "docs/telemetry.md"},
         ("battery.voltage", "* 3 V"),
     ),
     (
@@ -29,7 +29,7 @@ CHANGES = [
         "parameters.yaml",
         "default: 3.95",
         "default: 4.05",
-        {"firmware/parameters.py", "tests/cases.json"},
+        {"firmware/parameters.py", "tests/cases.json", "docs/telemetry.md"},
         ("BATT_VOLT_MULT", "4.05"),
     ),
     (
