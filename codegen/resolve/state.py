@@ -1,12 +1,13 @@
 """The vehicle state: quantities with their integer representation, limits and conversion from ADC counts."""
 
+import keyword
 import re
 from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
-from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, StateSpec
+from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, StateSpec
 from codegen.model.system import (
     SMALL_INT_MAX,
     AdcChannel,
@@ -33,7 +34,10 @@ UNKNOWN_ENUM = Rule("unknown-enum", "A table names an enum that the dialect does
 UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum of the dialect does not have.")
 
 _IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
-_RESERVED = {"instance", "parameters", "log"}
+# Names that the generated code uses itself, beside Python's own.
+_RESERVED_QUANTITIES = {"instance", "updated_ms", "is_high", "expire", "set_count"}
+_RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
+_CONVERSIONS = {"limited", "spill", *Rounding}
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 
 
@@ -73,10 +77,14 @@ def resolve_components(
 
 
 def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
-    if not _IDENTIFIER.fullmatch(name):
-        report.add(BAD_COMPONENT, spec.place, f"{name} is not a lower-case identifier")
+    if not _is_name(name) or name in _RESERVED_COMPONENTS | _CONVERSIONS:
+        report.add(BAD_COMPONENT, spec.place, f"{name} cannot be the name of a component", "choose another name")
     if not 1 <= spec.instances <= 16:
         report.add(BAD_COMPONENT, spec.at("instances"), f"{name} has {spec.instances} instances, not 1 to 16")
+
+
+def _is_name(name: str) -> bool:
+    return bool(_IDENTIFIER.fullmatch(name)) and not keyword.iskeyword(name)
 
 
 def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], report: Report) -> None:
@@ -86,6 +94,15 @@ def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], r
         if followed is not None and followed not in spec.quantities:
             hint = did_you_mean(followed, spec.quantities)
             report.add(UNKNOWN_QUANTITY, quantity.spec.at("while_known"), f"there is no quantity {followed}", hint)
+    owners: dict[str, Quantity] = {}
+    for quantity in quantities.values():
+        names = {quantity.name, quantity.attribute}
+        names |= {f"{quantity.name}_from_adc"} if quantity.conversion else set()
+        for name in sorted(names):
+            owner = owners.setdefault(name, quantity)
+            if owner is not quantity:
+                related = [(owner.spec.place, f"{owner.name} takes the name {name} in the firmware")]
+                report.add(BAD_QUANTITY, quantity.spec.place, f"{quantity.name} needs the name {name}", None, related)
     measured = [quantity for quantity in quantities.values() if quantity.conversion is not None]
     for second in measured[1:]:
         report.add(
@@ -119,8 +136,8 @@ class _QuantityResolver:
     ) -> Quantity | None:
         spec = self.spec
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, self.report)
-        if not _IDENTIFIER.fullmatch(self.name) or self.name in _RESERVED:
-            self._bad("", f"{self.name} cannot be the name of a quantity")
+        if not _is_name(self.name) or self.name in _RESERVED_QUANTITIES:
+            self._bad("", f"{self.name} cannot be the name of a quantity", hint="choose another name")
         kind = self._kind()
         enum = self._enum(dialect)
         unit = find_unit(spec.unit, spec.at("unit"), self.report)

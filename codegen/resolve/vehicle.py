@@ -1,5 +1,6 @@
 """The board, the parameters and the streams of the specification, resolved."""
 
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 
@@ -78,7 +79,7 @@ def resolve_parameters(spec: ParametersSpec, index: Mapping[str, Requirement], r
 
 def _resolve_parameter(name: str, spec: ParameterSpec, citation: Citation | None, report: Report) -> Parameter | None:
     problems: list[tuple[str, str]] = []
-    if len(name) > 16 or not name.isascii() or not name.replace("_", "A").isalnum() or name != name.upper():
+    if not re.fullmatch(r"[A-Z][A-Z0-9_]{0,15}", name):
         problems.append(("", f"{name} is not a parameter name"))
     if spec.step <= 0:
         problems.append(("step", f"the step of {name} is not above 0"))
@@ -134,6 +135,8 @@ def _resolve_stream(
     report: Report,
 ) -> Stream | None:
     citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
+    if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
+        report.add(BAD_STREAM, spec.place, f"{name} cannot be the name of a stream", "use letters, digits and _")
     if (spec.rate is None) == (spec.parameter is None):
         report.add(BAD_STREAM, spec.place, f"stream {name} needs exactly one of rate and parameter")
         return None

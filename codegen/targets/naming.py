@@ -24,7 +24,7 @@ def builder_name(message: PopulatedMessage) -> str:
 def parameter_attribute(parameter: str) -> str:
     """BATT_VOLT_MULT -> batt_volt_mult."""
     name = parameter.lower()
-    return f"{name}_" if keyword.iskeyword(name) else name
+    return f"{name}_" if keyword.iskeyword(name) or name in ("get", "set", "names", "value") else name
 
 
 def instance_expression(component: Component, is_for_each: bool) -> str:
@@ -37,3 +37,8 @@ def instance_expression(component: Component, is_for_each: bool) -> str:
 def quoted(text: str) -> str:
     """A text literal of the generated Python, in double quotes."""
     return json.dumps(text)
+
+
+def prose(text: str) -> str:
+    """Text of a table for a comment or a docstring: one line, without what would end or change it there."""
+    return " ".join(text.split()).replace("\\", "/").replace('"', "'")

@@ -73,7 +73,7 @@ def _wrapped(sources: tuple[str, ...]) -> str:
     """The sources in lines of comment that stay readable."""
     lines = [""]
     for source in sources:
-        if lines[-1] and len(lines[-1]) + len(source) > 90:
+        if lines[-1] and len(lines[-1]) + len(source) > 85:
             lines[-1] += ","
             lines.append(source)
         else:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from codegen.model.spec import AdcSpec
 from codegen.model.system import AdcChannel, System
+from codegen.targets.naming import prose
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +46,10 @@ def board_view(system: System) -> BoardView:
     ]
     is_timed = any(reader.read_limit_us is not None for reader in readers)
     return BoardView(
-        board=system.spec.board.board, mcu=system.spec.board.mcu, readers=tuple(readers), is_timed=is_timed
+        board=prose(system.spec.board.board),
+        mcu=prose(system.spec.board.mcu),
+        readers=tuple(readers),
+        is_timed=is_timed,
     )
 
 

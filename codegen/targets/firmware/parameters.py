@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from codegen.model.system import Parameter, System
 from codegen.model.unit import decimal
-from codegen.targets.naming import parameter_attribute
+from codegen.targets.naming import parameter_attribute, prose
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,5 +39,5 @@ def _parameter(parameter: Parameter) -> ParameterView:
         numerator=parameter.step.numerator,
         denominator=parameter.step.denominator,
         comment=f"{decimal(parameter.default * parameter.step)}{unit}{step}",
-        doc=parameter.spec.doc,
+        doc=prose(parameter.spec.doc),
     )

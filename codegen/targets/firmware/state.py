@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.model.spec import ComponentSpec, QuantitySpec
 from codegen.model.system import Component, Quantity, QuantityKind, System
 from codegen.model.unit import decimal
-from codegen.targets.naming import parameter_attribute, state_class
+from codegen.targets.naming import parameter_attribute, prose, state_class
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +91,7 @@ def _component(component: Component) -> ComponentView:
     return ComponentView(
         name=component.name,
         class_name=state_class(component.name),
-        doc=component.spec.doc,
+        doc=prose(component.spec.doc),
         instances=component.instances,
         first=component.name if component.instances == 1 else f"{component.name}[0]",
         quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
@@ -115,7 +115,7 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         name=quantity.name,
         attribute=quantity.attribute,
         initial=initial,
-        comment=f"{quantity.spec.doc.rstrip('.')}{stored}{enum}",
+        comment=f"{prose(quantity.spec.doc).rstrip('.')}{stored}{enum}",
         unit=quantity.unit.name,
         has_property=quantity.attribute != quantity.name,
         follows=component.quantities[follows].attribute if follows else None,
