@@ -1,5 +1,6 @@
 """Puts the resolved system together from a dialect and a specification."""
 
+import os
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
@@ -24,7 +25,8 @@ from codegen.resolve.vehicle import UNKNOWN_PARAMETER, resolve_channels, resolve
 
 BAD_PROJECT = Rule(
     "bad-project",
-    "codegen.yaml sets a value that MAVLink does not allow: the system id is 1 to 255, the protocol 1 or 2.",
+    "codegen.yaml sets a value that cannot be: the system id is 1 to 255, the protocol 1 or 2, and the output goes to "
+    "a folder of its own.",
 )
 UNKNOWN_MESSAGE = Rule("unknown-message", "A population table is for a message that the dialect does not have.")
 UNKNOWN_STREAM = Rule("unknown-stream", "A population table names a stream that streams.yaml does not have.")
@@ -51,7 +53,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     return System(
         spec=spec,
         dialect=dialect,
-        system_id=_system_id(spec, report),
+        system_id=_checked_system_id(spec, report),
         component_id=_component_id(spec, dialect, report),
         channels=channels,
         parameters=parameters,
@@ -62,8 +64,12 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     )
 
 
-def _system_id(spec: Spec, report: Report) -> int:
+def _checked_system_id(spec: Spec, report: Report) -> int:
     project = spec.project
+    output = os.path.normpath(os.path.join(spec.folder, project.output))
+    if os.path.commonpath([output, spec.folder]) == output:
+        message = f"the output folder {project.output} is, or contains, the folder of the specification"
+        report.add(BAD_PROJECT, project.at("output"), message, "give the output a folder of its own: ../generated")
     if not 1 <= project.system_id <= 255:
         report.add(BAD_PROJECT, project.at("system_id"), f"system id {project.system_id} is not 1 to 255")
     if project.protocol not in (1, 2):

@@ -162,6 +162,13 @@ CASES = [
     Case("allocating-arithmetic", "parameters.yaml", "step: 0.0001", "step: 0.00001"),
     Case("bad-project", "codegen.yaml", "system_id: 1", "system_id: §0"),
     Case("bad-project", "codegen.yaml", "protocol: 2", "protocol: §3"),
+    Case("bad-project", "codegen.yaml", "output: ../generated", "output: §."),
+    Case("bad-project", "codegen.yaml", "output: ../generated", "output: §.."),
+    Case("bad-component", "state.yaml", "  vehicle:\n", "  §payload:\n"),
+    Case("bad-quantity", "state.yaml", "      armed:\n", "      §lambda:\n"),
+    Case("bad-quantity", "state.yaml", "      energy:\n", "      §voltage_mv: {doc: d}\n      energy:\n"),
+    Case("bad-stream", "streams.yaml", "  EXTRA1:\n", "  §EXTRA-1:\n"),
+    Case("bad-parameter", "parameters.yaml", "  SR0_EXTRA1:\n", "  §sr0_extra1:\n"),
     Case("unknown-dialect", "codegen.yaml", "dialect: common", "dialect: §comon", "did you mean common", 2),
 ]
 
