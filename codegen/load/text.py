@@ -53,7 +53,7 @@ def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> byte
     try:
         # Looking first keeps a pipe or a device from blocking the run.
         mode = os.stat(path).st_mode
-        if stat.S_ISDIR(mode):
+        if not stat.S_ISREG(mode):
             kind = "a folder" if stat.S_ISDIR(mode) else "a device or a pipe"
             report.add(FILE_NOT_READABLE, place, f"{shown} is {kind}, not a file")
             return None
