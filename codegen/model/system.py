@@ -41,7 +41,19 @@ class Citation:
 
 
 @dataclass(frozen=True, slots=True)
-class AdcChannel:
+class Cited:
+    """Something that criteria ask for: ``citation`` for the whole of it, ``aspects`` for single ones."""
+
+    citation: Citation | None
+    aspects: Mapping[str, Citation]
+
+    def cited(self, aspect: str) -> str:
+        """The criterion that asks for one aspect, or the one for the whole, or nothing."""
+        return str(self.aspects.get(aspect, self.citation or ""))
+
+
+@dataclass(frozen=True, slots=True)
+class AdcChannel(Cited):
     """An ADC channel: ``full_scale`` is the largest count, ``reference`` the volts that it stands for.
 
     ``read_limit_us`` is the longest time for one mean in microseconds, or None.
@@ -55,12 +67,6 @@ class AdcChannel:
     samples: int
     read_limit_us: int | None
     spec: AdcSpec
-    citation: Citation | None
-    aspects: Mapping[str, Citation]
-
-    def cited(self, aspect: str) -> str:
-        """The criterion that asks for one aspect, or the requirement of the channel, or nothing."""
-        return str(self.aspects.get(aspect, self.citation or ""))
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +108,7 @@ class Conversion:
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity:
+class Quantity(Cited):
     """A quantity of the vehicle state, kept as an integer of ``stored`` units.
 
     ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored
@@ -127,12 +133,6 @@ class Quantity:
     warn_above: int | None
     stale_after_ms: int | None
     spec: QuantitySpec
-    citation: Citation | None
-    aspects: Mapping[str, Citation]
-
-    def cited(self, aspect: str) -> str:
-        """The criterion that asks for one aspect, or the requirement of the quantity, or nothing."""
-        return str(self.aspects.get(aspect, self.citation or ""))
 
     @property
     def path(self) -> str:
@@ -141,7 +141,7 @@ class Quantity:
 
 
 @dataclass(frozen=True, slots=True)
-class Component:
+class Component(Cited):
     """A part of the vehicle state; ``period_ms`` is the time between two updates, or None."""
 
     name: str
@@ -149,12 +149,6 @@ class Component:
     period_ms: int | None
     quantities: Mapping[str, Quantity]
     spec: ComponentSpec
-    citation: Citation | None
-    aspects: Mapping[str, Citation]
-
-    def cited(self, aspect: str) -> str:
-        """The criterion that asks for one aspect, or the requirement of the component, or nothing."""
-        return str(self.aspects.get(aspect, self.citation or ""))
 
 
 @dataclass(frozen=True, slots=True)
