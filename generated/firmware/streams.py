@@ -12,11 +12,12 @@ from mavlink import Link
 SYSTEM_ID = 1
 COMPONENT_ID = 1  # MAV_COMP_ID_AUTOPILOT1
 VERSION = 2
+LONGEST = 54  # bytes of the longest payload; a link keeps a view of each length
 
 
 def open_link(stream):
     """Return a link with the ids and the MAVLink version of this vehicle."""
-    return Link(stream, SYSTEM_ID, COMPONENT_ID, VERSION, messages.ALL)
+    return Link(stream, SYSTEM_ID, COMPONENT_ID, VERSION, messages.ALL, LONGEST)
 
 
 class Streams:

@@ -48,6 +48,7 @@ class StreamsView:
     component_id: int
     component_name: str
     version: int
+    longest: int
     streams: tuple[StreamView, ...]
 
 
@@ -55,7 +56,12 @@ def streams_view(system: System) -> StreamsView:
     """The view of the whole module."""
     project = system.spec.project
     return StreamsView(
-        system.system_id, system.component_id, project.component_id, project.protocol, stream_views(system)
+        system_id=system.system_id,
+        component_id=system.component_id,
+        component_name=project.component_id,
+        version=project.protocol,
+        longest=max((message.wire.length for message in system.messages), default=1),
+        streams=stream_views(system),
     )
 
 
