@@ -153,6 +153,8 @@ class _QuantityResolver:
         if initial is not None and not minimum <= initial <= maximum:
             self._bad("initial", f"initial of {self.name} is not between its limits")
         conversion = self._conversion(channels, parameters, stored)
+        if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
+            self._bad("invalid_after", f"invalid_after of {self.name} is {spec.invalid_after}, not 1 to 1000")
         warn_above = None if spec.warn_above is None else self._in_steps("warn_above", spec.warn_above, steps)
         stale_after = None
         if spec.stale_after is not None:

@@ -169,6 +169,7 @@ CASES = [
     Case("bad-quantity", "state.yaml", "      energy:\n", "      §voltage_mv: {doc: d}\n      energy:\n"),
     Case("bad-stream", "streams.yaml", "  EXTRA1:\n", "  §EXTRA-1:\n"),
     Case("bad-parameter", "parameters.yaml", "  SR0_EXTRA1:\n", "  §sr0_extra1:\n"),
+    Case("bad-quantity", "state.yaml", "invalid_after: 5", "invalid_after: §0"),
     Case("unknown-dialect", "codegen.yaml", "dialect: common", "dialect: §comon", "did you mean common", 2),
 ]
 

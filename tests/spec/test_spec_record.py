@@ -126,6 +126,14 @@ def test_a_broken_entry_does_not_take_its_siblings_along() -> None:
     assert findings == [("one-of-keys", 5, 3), ("unknown-key", 7, 7)]
 
 
+def test_an_answer_whose_source_cannot_be_read_is_no_answer() -> None:
+    """Later stages may rely on every answer having exactly one source."""
+    for answer in ("{unknown: false}", "{flags: A, split: true}", "{constant: [1]}"):
+        record, findings = decoded("message", field(answer) + "  g: unknown\n")
+        assert list(record.fields) == ["g"]
+        assert len(findings) == 1
+
+
 @pytest.mark.parametrize(
     ("kind", "text", "said"),
     [
