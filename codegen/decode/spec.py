@@ -162,7 +162,7 @@ class _SpecReader:
         for folder in ("", "messages", "dialects", "requirements"):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
-                if path in self._hashes or (not folder and name in READ_BY_OTHERS):
+                if path in self._hashes or (not folder and name in FIXED_FILES + READ_BY_OTHERS):
                     continue
                 self._report.add(
                     UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", self._hint(folder, name)
