@@ -39,7 +39,7 @@ def decode_record(node: YamlNode, cls: type[Record], report: Report, place: Plac
     Every problem of the record and of what it holds is reported. What cannot be decoded is left out: an entry of a
     mapping, an item of a list, a key that has a default. Returns None where the record itself cannot be built.
 
-    ``places`` of the record has, beside each key, the entries of plain mappings (``facts.battery.cells``) and the
+    ``places`` of the record has, beside each key, the entries of mappings (``facts.battery.cells``) and the
     items of plain lists (``flags[0]``).
     """
     return _RecordDecoder(cls, report, place or node.place).decode(node)
@@ -157,10 +157,10 @@ class _RecordDecoder(Generic[Record]):
             if name.value is None or not name.text:
                 self._report.add(WRONG_TYPE, name.place, f"an entry of {path} has no name")
                 continue
+            self._places[f"{path}.{name.text}"] = value_node.place
             if isinstance(shape.value, RecordOf):
                 value = decode_record(value_node, shape.value.model, self._report, name.place)
             else:
-                self._places[f"{path}.{name.text}"] = value_node.place
                 value = self._value(value_node, shape.value, f"{path}.{name.text}")
             if value is not None:
                 entries[name.text] = value

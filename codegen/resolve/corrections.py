@@ -25,6 +25,10 @@ CORRECTION_ATTRIBUTE = Rule(
     "value of an entry. Types and names cannot be corrected: that would change CRC_EXTRA, and no receiver would accept "
     "the message.",
 )
+CORRECTED_TWICE = Rule(
+    "corrected-twice",
+    "Two corrections set the same attribute of the same field or entry. Keep the one that is right.",
+)
 CORRECTION_VALUE = Rule(
     "correction-value",
     "The attribute cannot have this value: instance is true or false, display is bitmask or empty, an enum is one of "
@@ -63,6 +67,7 @@ def apply_corrections(
     """
     new_messages, new_enums = dict(messages), dict(enums)
     sentinel_places: dict[tuple[str, str], Place] = {}
+    _check_unique(corrections, report)
     for correction in corrections:
         _check_grounds(correction, report)
         names_field = correction.message is not None and correction.field is not None
@@ -75,6 +80,18 @@ def apply_corrections(
         else:
             _correct_entry(correction, new_enums, report)
     return Corrected(new_messages, new_enums, sentinel_places)
+
+
+def _check_unique(corrections: tuple[Correction, ...], report: Report) -> None:
+    """Two corrections of one attribute contradict each other, or one of them says nothing."""
+    places: dict[tuple[str | None, ...], Place] = {}
+    for correction in corrections:
+        for attribute in correction.set:
+            target = (correction.message, correction.field, correction.enum, correction.entry, attribute)
+            first = places.setdefault(target, correction.place)
+            if first is not correction.place:
+                related = [(first, "the first correction is here")]
+                report.add(CORRECTED_TWICE, correction.place, f"{attribute} is corrected twice", None, related)
 
 
 def _check_grounds(correction: Correction, report: Report) -> None:

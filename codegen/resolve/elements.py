@@ -37,12 +37,17 @@ def answered_elements(
     ``citation`` is that of the message; it holds where an answer cites nothing of its own.
     """
     answers: list[Elements] = []
+    # What is written but could not be read, or has no such element, was reported: its field is not "unanswered".
+    broken = {_field_of(key) for key in _written_keys(population) if key not in population.fields}
     for key, answer in population.fields.items():
         cited = (
             None if answer.requirement is None else cite(answer.requirement, answer.at("requirement"), index, report)
         )
-        answers.extend(_answered(key, answer, cited or citation, message, report))
-    named = {key.partition("[")[0] for key in population.fields}
+        found_elements = list(_answered(key, answer, cited or citation, message, report))
+        answers.extend(found_elements)
+        if not found_elements:
+            broken.add(_field_of(key))
+    named = {_field_of(key) for key in population.fields}
     owners: dict[tuple[str, int], Place] = {}
     kept = []
     for found in answers:
@@ -60,9 +65,17 @@ def answered_elements(
         kept.append(found)
     for field in message.fields:
         missing = [element for element in range(_element_count(field)) if (field.name, element) not in owners]
-        if missing:
+        if missing and field.name not in broken:
             _report_unanswered(population, message, field, missing, field.name in named, report)
     return sorted(kept, key=lambda found: (found.field.offset, found.first))
+
+
+def _written_keys(population: PopulationSpec) -> list[str]:
+    return [key.removeprefix("fields.") for key in population.places if key.startswith("fields.")]
+
+
+def _field_of(key: str) -> str:
+    return key.partition("[")[0]
 
 
 def _element_count(field: WireField) -> int:

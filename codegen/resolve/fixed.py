@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
-from codegen.model.spec import BoardSpec
+from codegen.model.spec import BoardSpec, StateSpec
 from codegen.model.system import Component, Elements, FixedBinding, FlagsBinding, Quantity, QuantityKind
 from codegen.model.unit import read_measure
 from codegen.resolve.constant import bind_constant, fits
@@ -89,6 +89,7 @@ def bind_flags(
     flags: tuple[str, ...],
     dialect: Dialect,
     components: Mapping[str, Component],
+    state: StateSpec,
     report: Report,
 ) -> FlagsBinding | None:
     """Entries of the field's bitmask, always set or set while a boolean quantity is true."""
@@ -103,7 +104,7 @@ def bind_flags(
     for flag in flags:
         name, separator, path = flag.partition(" if ")
         value = _entry_value(enum, name.strip(), place, dialect, report)
-        quantity = _condition(path.strip(), components, place, report) if separator else None
+        quantity = _condition(path.strip(), components, state, place, report) if separator else None
         if value is None or (separator and quantity is None) or not fits(covers, value, "flags", name, report):
             continue
         if quantity is None:
@@ -114,19 +115,25 @@ def bind_flags(
     return FlagsBinding(covers, mask, tuple(names), tuple(conditional))
 
 
-def _condition(path: str, components: Mapping[str, Component], place: Place, report: Report) -> Quantity | None:
-    quantity = find_quantity(path, components, place, report)
+def _condition(
+    path: str, components: Mapping[str, Component], state: StateSpec, place: Place, report: Report
+) -> Quantity | None:
+    quantity = find_quantity(path, components, state, place, report)
     if quantity is not None and quantity.kind is not QuantityKind.BOOLEAN:
         report.add(NOT_A_BOOLEAN, place, f"{path} is not a boolean")
         return None
     return quantity
 
 
-def find_quantity(path: str, components: Mapping[str, Component], place: Place, report: Report) -> Quantity | None:
-    """The quantity written as ``component.quantity``."""
+def find_quantity(
+    path: str, components: Mapping[str, Component], state: StateSpec, place: Place, report: Report
+) -> Quantity | None:
+    """The quantity written as ``component.quantity``; one that is written but broken has been reported already."""
     component, _, name = path.partition(".")
     if component in components and name in components[component].quantities:
         return components[component].quantities[name]
+    if component in state.components and name in state.components[component].quantities:
+        return None
     known = [f"{owner.name}.{quantity}" for owner in components.values() for quantity in owner.quantities]
     report.add(UNKNOWN_QUANTITY, place, f"the state has no quantity {path}", did_you_mean(path, known))
     return None

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
-from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, StateSpec
+from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, Spec
 from codegen.model.system import (
     SMALL_INT_MAX,
     AdcChannel,
@@ -35,14 +35,14 @@ UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum
 
 _IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
 # Names that the generated code uses itself, beside Python's own.
-_RESERVED_QUANTITIES = {"instance", "updated_ms", "is_high", "expire", "set_count"}
+_RESERVED_QUANTITIES = {"instance", "failures", "updated_ms", "is_high", "expire", "set_count"}
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 _CONVERSIONS = {"limited", "spill", *Rounding}
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 
 
 def resolve_components(
-    spec: StateSpec,
+    spec: Spec,
     dialect: Dialect,
     channels: Mapping[str, AdcChannel],
     parameters: Mapping[str, Parameter],
@@ -51,7 +51,7 @@ def resolve_components(
 ) -> dict[str, Component]:
     """The components by name."""
     components = {}
-    for name, written in spec.components.items():
+    for name, written in spec.state.components.items():
         _check_component(name, written, report)
         period = None
         if written.update_rate is not None:
@@ -59,7 +59,7 @@ def resolve_components(
             period = None if rate is None else round(1000 / rate)
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
-            resolver = _QuantityResolver(name, quantity_name, quantity_spec, report)
+            resolver = _QuantityResolver(name, quantity_name, quantity_spec, spec, report)
             quantity = resolver.resolve(dialect, channels, parameters, index)
             if quantity is not None:
                 quantities[quantity_name] = quantity
@@ -77,7 +77,7 @@ def resolve_components(
 
 
 def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
-    if not _is_name(name) or name in _RESERVED_COMPONENTS | _CONVERSIONS:
+    if not _is_name(name) or name in _RESERVED_COMPONENTS | _CONVERSIONS or name.startswith(("update_", "calibrate_")):
         report.add(BAD_COMPONENT, spec.place, f"{name} cannot be the name of a component", "choose another name")
     if not 1 <= spec.instances <= 16:
         report.add(BAD_COMPONENT, spec.at("instances"), f"{name} has {spec.instances} instances, not 1 to 16")
@@ -94,6 +94,9 @@ def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], r
         if followed is not None and followed not in spec.quantities:
             hint = did_you_mean(followed, spec.quantities)
             report.add(UNKNOWN_QUANTITY, quantity.spec.at("while_known"), f"there is no quantity {followed}", hint)
+        elif followed is not None and spec.quantities[followed].boolean:
+            message = f"{quantity.name} follows {followed}, a boolean, which is never unknown"
+            report.add(BAD_QUANTITY, quantity.spec.at("while_known"), message)
     owners: dict[str, Quantity] = {}
     for quantity in quantities.values():
         names = {quantity.name, quantity.attribute}
@@ -116,10 +119,11 @@ def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], r
 class _QuantityResolver:
     """Resolves one quantity; every problem of it is reported before it is given up."""
 
-    def __init__(self, component: str, name: str, spec: QuantitySpec, report: Report) -> None:
+    def __init__(self, component: str, name: str, spec: QuantitySpec, whole: Spec, report: Report) -> None:
         self.component = component
         self.name = name
         self.spec = spec
+        self.whole = whole
         self.report = report
         self.failed = False
 
@@ -149,6 +153,9 @@ class _QuantityResolver:
             self._bad("stored", f"{unit.name} cannot be kept in {stored.name}", UNIT_MISMATCH)
             return None
         minimum, maximum = self._limits(steps)
+        if enum is not None and enum.entries:
+            values = [entry.value for entry in enum.entries]
+            minimum, maximum = (0, SMALL_INT_MAX) if enum.is_bitmask else (min(values), min(SMALL_INT_MAX, max(values)))
         initial = self._initial(kind, enum, steps)
         if initial is not None and not minimum <= initial <= maximum:
             self._bad("initial", f"initial of {self.name} is not between its limits")
@@ -258,16 +265,17 @@ class _QuantityResolver:
             return None
         channel = channels.get(spec.adc)
         multiplier = parameters.get(spec.multiplier)
-        if channel is None:
+        if channel is None and spec.adc not in self.whole.board.adc:
             hint = did_you_mean(spec.adc, channels)
             self._bad("adc", f"board.yaml has no ADC channel {spec.adc}", UNKNOWN_ADC, hint)
-        if multiplier is None:
+        if multiplier is None and spec.multiplier not in self.whole.parameters.parameters:
             hint = did_you_mean(spec.multiplier, parameters)
             self._bad("multiplier", f"there is no parameter {spec.multiplier}", UNKNOWN_PARAMETER, hint)
         factor = UNITS["V"].to(stored)
         if factor is None:
             self._bad("adc", f"an ADC measures a voltage, {self.name} is a {stored.dimension}", UNIT_MISMATCH)
         if channel is None or multiplier is None or factor is None:
+            self.failed = True  # without them there is no conversion; whatever is wrong with them was reported
             return None
         if multiplier.unit is not NUMBER or multiplier.minimum < 0:
             self._bad("multiplier", f"{multiplier.name} is not a pure number that is never negative", UNIT_MISMATCH)

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
-from codegen.model.spec import PopulationSpec, Requirement, Spec
+from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement, Spec
 from codegen.model.system import (
     Binding,
     Component,
@@ -31,6 +31,11 @@ BAD_PROJECT = Rule(
 UNKNOWN_MESSAGE = Rule("unknown-message", "A population table is for a message that the dialect does not have.")
 UNKNOWN_STREAM = Rule("unknown-stream", "A population table names a stream that streams.yaml does not have.")
 UNKNOWN_COMPONENT = Rule("unknown-component", "A table names a component that state.yaml does not have.")
+POINTLESS_KEY = Rule(
+    "pointless-key",
+    "split, min, max and rounding shape a value that is read at run time. Beside a constant, an enum entry, flags or "
+    "unknown they would have no effect: remove them, or answer with state or parameter.",
+)
 BAD_INSTANCE = Rule(
     "bad-instance",
     "Only a message that is sent for_each component can carry the number of the instance, and of that component.",
@@ -42,8 +47,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     index = index_requirements(spec.requirements)
     channels = resolve_channels(spec.board, index, report)
     parameters = resolve_parameters(spec.parameters, index, report)
-    streams = resolve_streams(spec.streams, parameters, index, report)
-    components = resolve_components(spec.state, dialect, channels, parameters, index, report)
+    streams = resolve_streams(spec, parameters, index, report)
+    components = resolve_components(spec, dialect, channels, parameters, index, report)
     binder = _Binder(spec, dialect, components, parameters, report)
     messages = [
         message
@@ -89,6 +94,8 @@ def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int:
             did_you_mean(name, names),
         )
         return 1
+    if not 1 <= entry.value <= 255:
+        report.add(BAD_PROJECT, spec.project.at("component_id"), f"{name} ({entry.value}) is no source of messages")
     return entry.value
 
 
@@ -142,6 +149,7 @@ class _Binder:
     def bind(self, covers: Elements, component: Component | None) -> Binding | None:
         """The binding of one answer, or None with a finding."""
         answer, report = covers.answer, self.report
+        self._report_pointless(answer)
         if answer.state is not None:
             return self._bind_state(covers, answer.state, component)
         if answer.parameter is not None:
@@ -151,12 +159,19 @@ class _Binder:
         if answer.enum is not None:
             return bind_entry(covers, answer.enum, "enum", self.dialect, report)
         if answer.flags is not None:
-            return bind_flags(covers, answer.flags, self.dialect, self.components, report)
+            return bind_flags(covers, answer.flags, self.dialect, self.components, self.spec.state, report)
         if answer.constant is not None:
             return bind_constant(covers, answer.constant, "constant", report)
         if answer.dialect is not None:
             return bind_version(covers, answer.dialect, self.dialect, report)
         return bind_unknown(covers, report)
+
+    def _report_pointless(self, answer: FieldAnswer) -> None:
+        if answer.state is not None or answer.parameter is not None:
+            return
+        for key in ("split", "min", "max", "rounding"):
+            if key in answer.places:
+                self.report.add(POINTLESS_KEY, answer.at(key), f"{key} says nothing about a value that is known now")
 
     def _bind_state(self, covers: Elements, path: str, component: Component | None) -> Binding | None:
         place = covers.answer.at("state")
@@ -166,13 +181,14 @@ class _Binder:
                 self.report.add(BAD_INSTANCE, place, f"the message is not sent for each {owner}", f"for_each: {owner}")
                 return None
             return bind_instance(covers, owner, self.report)
-        quantity = find_quantity(path, self.components, place, self.report)
+        quantity = find_quantity(path, self.components, self.spec.state, place, self.report)
         return None if quantity is None else bind_live(covers, quantity, "state", self.report)
 
     def _bind_parameter(self, covers: Elements, name: str) -> Binding | None:
         parameter = self.parameters.get(name)
         if parameter is None:
-            hint = did_you_mean(name, self.parameters)
-            self.report.add(UNKNOWN_PARAMETER, covers.answer.at("parameter"), f"there is no parameter {name}", hint)
+            if name not in self.spec.parameters.parameters:
+                hint = did_you_mean(name, self.parameters)
+                self.report.add(UNKNOWN_PARAMETER, covers.answer.at("parameter"), f"there is no parameter {name}", hint)
             return None
         return bind_live(covers, parameter, "parameter", self.report)

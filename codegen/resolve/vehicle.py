@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import BoardSpec, ParameterSpec, ParametersSpec, Requirement, StreamSpec, StreamsSpec
+from codegen.model.spec import BoardSpec, ParameterSpec, ParametersSpec, Requirement, Spec, StreamSpec
 from codegen.model.system import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.model.unit import UNITS
 from codegen.resolve.citation import cite_aspects, cite_optional
@@ -116,12 +116,12 @@ def _in_steps(value: Fraction, step: Fraction) -> int:
 
 
 def resolve_streams(
-    spec: StreamsSpec, parameters: Mapping[str, Parameter], index: Mapping[str, Requirement], report: Report
+    spec: Spec, parameters: Mapping[str, Parameter], index: Mapping[str, Requirement], report: Report
 ) -> dict[str, Stream]:
     """The streams by name."""
     streams = {}
-    for name, written in spec.streams.items():
-        stream = _resolve_stream(name, written, parameters, index, report)
+    for name, written in spec.streams.streams.items():
+        stream = _resolve_stream(name, written, spec.parameters, parameters, index, report)
         if stream is not None:
             streams[name] = stream
     return streams
@@ -130,6 +130,7 @@ def resolve_streams(
 def _resolve_stream(
     name: str,
     spec: StreamSpec,
+    written: ParametersSpec,
     parameters: Mapping[str, Parameter],
     index: Mapping[str, Requirement],
     report: Report,
@@ -146,12 +147,9 @@ def _resolve_stream(
     assert spec.parameter is not None
     parameter = parameters.get(spec.parameter)
     if parameter is None:
-        report.add(
-            UNKNOWN_PARAMETER,
-            spec.at("parameter"),
-            f"there is no parameter {spec.parameter}",
-            did_you_mean(spec.parameter, parameters),
-        )
+        if spec.parameter not in written.parameters:
+            hint = did_you_mean(spec.parameter, parameters)
+            report.add(UNKNOWN_PARAMETER, spec.at("parameter"), f"there is no parameter {spec.parameter}", hint)
         return None
     largest = parameter.maximum * parameter.step
     if parameter.unit.name != "Hz" or parameter.minimum < 0 or largest > 1000 or parameter.step * DAY_S < 1:

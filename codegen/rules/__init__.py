@@ -4,14 +4,33 @@ from collections.abc import Callable, Iterator
 
 from codegen.diagnostics import Diagnostic
 from codegen.model.system import System
-from codegen.rules import full_scale, lifecycle, live_float, protocol, small_int, stream_rate
+from codegen.rules import (
+    enum_constant,
+    full_scale,
+    instance_field,
+    lifecycle,
+    limit_reach,
+    live_float,
+    protocol,
+    small_int,
+    stale_reading,
+    stream_rate,
+    unmeasured_instance,
+    unused_stream,
+)
 
 RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
+    enum_constant.check,
     full_scale.check,
+    instance_field.check,
     lifecycle.check,
+    limit_reach.check,
     live_float.check,
     protocol.check,
     small_int.check,
+    stale_reading.check,
     stream_rate.check,
+    unmeasured_instance.check,
+    unused_stream.check,
 )
 """The checks in the order of their names. To add one, write its module and list it here."""

@@ -6,6 +6,7 @@ from codegen.model.system import System
 from codegen.render import render_template
 from codegen.targets.cases import cases_text
 from codegen.targets.firmware.board import BoardView, board_view
+from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.origin import copied_files, headed, origin_of
@@ -25,6 +26,7 @@ class SuiteView:
     builders: tuple[str, ...]
     steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
+    parameters: tuple[ParameterView, ...]
 
 
 def render_suite(system: System) -> dict[str, str]:
@@ -43,6 +45,7 @@ def render_suite(system: System) -> dict[str, str]:
         builders=tuple(message.name.lower() for message in system.messages),
         steady=tuple(message.name.lower() for message in system.messages if not message.live_floats),
         streams=stream_views(system),
+        parameters=parameter_views(system),
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)

@@ -27,7 +27,8 @@ class BatteryState:
         self.remaining_pct = None
         # Temperature of the pack. The rover has no sensor for it [cdegC]
         self.temperature_cdegc = None
-        self.updated_ms = None  # time of the last good reading
+        self.failures = 0  # failed readings in a row
+        self.updated_ms = None  # time of the last good one
         self.is_high = False
 
     @property
@@ -157,14 +158,17 @@ class SystemState:
         battery = self.battery
         try:
             count = board.read_battery_adc()
-            failures = board.battery_failures
+            is_good = not board.battery_failures and isinstance(count, int) and 0 <= count <= 4095
         except Exception as error:
-            self._log("error: the board cannot read the battery:", error)
-            return
-        if failures:
-            if failures >= 5:
+            is_good = False
+            if battery.failures == 0:
+                self._log("error: the board cannot read the battery:", error)
+        if not is_good:
+            battery.failures += 1
+            if battery.failures >= 5:
                 battery.voltage_mv = None
             return
+        battery.failures = 0
         battery.set_count(count, self._batt_volt_mult)
         battery.updated_ms = time.ticks_ms()
         is_high = battery.voltage_mv > 13000

@@ -43,7 +43,7 @@ def build_heartbeat(state):
 
     # system_status: vehicle.status (FR-00068.8)
     value = vehicle.status
-    value = 3 if value is None else limited(value, 0, 255)
+    value = 3 if value is None else limited(value, 0, 8)
     payload[7] = value
     return message
 

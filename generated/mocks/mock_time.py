@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: 665f0ed5ad9fe07c
+# Inputs: 75df49e198fbb081
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -22,11 +22,15 @@ def install():
     On MicroPython it takes the place of the whole module. On CPython, where pytest and others need the true time, the
     names of MicroPython are added to it; sleep() and time() remain those of the host.
     """
-    if sys.implementation.name == "micropython":
-        sys.modules["time"] = sys.modules[__name__]
-        return
-    import time  # noqa: PLC0415 - on MicroPython this would be the module to replace
+    import time  # noqa: PLC0415 - the module to replace, or to add to
 
+    if sys.implementation.name == "micropython":
+        mock = sys.modules[__name__]
+        for module in list(sys.modules.values()):
+            if module is not mock and getattr(module, "time", None) is time:
+                module.time = mock  # it imported the true time before
+        sys.modules["time"] = mock
+        return
     for name in _NAMES:
         existing = getattr(time, name, None)
         # An earlier import of this module may have been here, with a clock of its own.

@@ -20,11 +20,15 @@ def install():
     On MicroPython it takes the place of the whole module. On CPython, where pytest and others need the true time, the
     names of MicroPython are added to it; sleep() and time() remain those of the host.
     """
-    if sys.implementation.name == "micropython":
-        sys.modules["time"] = sys.modules[__name__]
-        return
-    import time  # noqa: PLC0415 - on MicroPython this would be the module to replace
+    import time  # noqa: PLC0415 - the module to replace, or to add to
 
+    if sys.implementation.name == "micropython":
+        mock = sys.modules[__name__]
+        for module in list(sys.modules.values()):
+            if module is not mock and getattr(module, "time", None) is time:
+                module.time = mock  # it imported the true time before
+        sys.modules["time"] = mock
+        return
     for name in _NAMES:
         existing = getattr(time, name, None)
         # An earlier import of this module may have been here, with a clock of its own.

@@ -10,10 +10,12 @@ import importlib.util
 import io
 import tempfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pymavlink
 from pymavlink.generator import mavgen
 
+DIALECTS = Path(pymavlink.__file__).parent / "dialects" / "v20"
 WIRES = {"v20": "2.0", "v10": "1.0"}
 
 
@@ -23,8 +25,7 @@ def dialects(about, messages, here):
         shipped = [importlib.import_module(f"pymavlink.dialects.{wire}.{about['shipped']}") for wire in WIRES]
         if all(message_class(shipped[0], message) for message in messages):
             return shipped
-    folder = Path(pymavlink.__file__).parent / "dialects" / "v20"
-    files = [folder / f"{about['shipped']}.xml"] if about["shipped"] else []
+    files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
     return [_generated(files, wire) for wire in WIRES]
 
@@ -37,7 +38,8 @@ def message_class(dialect, name):
 def _generated(files, wire):
     with tempfile.TemporaryDirectory() as folder:
         source, output = Path(folder) / "project.xml", Path(folder) / f"project_{wire}.py"
-        includes = "".join(f"<include>{file}</include>" for file in files)
+        plain = [_without_prose(file, Path(folder) / f"{number}.xml") for number, file in enumerate(files)]
+        includes = "".join(f"<include>{file}</include>" for file in plain)
         source.write_text(f'<?xml version="1.0"?><mavlink>{includes}<messages></messages></mavlink>')
         options = mavgen.Opts(str(output), wire_protocol=WIRES[wire], language="Python3", validate=False)
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
@@ -46,3 +48,16 @@ def _generated(files, wire):
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
         return module
+
+
+def _without_prose(file, copy):
+    """Return a copy of an XML file without descriptions: pymavlink's generator stumbles over quotes in them."""
+    tree = ElementTree.parse(file)
+    for element in tree.iter():
+        if element.tag == "description" or (element.tag in ("field", "param") and element.text):
+            element.text = ""
+        if element.tag == "include":
+            beside = file.parent / element.text.strip()
+            element.text = str(beside if beside.exists() else DIALECTS / element.text.strip())
+    tree.write(copy)
+    return copy

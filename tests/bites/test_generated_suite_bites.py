@@ -32,6 +32,13 @@ MUTATIONS = [
     ("truncation", "crc_plain.py", "payload[length - 1] == 0", "payload[length - 1] == 1"),
     ("samples", "board.py", "// 5", "// 4"),
     ("failed-readings", "state.py", "failures >= 5", "failures >= 6"),
+    ("default-of-the-multiplier", "parameters.py", "batt_volt_mult = 39500", "batt_volt_mult = 39400"),
+    ("default-rate", "parameters.py", "sr0_extra1 = 2", "sr0_extra1 = 3"),
+    ("rounding-of-the-mean", "board.py", "(total + 2) // 5", "total // 5"),
+    ("warning-threshold", "state.py", "> 13000", "> 12990"),
+    ("period", "streams.py", "now_ms, 1000):", "now_ms, 950):"),
+    ("burst", "streams.py", "due_ms = time.ticks_add(now_ms, period_ms)", "pass"),
+    ("board-that-raises", "state.py", "            is_good = False\n", "            return\n"),
     ("age", "state.py", "> 1000:", "> 1001:"),
     ("time-limit", "board.py", "took > 2000", "took > 2010"),
 ]

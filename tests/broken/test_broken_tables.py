@@ -170,6 +170,38 @@ CASES = [
     Case("bad-stream", "streams.yaml", "  EXTRA1:\n", "  §EXTRA-1:\n"),
     Case("bad-parameter", "parameters.yaml", "  SR0_EXTRA1:\n", "  §sr0_extra1:\n"),
     Case("bad-quantity", "state.yaml", "invalid_after: 5", "invalid_after: §0"),
+    Case("bad-quantity", "state.yaml", "while_known: voltage", "while_known: §healthy"),
+    Case(
+        "pointless-key",
+        BATTERY,
+        "voltages: {state: battery.voltage, split: true, ",
+        "voltages: {constant: 12.6 V, split: §true, ",
+    ),
+    Case("pointless-key", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: 0, max: §3}"),
+    Case("bad-project", "codegen.yaml", "component_id: MAV_COMP_ID_AUTOPILOT1", "component_id: §MAV_COMP_ID_ALL"),
+    Case("not-an-enum-value", BATTERY, "  mode: {enum: MAV_BATTERY_MODE_UNKNOWN, ", "  §mode: {constant: 77, "),
+    Case(
+        "limit-beyond-field",
+        SYS,
+        "battery_remaining: {state: battery.remaining, min: 0, max: 100",
+        "battery_remaining: {state: battery.remaining, min: 0, max: §300",
+    ),
+    Case(
+        "limit-beyond-field",
+        SYS,
+        "battery_remaining: {state: battery.remaining, min: 0",
+        "battery_remaining: {state: battery.remaining, min: §-1",
+    ),
+    Case("stale-before-update", "state.yaml", "stale_after: 1 s", "stale_after: §50 ms"),
+    Case("bad-component", "state.yaml", "  vehicle:\n", "  §update_battery:\n"),
+    Case(
+        "corrected-twice",
+        "dialects/corrections.yaml",
+        "corrections:\n",
+        "corrections:\n  §- {message: BATTERY_STATUS, field: time_remaining, set: {invalid: 7}, reason: r, source: s}\n".replace(
+            "§", ""
+        ),
+    ),
     Case("unknown-dialect", "codegen.yaml", "dialect: common", "dialect: §comon", "did you mean common", 2),
 ]
 
@@ -220,3 +252,35 @@ def test_everything_is_reported_in_one_run(tmp_path, monkeypatch, capsys):
     assert all(f" error {rule}: " in out for rule in wanted), out
     places = [line.split(" ")[0] for line in out.splitlines() if " error " in line and not line.startswith(" ")]
     assert places == sorted(places, key=lambda place: (place.split(":")[0], int(place.split(":")[1])))
+
+
+FOLLOW_UPS = [
+    ("board.yaml", "samples: 5", "samples: 0", "bad-adc"),
+    ("state.yaml", "invalid_after: 5", "invalid_after: -3", "bad-quantity"),
+    (BATTERY, "  voltages_ext: {unknown: true, ", "  voltages_ext[0..12]: {unknown: true, ", "unknown-element"),
+    (SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: .nan}", "unusable-number"),
+    (SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: 0, unknown: true}", "one-of-keys"),
+]
+
+
+@pytest.mark.parametrize(("file", "old", "new", "rule"), FOLLOW_UPS, ids=[case[3] for case in FOLLOW_UPS])
+def test_one_fault_is_one_finding(file, old, new, rule, tmp_path, monkeypatch, capsys):
+    """What depends on something broken is not reported as well: the cause stands alone."""
+    changed_copy(Case(rule, file, old, new), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) in (1, 2)
+    errors = [line for line in capsys.readouterr().out.splitlines() if ": error " in line]
+    assert len({line.split(" error ")[1].split(":")[0] for line in errors}) == 1, errors
+    assert f" error {rule}: " in errors[0]
+
+
+def test_two_instances_with_one_id(tmp_path, monkeypatch, capsys):
+    """Two batteries that receivers could not tell apart are an error; that one of them is never measured a warning."""
+    changed_copy(Case("same-instance", "state.yaml", "instances: 1", "instances: 2"), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 0
+    assert " warning unmeasured-instance: " in capsys.readouterr().out
+    table = tmp_path / "specs" / BATTERY
+    table.write_text(table.read_text().replace("id: {state: battery.instance", "id: {constant: 0"))
+    assert main(["check"]) == 1
+    assert " error same-instance: " in capsys.readouterr().out

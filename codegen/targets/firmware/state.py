@@ -1,5 +1,6 @@
 """View of state.py: the vehicle state with its integers, their views for people and the updates from the ADC."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -37,6 +38,7 @@ class MeasuredView:
     attribute: str
     unit: str
     formula: str
+    full_scale: int
     citation: str
     multiplier: str
     multiplier_name: str
@@ -45,6 +47,7 @@ class MeasuredView:
     denominator: int
     warn_above: int | None
     warn_text: str
+    warning_count: int | None
     invalid_after: int | None
     stale_after_ms: int | None
     cited: Mapping[str, str]
@@ -138,6 +141,7 @@ def _measured(quantity: Quantity) -> MeasuredView:
         attribute=quantity.attribute,
         unit=quantity.unit.name,
         formula=f"adc / {channel.full_scale} * {decimal(channel.reference)} * mult",
+        full_scale=channel.full_scale,
         citation=str(quantity.citation or ""),
         multiplier=parameter_attribute(multiplier.name),
         multiplier_name=multiplier.name,
@@ -146,7 +150,19 @@ def _measured(quantity: Quantity) -> MeasuredView:
         denominator=conversion.denominator,
         warn_above=quantity.warn_above,
         warn_text=warn_text,
+        warning_count=_warning_count(quantity),
         invalid_after=quantity.spec.invalid_after,
         stale_after_ms=quantity.stale_after_ms,
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )
+
+
+def _warning_count(quantity: Quantity) -> int | None:
+    """The smallest count that is warned about with the default multiplier; None if there is none."""
+    conversion = quantity.conversion
+    if conversion is None or quantity.warn_above is None:
+        return None
+    per_count = Fraction(conversion.multiplier.default * conversion.numerator, conversion.denominator)
+    # Rounded to nearest, a result is above the threshold from half a step above it.
+    first = math.ceil((quantity.warn_above + Fraction(1, 2)) / per_count)
+    return first if 0 < first <= conversion.channel.full_scale else None

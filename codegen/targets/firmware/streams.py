@@ -30,7 +30,7 @@ class StreamView:
     comment: str
     citation: str
     period_ms: int | None
-    sent_in_10_s: int
+    sent_in_40_s: int
     parameter: str | None
     numerator: int
     denominator: int
@@ -81,7 +81,7 @@ def _stream(stream: Stream, system: System) -> StreamView:
         comment=f"{stream.name}: {sets}",
         citation=str(stream.citation or ""),
         period_ms=round(1000 / rate) if rate else None,
-        sent_in_10_s=round(10 * rate) if rate else 0,
+        sent_in_40_s=round(40 * rate) if rate else 0,
         parameter=parameter_attribute(parameter.name) if parameter else None,
         numerator=step.numerator,
         denominator=step.denominator,
