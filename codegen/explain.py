@@ -2,11 +2,12 @@
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from textwrap import fill
 
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import WireMessage
-from codegen.model.system import Citation, Parameter, PopulatedMessage, Quantity, System
+from codegen.model.system import Citation, Parameter, PopulatedMessage, Quantity, Stream, System
 from codegen.model.unit import decimal
 from codegen.targets.table import FieldRow, field_rows
 
@@ -50,11 +51,17 @@ def explain(topic: str, system: System | None, report: Report) -> str | None:
 
 def _explain_part(topic: str, system: System) -> str | None:
     name, _, field = topic.partition(".")
-    message = next((message for message in system.messages if message.name == name), None)
+    message = next((message for message in system.messages if message.name == name.upper()), None)
     if message is not None:
         return _message(message) if not field else _field(message, field)
-    if topic in system.dialect.messages:
-        return _unpopulated(system.dialect.messages[topic])
+    if topic.upper() in system.dialect.messages:
+        return _unpopulated(system.dialect.messages[topic.upper()])
+    if name in system.requirements:
+        return _requirement(topic, system)
+    if topic in system.streams:
+        return _stream(system.streams[topic], system)
+    if topic in system.components:
+        return "\n".join(_quantity(quantity, system) for quantity in system.components[topic].quantities.values())
     if topic in system.parameters:
         return _parameter(system.parameters[topic], system)
     quantity = system.quantity(topic)
@@ -65,6 +72,7 @@ def _topics(system: System) -> list[str]:
     known = [message.name for message in system.messages]
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
+    known += [*system.components, *system.streams, *system.requirements]
     return [*known, *system.parameters, *rule_catalogue(), *system.dialect.messages]
 
 
@@ -125,7 +133,7 @@ def _field(message: PopulatedMessage, name: str) -> str | None:
     if wire is None or not bindings:
         return None
     rows = {row.offset: row for row in field_rows(message)}
-    parts = [f"{message.name}.{wire.name}", wire.definition.description.strip(), ""]
+    parts = [f"{message.name}.{wire.name}", fill(wire.definition.description, 100), ""]
     for binding in bindings:
         row = rows[binding.covers.offset]
         facts = [
@@ -149,7 +157,11 @@ def _field(message: PopulatedMessage, name: str) -> str | None:
 
 def _unpopulated(wire: WireMessage) -> str:
     head = f"{wire.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes"
-    lines = [f"{head}, {wire.length} with extensions; no table populates it", wire.definition.description.strip(), ""]
+    lines = [
+        f"{head}, {wire.length} with extensions; no table populates it",
+        fill(wire.definition.description, 100),
+        "",
+    ]
     for field in wire.fields:
         length = f"[{field.count}]" if field.is_array else ""
         unit = field.definition.units or ""
@@ -218,6 +230,40 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("declared at", quantity.spec.place.shown()),
     ]
     return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+
+
+def _requirement(topic: str, system: System) -> str | None:
+    """A document with its criteria, or one criterion, and the fields that answer to each."""
+    name, _, number = topic.partition(".")
+    requirement = system.requirements[name]
+    criteria = [criterion for criterion in requirement.criteria if number in ("", str(criterion.number))]
+    if number and not criteria:
+        return None
+    lines = [f"{requirement.id} | {requirement.title} ({requirement.status})  ({requirement.place.shown()})"]
+    for criterion in criteria:
+        lines += ["", f"{requirement.id}.{criterion.number}: {criterion.text}"]
+        lines += [f"  {field}" for field in _answering(f"{requirement.id}.{criterion.number}", system)]
+    return "\n".join(lines) + "\n"
+
+
+def _answering(criterion: str, system: System) -> list[str]:
+    return [
+        f"{message.name}.{binding.covers.label}  ({binding.covers.answer.place.shown()})"
+        for message in system.messages
+        for binding in message.bindings
+        if str(binding.covers.citation) == criterion
+    ]
+
+
+def _stream(stream: Stream, system: System) -> str:
+    messages = [message for message in system.messages if message.stream is stream]
+    facts = [
+        ("rate", stream.parameter.name if stream.parameter else f"{decimal(stream.rate or Fraction(0))} Hz"),
+        ("messages", ", ".join(message.name for message in messages)),
+        ("criterion", _cited(stream.citation)),
+        ("declared at", stream.spec.place.shown()),
+    ]
+    return "\n".join([stream.name, stream.spec.doc.strip(), "", *_facts(facts)]) + "\n"
 
 
 def _becomes_unknown(quantity: Quantity) -> str:

@@ -171,7 +171,7 @@ class _QuantityResolver:
         return Quantity(
             component=self.component,
             name=self.name,
-            attribute=_attribute(self.name, stored),
+            attribute=_attribute(self.name, kind, stored),
             kind=kind,
             unit=unit,
             stored=stored,
@@ -283,6 +283,9 @@ class _QuantityResolver:
         return Conversion(channel, multiplier, exact.numerator, exact.denominator)
 
 
-def _attribute(name: str, stored: Unit) -> str:
+def _attribute(name: str, kind: QuantityKind, stored: Unit) -> str:
+    """The firmware's name of the integer: a number without a unit has a suffix, too, so that its name can check it."""
     suffix = _SUFFIX.get(stored.name) or re.sub(r"[^a-z0-9]+", "_", stored.name.lower()).strip("_")
-    return f"{name}_{suffix}" if suffix else name
+    if kind is QuantityKind.NUMBER:
+        return f"{name}_{suffix or 'number'}"
+    return name

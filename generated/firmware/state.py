@@ -122,11 +122,20 @@ class VehicleState:
         # Whether the motors may turn
         self.armed = False
         # Drive mode, a number of the autopilot's own
-        self.mode = 0
+        self.mode_number = 0
         # What the vehicle is doing (MAV_STATE)
         self.status = 3
         # Share of the main loop's time that is used [d%]
         self.load_dpct = 0
+
+    @property
+    def mode(self):
+        """Number, or None while it is unknown."""
+        return self.mode_number
+
+    @mode.setter
+    def mode(self, value):
+        self.mode_number = to_steps(value, 1)
 
     @property
     def load(self):

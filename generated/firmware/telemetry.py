@@ -34,7 +34,7 @@ def build_heartbeat(state):
     vehicle = state.vehicle
 
     # custom_mode: vehicle.mode (FR-00068.8)
-    value = vehicle.mode
+    value = vehicle.mode_number
     value = 0 if value is None else limited(value, 0, 1000000)
     pack_into("<I", payload, 0, value)
 

@@ -270,7 +270,7 @@ def every_value_allocates_nothing():
         (state.battery, "remaining_pct"),
         (state.battery, "temperature_cdegc"),
         (state.vehicle, "armed"),
-        (state.vehicle, "mode"),
+        (state.vehicle, "mode_number"),
         (state.vehicle, "status"),
         (state.vehicle, "load_dpct"),
     )

@@ -119,7 +119,7 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         attribute=quantity.attribute,
         initial=initial,
         comment=f"{prose(quantity.spec.doc).rstrip('.')}{stored}{enum}",
-        unit=quantity.unit.name,
+        unit=quantity.unit.name or "Number",
         has_property=quantity.attribute != quantity.name,
         follows=component.quantities[follows].attribute if follows else None,
         numerator=quantity.steps.numerator,

@@ -1,0 +1,34 @@
+"""explain tells the whole story of anything that has a name in the project."""
+
+import pytest
+
+from codegen.cli import main
+
+STORIES = [
+    ("BATTERY_STATUS", ["CRC_EXTRA 154", "-32768..32767, -1 -> -2", "battery_status.yaml:12", "[UINT16_MAX]"]),
+    ("battery_status.voltages", ["offset       10, 20 bytes", "spills above 65534", "FR-00068.3: "]),
+    ("BATT_VOLT_MULT", ["1..10", "0.0001; kept as 10000..100000 steps", "the multiplier of battery.voltage"]),
+    ("battery.voltage", ["GPIO 26", "1000 ms after the last good one", "SYS_STATUS.voltage_battery"]),
+    ("battery", ["battery.voltage", "battery.temperature"]),
+    ("EXTRA1", ["SR0_EXTRA1", "BATTERY_STATUS"]),
+    ("FR-00068.4", ["BATTERY_STATUS.current_battery", "SYS_STATUS.current_battery"]),
+    ("FR-zxxlp", ["FR-00068 | "]),
+    ("GPS_RAW_INT", ["no table populates it", "satellites_visible"]),
+    ("sentinel-contradiction", ["error", "unknown"]),
+]
+
+
+@pytest.mark.parametrize(("topic", "words"), STORIES, ids=[story[0] for story in STORIES])
+def test_story(topic, words, capsys):
+    """Exit code 0, and everything that a reader looks for."""
+    assert main(["explain", topic]) == 0
+    told = capsys.readouterr().out
+    for word in words:
+        assert word in told, told
+
+
+@pytest.mark.parametrize(("topic", "hint"), [("BATERY_STATUS", "BATTERY_STATUS"), ("FR-00068.99", "FR-00068")])
+def test_nothing_is_called_so(topic, hint, capsys):
+    """Exit code 2, and what may have been meant."""
+    assert main(["explain", topic]) == 2
+    assert hint in capsys.readouterr().out
