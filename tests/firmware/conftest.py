@@ -2,23 +2,14 @@
 
 import importlib
 import json
-import os
-import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
-
-ROOT = Path(__file__).parents[2]
-FIRMWARE = ROOT / "templates" / "firmware"
-MOCKS = ROOT / "templates" / "mocks"
-TOOLS = Path(sys.executable).parent
-MODULES = ("crc", "crc_plain", "crc_table", "fields", "mavlink", "machine", "mock_time")
-
-Exercise = Callable[..., Any]
+from firmware_runs import FIRMWARE, MOCKS, MODULES, Exercise, interpret
 
 
 @pytest.fixture
@@ -37,33 +28,6 @@ def firmware() -> Iterator[SimpleNamespace]:
             sys.modules.pop(name, None)
             if module is not None:
                 sys.modules[name] = module
-
-
-def tool(name: str) -> str:
-    """The path of an installed command; the test is skipped where its package has none for this system."""
-    path = TOOLS / name
-    if not path.exists():
-        pytest.skip(f"{name} is not installed")
-    return str(path)
-
-
-def interpret(interpreter: str, script: str, stdin: str = "", folders: tuple[Path, ...] = (FIRMWARE, MOCKS)) -> str:
-    """Run a script with `folders` to import from, and return what it prints."""
-    path = os.pathsep.join(map(str, folders))
-    if interpreter == "micropython":
-        command = [tool("micropython"), "-X", "heapsize=256m", script]
-    else:
-        command = [sys.executable, "-B", script]
-    done = subprocess.run(
-        command,
-        input=stdin,
-        env=os.environ | {"MICROPYPATH": path, "PYTHONPATH": path},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
 
 
 @pytest.fixture(params=["cpython", "micropython"])

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from conftest import FIRMWARE, Exercise, interpret, tool
+from firmware_runs import FIRMWARE, Exercise, interpret, tool
 from pymavlink.generator.mavcrc import x25crc
 
 

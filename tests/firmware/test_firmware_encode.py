@@ -6,7 +6,7 @@ from typing import Any
 
 import pymavlink_oracle as oracle
 import pytest
-from conftest import Exercise
+from firmware_runs import Exercise
 
 
 def as_json(value: Any) -> Any:

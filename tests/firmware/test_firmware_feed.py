@@ -6,13 +6,13 @@ from typing import Any
 
 import pymavlink_oracle as oracle
 import pytest
-from conftest import Exercise
+from firmware_runs import Exercise
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 KNOWN = oracle.NAMES[:-4]
 UNKNOWN = ("VIBRATION", "TUNNEL", "WHEEL_DISTANCE")
-FUZZ = settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+FUZZ = settings(max_examples=400, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def cut(data: bytes, chance: random.Random, longest: int) -> list[bytes]:

@@ -6,7 +6,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from conftest import interpret
+from firmware_runs import interpret
 
 
 def test_clock_moves_only_when_told(firmware: SimpleNamespace) -> None:

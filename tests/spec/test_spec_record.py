@@ -192,7 +192,7 @@ TREES: st.SearchStrategy[YamlNode] = st.recursive(
 )
 
 
-@settings(deadline=None, database=None, max_examples=300)
+@settings(max_examples=300)
 @given(TREES, st.sampled_from([*MODELS.values(), FieldAnswer, QuantitySpec]))
 def test_no_tree_raises_or_vanishes_without_a_word(tree: YamlNode, model: type[Written]) -> None:
     report = Report()
@@ -200,7 +200,7 @@ def test_no_tree_raises_or_vanishes_without_a_word(tree: YamlNode, model: type[W
     assert record is not None or report.has_errors
 
 
-@settings(deadline=None, database=None, max_examples=300)
+@settings(max_examples=300)
 @given(st.text() | st.binary().map(lambda data: data.decode("latin-1")), st.sampled_from([*MODELS]))
 def test_no_text_raises(text: str, kind: str) -> None:
     report = Report()

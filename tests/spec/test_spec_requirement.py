@@ -168,7 +168,7 @@ PIECES = (
 )  # fmt: skip
 
 
-@settings(deadline=None, database=None, max_examples=400)
+@settings(max_examples=400)
 @given(st.text() | st.lists(st.sampled_from(PIECES), max_size=40).map("".join))
 def test_no_text_raises(text: str) -> None:
     requirement, findings = decoded(text)

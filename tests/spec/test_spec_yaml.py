@@ -244,7 +244,7 @@ SNIPPETS = st.sampled_from((*STRUCTURE, *CONTENT, "%YAML 1.2\n"))
 
 
 @pytest.mark.skipif(not yaml.__with_libyaml__, reason="there is one parser only")
-@settings(deadline=None, database=None, max_examples=400)
+@settings(max_examples=400)
 @given(st.lists(SNIPPETS, max_size=14).map("".join))
 def test_both_parsers_give_the_same_tree_places_and_findings(text: str) -> None:
     """The parser in C is an accelerator: what is valid, and where a finding is placed, must not depend on it.
@@ -263,7 +263,7 @@ def test_both_parsers_give_the_same_tree_places_and_findings(text: str) -> None:
     assert list(fast) == list(slow)
 
 
-@settings(deadline=None, database=None, max_examples=400)
+@settings(max_examples=400)
 @given(
     st.one_of(st.text(), st.lists(SNIPPETS, max_size=30).map("".join), st.text(alphabet="[]{}:-?&*!|>'\"%@`\\#,\n a1"))
 )
