@@ -153,7 +153,7 @@ class ParameterSpec(Written):
 class ParametersSpec(Written):
     """``parameters.yaml``: the parameters by name (at most 16 characters)."""
 
-    parameters: Mapping[str, ParameterSpec] = described("The parameters by name.")
+    parameters: Mapping[str, ParameterSpec] = described("The parameters by name.", default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
