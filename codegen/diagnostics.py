@@ -72,7 +72,7 @@ class Report:
 
     @property
     def exit_code(self) -> int:
-        """0 without errors, 2 if an input could not be read, 1 for every other error (design, section 6)."""
+        """0 without errors, 2 if an input could not be read, 1 for every other error."""
         errors = [found.rule for found in self._diagnostics if found.rule.severity is Severity.ERROR]
         if not errors:
             return 0

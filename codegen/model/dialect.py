@@ -135,7 +135,7 @@ class WireType:
 
 
 class SentinelForm(Enum):
-    """How ``invalid`` was written (facts of the wire format, section 1)."""
+    """How ``invalid`` was written: the forms that real dialects use."""
 
     VALUE = "V"
     EACH = "[V]"

@@ -25,7 +25,7 @@ from codegen.model.spec import (
 from codegen.model.unit import Unit
 
 SMALL_INT_MAX = 2**30 - 1
-"""Largest integer that MicroPython keeps without allocating on 32-bit ports (facts, section 3)."""
+"""Largest integer that MicroPython keeps without allocating on 32-bit ports: they have 31 bits, with the sign."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""Float fields that are written at each build: MicroPython keeps floats on the heap (facts, section 3)."""
+"""Float fields that are written at each build: MicroPython keeps floats on the heap."""
 
 from collections.abc import Iterator
 

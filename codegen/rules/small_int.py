@@ -1,4 +1,4 @@
-"""Integers of the steady path stay below 2**30, above which 32-bit MicroPython allocates (facts, section 3)."""
+"""Integers of the steady path stay below 2**30, above which 32-bit MicroPython allocates."""
 
 from collections.abc import Iterator
 from fractions import Fraction
