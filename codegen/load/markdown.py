@@ -9,8 +9,6 @@ from itertools import pairwise
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from codegen.diagnostics import Report
-from codegen.load.text import read_text
 from codegen.source import Place
 
 _LINE_END = re.compile(r"\r\n?|\n")
@@ -46,12 +44,6 @@ class Document:
 
     path: str
     sections: tuple[Section, ...]
-
-
-def read_markdown(path: str, report: Report, asked_at: Place | None = None) -> Document | None:
-    """The document of a file, or None after a diagnostic; ``asked_at`` as for ``read_text``."""
-    text = read_text(path, report, asked_at)
-    return None if text is None else parse_markdown(text, path)
 
 
 def parse_markdown(text: str, path: str) -> Document:

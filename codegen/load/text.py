@@ -36,18 +36,12 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
-def read_text(path: str, report: Report, asked_at: Place | None = None) -> str | None:
-    """The text of a UTF-8 file without its byte order mark; line ends stay as they are.
+def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> bytes | None:
+    """The content of a regular file of at most ``MAX_BYTES``, or None after a diagnostic.
 
     ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
-    itself where nothing names it. Returns None after a diagnostic.
+    itself where nothing names it.
     """
-    data = read_bytes(path, report, asked_at)
-    return None if data is None else decode_text(data, path, report)
-
-
-def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> bytes | None:
-    """The content of a regular file of at most ``MAX_BYTES``, or None after a diagnostic (see ``read_text``)."""
     place = asked_at or Place(os.path.abspath(path))
     shown = shown_path(path)
     try:

@@ -12,7 +12,6 @@ from typing import Any
 import yaml
 
 from codegen.diagnostics import Diagnostic, Report, Rule
-from codegen.load.text import read_text
 from codegen.load.yaml_scalar import ScalarValue, plain_value
 from codegen.load.yaml_syntax import syntax_finding, unwanted_character
 from codegen.source import Place
@@ -62,12 +61,6 @@ class MappingNode:
 
 
 YamlNode = ScalarNode | MappingNode | SequenceNode
-
-
-def read_yaml(path: str, report: Report, asked_at: Place | None = None) -> YamlNode | None:
-    """The tree of a YAML file, or None after a diagnostic; ``asked_at`` as for ``read_text``."""
-    text = read_text(path, report, asked_at)
-    return None if text is None else parse_yaml(text, path, report)
 
 
 def parse_yaml(text: str, path: str, report: Report) -> YamlNode | None:

@@ -85,6 +85,11 @@ class Parameter:
     spec: ParameterSpec
     citation: Citation | None
 
+    @property
+    def path(self) -> str:
+        """How tables and documents write it, as ``Quantity.path``: its name."""
+        return self.name
+
 
 class QuantityKind(Enum):
     """What a quantity of the vehicle state holds."""
@@ -253,6 +258,15 @@ class SplitBinding:
 
 
 Binding = FixedBinding | InstanceBinding | FlagsBinding | LiveBinding | SplitBinding
+
+
+def read_quantities(binding: Binding) -> tuple[Quantity, ...]:
+    """The quantities of the state that a builder reads for a binding."""
+    if isinstance(binding, FlagsBinding):
+        return tuple(quantity for _, _, quantity in binding.conditional)
+    if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
+        return (binding.source,)
+    return ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -123,10 +123,8 @@ def _report_unanswered(
     report: Report,
 ) -> None:
     what = f"{message.name}.{field.name}"
-    if is_partly_answered and field.is_array:
+    if is_partly_answered:
         what += f" element{'s' if len(missing) > 1 else ''} {', '.join(map(str, missing))}"
-    elif is_partly_answered:
-        return  # the answer is there but wrong, and was reported
     kind = "extension field " if field.definition.is_extension else ""
     has_sentinel = field.sentinel is not None and field.sentinel.values[0] is not None
     hint = f"add '{field.name}: unknown'" if has_sentinel else f"say where {field.name} comes from"

@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import WireField
 from codegen.model.spec import FieldAnswer
+from codegen.model.system import Elements
 from codegen.model.unit import Unit
 from codegen.resolve.measure import read_number
 
@@ -14,6 +15,12 @@ EMPTY_LIMITS = Rule(
     "empty-limits",
     "Nothing is left that a field could carry: the limits of the table, the dialect, the quantity and the wire type "
     "exclude each other, or only the sentinel is left.",
+)
+
+LIMIT_BEYOND_FIELD = Rule(
+    "limit-beyond-field",
+    "A limit of a table lies beyond what the field, the dialect or the quantity allows, or is the sentinel: it would "
+    "have no effect. Correct it or leave it out.",
 )
 
 
@@ -99,3 +106,15 @@ def limits_of(
         report.add(EMPTY_LIMITS, answer.at(where), f"no value is left for {field.name}: {low} to {high}")
         return None
     return Limits(low, high, hole, beside)
+
+
+def check_reach(covers: Elements, written: Bounds, limits: Limits, unknown: int | float | None, report: Report) -> None:
+    """Report limits of the table (``written``) that what is left (``limits``) does not reach."""
+    reaches = (
+        ("min", written.low, written.low is not None and limits.low > written.low + 1),
+        ("max", written.high, written.high is not None and limits.high < written.high - 1),
+    )
+    for key, value, is_beyond in reaches:
+        if value is not None and (is_beyond or value == unknown):
+            message = f"{key} of {covers.label} is {value}, but it carries {limits.low} to {limits.high} only"
+            report.add(LIMIT_BEYOND_FIELD, covers.answer.at(key), message)

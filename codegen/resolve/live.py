@@ -16,7 +16,7 @@ from codegen.model.system import (
 from codegen.model.unit import Unit
 from codegen.resolve.constant import field_unit
 from codegen.resolve.fixed import NO_SENTINEL, NOT_AN_ENUM_FIELD
-from codegen.resolve.limits import Bounds, dialect_bounds, limits_of, written_bounds
+from codegen.resolve.limits import Bounds, check_reach, dialect_bounds, limits_of, written_bounds
 from codegen.resolve.measure import UNIT_MISMATCH
 
 BAD_SPLIT = Rule(
@@ -52,7 +52,8 @@ def bind_live(
         in_wire = source.unit.to(unit) or in_wire
     bounds = Bounds(source.minimum * factor, source.maximum * factor)
     bounds = bounds.within(dialect_bounds(covers.field))
-    bounds = bounds.within(written_bounds(covers.answer, source.unit, in_wire, report))
+    written = written_bounds(covers.answer, source.unit, in_wire, report)
+    bounds = bounds.within(written)
     if covers.answer.split:
         return _bind_split(covers, source, factor, bounds, report)
     if covers.count != 1:
@@ -77,6 +78,8 @@ def bind_live(
     limits = limits_of(covers.field, sentinel, bounds, factor, covers.answer, report)
     if limits is None:
         return None
+    unknown = sentinel if may_be_unknown else None
+    check_reach(covers, written, limits, unknown, report)
     return LiveBinding(
         covers=covers,
         source=source,
@@ -84,7 +87,7 @@ def bind_live(
         rounding=covers.answer.rounding,
         low=limits.low,
         high=limits.high,
-        unknown=sentinel if may_be_unknown else None,
+        unknown=unknown,
         hole=limits.hole,
         beside=limits.beside,
     )
@@ -117,14 +120,13 @@ def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str
     else:
         to_wire, step = Fraction(1), Fraction(1)
     if to_wire is None:
-        name = source.name if isinstance(source, Parameter) else source.path
         report.add(
             UNIT_MISMATCH,
             covers.answer.at(key),
-            f"{name} is a {source.unit.dimension} ({source.unit.name or 'no unit'}), "
+            f"{source.path} is a {source.unit.dimension} ({source.unit.name or 'no unit'}), "
             f"{covers.field.name} is a {unit.dimension} ({unit.name or 'no unit'})",
             related=[
-                (source.spec.at("unit"), f"{name} gets its unit here"),
+                (source.spec.at("unit"), f"{source.path} gets its unit here"),
                 (covers.field.definition.place, f"{covers.field.name} is declared here"),
             ],
         )

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from heapq import nsmallest
 
 from codegen.model.system import (
     SMALL_INT_MAX,
@@ -17,6 +18,7 @@ from codegen.model.system import (
     QuantityKind,
     SplitBinding,
     System,
+    read_quantities,
 )
 from codegen.targets.expected import (
     Known,
@@ -93,9 +95,9 @@ def conversion_cases(system: System) -> list[ConversionCase]:
 def _sharpest(quantity: Quantity, steps: int) -> list[int]:
     """The counts whose exact result lies nearest to a half, for their size: the first to notice a wrong factor."""
     assert quantity.conversion is not None
-    step = steps * Fraction(quantity.conversion.numerator, quantity.conversion.denominator)
+    numerator, denominator = steps * quantity.conversion.numerator, quantity.conversion.denominator
     counts = range(1, quantity.conversion.channel.full_scale + 1)
-    return sorted(counts, key=lambda count: abs(count * step % 1 - Fraction(1, 2)) / (count * step))[:8]
+    return nsmallest(8, counts, key=lambda count: abs(2 * (count * numerator % denominator) - denominator) / count)
 
 
 def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:
@@ -126,12 +128,7 @@ def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Qua
     """The quantities that tests of the message set, by path: those it reads, and those that these follow."""
     used = {}
     for binding in message.bindings:
-        sources: list[Quantity] = []
-        if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
-            sources = [binding.source]
-        elif isinstance(binding, FlagsBinding):
-            sources = [quantity for _, _, quantity in binding.conditional]
-        for quantity in sources:
+        for quantity in read_quantities(binding):
             followed = quantity.while_known
             source = system.components[quantity.component].quantities[followed] if followed else quantity
             used[source.path] = source
@@ -272,7 +269,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
 
 
 def _json(case: dict[str, object]) -> str:
-    return json.dumps(case, allow_nan=False) if "NaN" not in json.dumps(case) else json.dumps(_without_nan(case))
+    return json.dumps(_without_nan(case), allow_nan=False)
 
 
 def _without_nan(value: object) -> object:

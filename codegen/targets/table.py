@@ -11,7 +11,6 @@ from codegen.model.system import (
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
-    Parameter,
     PopulatedMessage,
     Quantity,
     SplitBinding,
@@ -77,8 +76,7 @@ def _story(binding: Binding) -> tuple[str, str, str]:
         always = f"= {binding.mask:#x}" if binding.mask or not binding.conditional else ""
         return " + ".join(words) or "no flag", always, ""
     kept = binding.source.stored.name if isinstance(binding.source, Quantity) else binding.source.unit.name
-    name = binding.source.name if isinstance(binding.source, Parameter) else binding.source.path
-    return name, _conversion(binding, kept), _limits(binding)
+    return binding.source.path, _conversion(binding, kept), _limits(binding)
 
 
 def _conversion(binding: LiveBinding | SplitBinding, kept: str) -> str:

@@ -7,8 +7,14 @@ import pytest
 
 from codegen.diagnostics import Report
 from codegen.load import text as text_module
-from codegen.load.text import read_text
+from codegen.load.text import decode_text, read_bytes
 from codegen.source import Place
+
+
+def read_text(path: str, report: Report, asked_at: Place | None = None) -> str | None:
+    """The two steps of reading, one after the other, as the decoder takes them."""
+    data = read_bytes(path, report, asked_at)
+    return None if data is None else decode_text(data, path, report)
 
 
 def found(report: Report) -> list[tuple[str, str, int, int]]:

@@ -41,6 +41,7 @@ class SpillView:
     offset: int
     size: int
     cells: int
+    stand_in: str | None
     low: int
     high: int
     before: tuple[str, str] | None
@@ -71,11 +72,10 @@ def live_views(binding: Binding) -> Iterator[LiveView | SpillView | FlagByteView
 def _comment(binding: LiveBinding | SplitBinding) -> str:
     covers, source = binding.covers, binding.source
     units = covers.field.definition.units
-    written = source.name if isinstance(source, Parameter) else source.path
     kept = source.stored.name if isinstance(source, Quantity) else source.unit.name
     spread = f", spilling above {binding.cell_high}" if isinstance(binding, SplitBinding) else ""
     target = f"{covers.label} [{units}]" if units else covers.label
-    origin = f"{written} [{kept}]" if kept and kept != units else written
+    origin = f"{source.path} [{kept}]" if kept and kept != units else source.path
     return f"{target}: {origin}{spread} ({covers.citation})"
 
 
@@ -156,6 +156,7 @@ def _spill_view(binding: SplitBinding) -> SpillView:
         offset=binding.covers.offset,
         size=binding.covers.field.type.size,
         cells=binding.covers.count,
+        stand_in=_stand_in(binding.source),
         low=binding.low,
         high=binding.high,
         before=_before(binding.factor, low, high),

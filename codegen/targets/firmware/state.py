@@ -132,10 +132,9 @@ def _measured(quantity: Quantity) -> MeasuredView:
     conversion = quantity.conversion
     assert conversion is not None
     channel, multiplier = conversion.channel, conversion.multiplier
-    steps_to_volts = Fraction(1) if quantity.unit.name == "V" else 1 / quantity.steps
     warn_text = ""
     if quantity.warn_above is not None:
-        warn_text = f"{decimal(quantity.warn_above / quantity.steps * steps_to_volts)} {quantity.unit.name}"
+        warn_text = f"{decimal(quantity.warn_above / quantity.steps)} {quantity.unit.name}"
     return MeasuredView(
         name=quantity.name,
         attribute=quantity.attribute,

@@ -4,16 +4,15 @@ from dataclasses import dataclass
 
 from codegen.model.dialect import Kind, WireField
 from codegen.model.system import (
-    Binding,
     Elements,
     FixedBinding,
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
     PopulatedMessage,
-    Quantity,
     SplitBinding,
     System,
+    read_quantities,
 )
 from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, live_views
 from codegen.targets.naming import builder_name, class_name, instance_expression, number, quoted
@@ -78,7 +77,7 @@ def telemetry_view(system: System) -> TelemetryView:
 def _builder(message: PopulatedMessage, system: System) -> BuilderView:
     components = {}
     for binding in message.bindings:
-        for quantity in _quantities(binding):
+        for quantity in read_quantities(binding):
             component = system.components[quantity.component]
             expires = any(known.stale_after_ms is not None for known in component.quantities.values())
             is_each = message.component is not None and message.component.name == component.name
@@ -100,14 +99,6 @@ def _builder(message: PopulatedMessage, system: System) -> BuilderView:
         ),
         live=tuple(view for binding in message.bindings for view in live_views(binding)),
     )
-
-
-def _quantities(binding: Binding) -> tuple[Quantity, ...]:
-    if isinstance(binding, FlagsBinding):
-        return tuple(quantity for _, _, quantity in binding.conditional)
-    if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
-        return (binding.source,)
-    return ()
 
 
 def _fixed(binding: FixedBinding | FlagsBinding | InstanceBinding) -> FixedView:
