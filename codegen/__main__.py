@@ -1,13 +1,24 @@
 """``python -m codegen`` and the console command."""
 
+import gc
+import os
 import sys
 
 
 def run() -> None:
     """Run the command line and leave with its exit code."""
+    if sys.argv[1:] == ["--version"]:
+        from codegen import __version__
+
+        print(f"codegen {__version__}")
+        return
     from codegen.cli import main
 
-    sys.exit(main(sys.argv[1:]))
+    # A run is over before looking for cycles in what it reads would free anything worth the time.
+    gc.disable()
+    code = main(sys.argv[1:])
+    # Freeing a whole dialect object by object takes a tenth of the time of a run, and the system does it at once.
+    os._exit(code)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import PurePosixPath
+from posixpath import normpath
 from string import hexdigits
 from typing import Any
 
@@ -87,7 +87,7 @@ def read_manifest(content: bytes | None, place: Place, report: Report) -> Manife
 
 def stays_inside(path: str) -> bool:
     """Whether ``path`` is a plain relative posix path, which cannot lead out of the folder it is joined to."""
-    plain = path.isprintable() and "\\" not in path and str(PurePosixPath(path)) == path
+    plain = path.isprintable() and "\\" not in path and normpath(path) == path
     return plain and path != "." and not path.startswith("/") and ".." not in path.split("/")
 
 

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.decode.spec import decode_spec
@@ -10,10 +11,12 @@ from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
 from codegen.model.system import System
+from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.system import resolve_system
 from codegen.rules import RULES
-from codegen.targets import TARGETS
+from codegen.targets.firmware import render_firmware
+from codegen.targets.listed import TARGETS
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -63,6 +66,25 @@ def render_system(system: System) -> Mapping[str, str]:
     for render in TARGETS:
         files.update(render(system))
     return files
+
+
+def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:
+    """The modules of the firmware as a board loads them, by file name; empty after a diagnostic."""
+    if architecture == BYTECODE:
+        project = replace(system.spec.project, machine_code=False)
+        system = replace(system, spec=replace(system.spec, project=project))
+    modules = {os.path.basename(path): text for path, text in render_firmware(system).items()}
+    return compiled({**modules}, architecture, report)
+
+
+def board_folder(system: System, architecture: str) -> str:
+    """The absolute path of the folder that compiled modules go to."""
+    return os.path.join(os.path.dirname(system.spec.folder), "build", architecture)
+
+
+def files_read(system: System) -> set[str]:
+    """The absolute paths of every file that the system was read from: specification, documents, dialect."""
+    return {*system.spec.files, *system.dialect.files}
 
 
 def output_folder(system: System) -> str:

@@ -1,16 +1,10 @@
 """Render: views and templates to text, in memory."""
 
 from functools import cache
-from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-
-def templates_folder() -> Path:
-    """The folder of the templates: inside the package when it was installed, beside it in a checkout."""
-    package = Path(__file__).parent
-    installed = package / "templates"
-    return installed if installed.is_dir() else package.parent / "templates"
+from codegen.template_files import templates_folder
 
 
 def render_template(name: str, view: object) -> str:
@@ -20,16 +14,6 @@ def render_template(name: str, view: object) -> str:
     exception: no input leads there.
     """
     return _environment().get_template(name).render(view=view)
-
-
-def plain_files(folder: str) -> tuple[str, ...]:
-    """The names of the Python files of a template folder that go to the output as they stand."""
-    return tuple(sorted(path.name for path in (templates_folder() / folder).glob("*.py")))
-
-
-def copied(name: str) -> str:
-    """The text of a file below the templates that goes to the output as it stands."""
-    return (templates_folder() / name).read_bytes().decode("utf-8")
 
 
 @cache

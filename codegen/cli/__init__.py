@@ -7,14 +7,13 @@ import argparse
 import os
 import sys
 from contextlib import suppress
-from types import ModuleType
+from importlib import import_module
 from typing import TextIO
 
 from codegen import __version__
-from codegen.cli import build, check, explain
 
-COMMANDS: tuple[ModuleType, ...] = (build, check, explain)
-"""The modules of the commands, in the order of ``--help``; each has ``add_command``."""
+COMMANDS = ("build", "check", "explain", "codec")
+"""The commands in the order of ``--help``; each is a module of this package with ``add_command``."""
 
 EXIT_USAGE = 2
 EXIT_INTERNAL = 3
@@ -54,13 +53,14 @@ def main(argv: list[str]) -> int:
 
 def _run(argv: list[str]) -> int:
     try:
-        arguments = _parser().parse_args(argv)
+        arguments = _parser(argv).parse_args(argv)
     except SystemExit as leaving:  # after --help, --version or wrong usage
         return leaving.code if isinstance(leaving.code, int) else EXIT_USAGE
     return int(arguments.run(arguments))
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser(argv: list[str]) -> argparse.ArgumentParser:
+    """The parser with every command, or only with the one that ``argv`` begins with."""
     common = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS)
     common.add_argument(
         "--project",
@@ -78,9 +78,9 @@ def _parser() -> argparse.ArgumentParser:
         parents=[common],
     )
     parser.add_argument("--version", action="version", version=f"codegen {__version__}")
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in COMMANDS:
-        command.add_command(commands, common)
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="codegen")
+    for command in argv[:1] if argv[:1] and argv[0] in COMMANDS else COMMANDS:
+        import_module(f"codegen.cli.{command}").add_command(commands, common)
     return parser
 
 

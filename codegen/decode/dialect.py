@@ -26,8 +26,8 @@ DUPLICATE_MESSAGE = Rule(
     "Two messages of a file have the same name or id. Rename or renumber one; the second is not read.",
 )
 
-_ROOT_ATTRIBUTES = ("file",)
-_ROOT_CHILDREN = ("include", "version", "dialect", "enums", "messages")
+_ROOT_ATTRIBUTES = frozenset({"file"})
+_ROOT_CHILDREN = frozenset({"include", "version", "dialect", "enums", "messages"})
 
 
 def decode_dialect_file(root: XmlElement, path: str, report: Report) -> DialectFile:
@@ -57,7 +57,7 @@ def _grouped(root: XmlElement, group: str, tag: str, read: ElementReader) -> lis
     """All ``tag`` elements within the ``group`` elements below the root."""
     groups = [child for child in root.children if child.tag == group]
     for element in groups:
-        read.expect(element, (), (tag,))
+        read.expect(element, frozenset(), {tag})
     return [child for element in groups for child in element.children if child.tag == tag]
 
 

@@ -1,11 +1,11 @@
 """What all elements of a dialect have in common: required attributes, names, booleans, lifecycle, unknown parts."""
 
-from collections.abc import Collection
+from collections.abc import Set
 from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.xml_tree import XmlElement, place_of
-from codegen.model.dialect import Lifecycle
+from codegen.model.dialect import IN_USE, Lifecycle
 from codegen.model.literals import boolean, is_identifier
 from codegen.source import Place
 
@@ -74,9 +74,9 @@ class ElementReader:
             return False
         return value
 
-    def expect(self, element: XmlElement, attributes: Collection[str], children: Collection[str]) -> None:
+    def expect(self, element: XmlElement, attributes: Set[str], children: Set[str]) -> None:
         """Warn about attributes and children that MAVLink's schema does not know here (other namespaces are left)."""
-        for attribute in element.attributes:
+        for attribute in () if element.attributes.keys() <= attributes else element.attributes:
             if attribute not in attributes and not attribute.startswith("{"):
                 message = f"<{element.tag}> has no attribute {attribute}"
                 self.report.add(UNKNOWN_ATTRIBUTE, self.place(element), message, did_you_mean(attribute, attributes))
@@ -93,14 +93,14 @@ class ElementReader:
         """What ``<wip>``, ``<deprecated>`` and ``<superseded>`` say; a missing date is an error and reads as ''."""
         marks = [child for child in element.children if child.tag in LIFECYCLE]
         if not marks:
-            return Lifecycle()
+            return IN_USE
         since: dict[str, str] = {}
         replaced_by = None
         for mark in marks:
             if mark.tag == "wip":
-                self.expect(mark, ("since",), ("description",))
+                self.expect(mark, {"since"}, {"description"})
                 continue
-            self.expect(mark, ("since", "replaced_by", "remove_on_date"), ("description",))
+            self.expect(mark, {"since", "replaced_by", "remove_on_date"}, {"description"})
             since[mark.tag] = self.required(mark, "since") or ""
             replaced_by = self.required(mark, "replaced_by") or replaced_by
         remarks = (one_line(mark.text) or self.description(mark) for mark in marks)

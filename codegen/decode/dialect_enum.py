@@ -15,21 +15,23 @@ EMPTY_ENUM = Rule(
     "An enum without entries gives a field no value to take. Add entries or remove the enum.",
 )
 
-_ENUM_ATTRIBUTES = ("name", "bitmask")
-_ENUM_CHILDREN = (*LIFECYCLE, "description", "entry")
-_ENTRY_ATTRIBUTES = (
-    "name",
-    "value",
-    "hasLocation",
-    "hasAltitudeOnly",
-    "isDestination",
-    "missionOnly",
-    "mission",
-    "fence",
-    "rally",
-    "command",
+_ENUM_ATTRIBUTES = frozenset({"name", "bitmask"})
+_ENUM_CHILDREN = frozenset({*LIFECYCLE, "description", "entry"})
+_ENTRY_ATTRIBUTES = frozenset(
+    {
+        "name",
+        "value",
+        "hasLocation",
+        "hasAltitudeOnly",
+        "isDestination",
+        "missionOnly",
+        "mission",
+        "fence",
+        "rally",
+        "command",
+    }
 )
-_ENTRY_CHILDREN = (*LIFECYCLE, "description", "param")
+_ENTRY_CHILDREN = frozenset({*LIFECYCLE, "description", "param"})
 
 
 def decode_enum(element: XmlElement, read: ElementReader) -> EnumDefinition | None:

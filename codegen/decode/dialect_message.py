@@ -43,23 +43,26 @@ UNKNOWN_DISPLAY = Rule(
     Severity.WARNING,
 )
 
-_MESSAGE_ATTRIBUTES = ("id", "name")
-_MESSAGE_CHILDREN = (*LIFECYCLE, "description", "field", "extensions")
-_FIELD_ATTRIBUTES = (
-    "type",
-    "name",
-    "print_format",
-    "enum",
-    "display",
-    "units",
-    "increment",
-    "minValue",
-    "maxValue",
-    "multiplier",
-    "default",
-    "instance",
-    "invalid",
+_MESSAGE_ATTRIBUTES = frozenset({"id", "name"})
+_MESSAGE_CHILDREN = frozenset({*LIFECYCLE, "description", "field", "extensions"})
+_FIELD_ATTRIBUTES = frozenset(
+    {
+        "type",
+        "name",
+        "print_format",
+        "enum",
+        "display",
+        "units",
+        "increment",
+        "minValue",
+        "maxValue",
+        "multiplier",
+        "default",
+        "instance",
+        "invalid",
+    }
 )
+_FIELD_CHILDREN = frozenset({"description"})
 _ARRAY = re.compile(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
 
 
@@ -113,7 +116,7 @@ def _fields(message: XmlElement, name: str | None, read: ElementReader) -> tuple
 
 
 def _field(element: XmlElement, is_extension: bool, read: ElementReader) -> FieldDefinition | None:
-    read.expect(element, _FIELD_ATTRIBUTES, ("description",))
+    read.expect(element, _FIELD_ATTRIBUTES, _FIELD_CHILDREN)
     attributes = element.attributes
     name = read.name(element)
     wire_type = _type(element, read)
@@ -148,7 +151,7 @@ def _type(element: XmlElement, read: ElementReader) -> tuple[str, int | None] | 
     text = read.required(element, "type")
     if text is None:
         return None
-    array = _ARRAY.fullmatch(text)
+    array = _ARRAY.fullmatch(text) if text.endswith("]") else None
     name = array[1] if array else text
     if name not in WIRE_TYPES or (array and name == VERSION_TYPE):
         hint = did_you_mean(name, WIRE_TYPES)

@@ -6,11 +6,18 @@ from collections.abc import Collection
 UNFINISHED = (".codegen-", ".tmp")
 """How the name of a file begins and ends while it is being written."""
 
-_IGNORED = frozenset({"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
+_IGNORED = frozenset({".codegen", "__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
 
 
 def leads_outside(folder: str, path: str) -> bool:
     """Whether a link in ``path`` (relative to ``folder``) leads out of the folder; the folder itself may be a link."""
+    part = folder
+    for name in path.split("/"):
+        part = f"{part}/{name}"
+        if os.path.islink(part):
+            break
+    else:
+        return False
     root = os.path.realpath(folder)
     return os.path.commonpath([root, os.path.realpath(os.path.join(root, path))]) != root
 

@@ -80,9 +80,9 @@ class Plan:
 
 
 def plan_output(
-    rendered: Mapping[str, str], folder: str, report: Report, *, force: bool = False, clean: bool = False
+    rendered: Mapping[str, str | bytes], folder: str, report: Report, *, force: bool = False, clean: bool = False
 ) -> Plan | None:
-    """Compare ``rendered`` (relative posix path -> text) with ``folder``; None if the folder cannot be used.
+    """Compare ``rendered`` (relative posix path -> text, or bytes) with ``folder``; None if the folder cannot be used.
 
     Whatever is in the way is reported, all of it; nothing is written here. ValueError for paths that no target may
     render: absolute, with ``..``, the manifest's own, or one that is the folder of another.
@@ -98,7 +98,8 @@ def plan_output(
     files = []
     for path in sorted({*rendered, *manifest.paths}):
         text = rendered.get(path)
-        file = _planned(folder, path, None if text is None else text.encode("utf-8"), manifest.written(path), report)
+        wanted = text.encode("utf-8") if isinstance(text, str) else text
+        file = _planned(folder, path, wanted, manifest.written(path), report)
         if file is not None:
             files.append(file)
     new = _next_manifest(files, manifest, force, clean).text().encode("utf-8")
@@ -170,7 +171,7 @@ def _next_manifest(files: Iterable[PlannedFile], manifest: Manifest, force: bool
     return Manifest(generated, orphans)
 
 
-def _verify_paths(rendered: Mapping[str, str]) -> None:
+def _verify_paths(rendered: Mapping[str, str | bytes]) -> None:
     for path in rendered:
         if not stays_inside(path) or path == MANIFEST:
             raise ValueError(f"a target rendered {path!r}, which is not a path inside the output folder")

@@ -2,7 +2,6 @@
 
 import errno
 import os
-import secrets
 import stat
 from contextlib import suppress
 from dataclasses import dataclass
@@ -73,19 +72,29 @@ def _replace(folder: str, path: str, content: bytes) -> None:
     _verify(folder, path)
     target = os.path.join(folder, path)
     where = os.path.dirname(target)
-    os.makedirs(where, exist_ok=True)
-    unfinished = os.path.join(where, secrets.token_hex(8).join(UNFINISHED))
+    unfinished = os.path.join(where, os.urandom(8).hex().join(UNFINISHED))
     try:
-        descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
-        with open(descriptor, "wb") as stream:
-            stream.write(content)
-        with suppress(FileNotFoundError):
+        with open(_created(unfinished, where), "wb", buffering=0) as stream:
+            written = 0
+            while written < len(content):
+                written += stream.write(memoryview(content)[written:])
+        if os.path.exists(target):
             os.chmod(unfinished, stat.S_IMODE(os.stat(target).st_mode))
         os.replace(unfinished, target)
     except BaseException:
         with suppress(OSError):
             os.unlink(unfinished)
         raise
+
+
+def _created(path: str, folder: str) -> int:
+    """The descriptor of a new file, in a folder that is made if it is not there."""
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+    try:
+        return os.open(path, flags, 0o666)
+    except FileNotFoundError:
+        os.makedirs(folder, exist_ok=True)
+        return os.open(path, flags, 0o666)
 
 
 def _remove(folder: str, path: str) -> None:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 from codegen.source import Place
 
@@ -17,8 +18,11 @@ class Lifecycle:
     remark: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class EnumEntry:
+IN_USE = Lifecycle()
+"""The lifecycle of what nothing is said about."""
+
+
+class EnumEntry(NamedTuple):
     """One entry of an enum; ``value`` is the number of the XML (``0x``, ``0b`` and ``2**n`` already read).
 
     ``is_implicit`` marks an entry without a ``value`` attribute: the previous value plus one, as mavgen does.
@@ -28,7 +32,7 @@ class EnumEntry:
     value: int
     description: str
     place: Place
-    lifecycle: Lifecycle = Lifecycle()
+    lifecycle: Lifecycle = IN_USE
     is_implicit: bool = False
 
 
@@ -41,15 +45,14 @@ class EnumDefinition:
     is_bitmask: bool
     description: str
     place: Place
-    lifecycle: Lifecycle = Lifecycle()
+    lifecycle: Lifecycle = IN_USE
 
     def entry(self, name: str) -> EnumEntry | None:
         """The entry called ``name``, or None."""
         return next((entry for entry in self.entries if entry.name == name), None)
 
 
-@dataclass(frozen=True, slots=True)
-class FieldDefinition:
+class FieldDefinition(NamedTuple):
     """One ``<field>`` in XML order. Attributes are as written; None where the attribute is absent.
 
     ``type`` is the element type (``uint16_t``), ``length`` the number of elements or None for a scalar.
@@ -82,7 +85,7 @@ class MessageDefinition:
     fields: tuple[FieldDefinition, ...]
     description: str
     place: Place
-    lifecycle: Lifecycle = Lifecycle()
+    lifecycle: Lifecycle = IN_USE
 
 
 @dataclass(frozen=True, slots=True)

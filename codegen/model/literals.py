@@ -18,7 +18,6 @@ _DECIMAL = re.compile(r"0|[1-9][0-9]{0,19}")
 _HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
 _BINARY = re.compile(r"0[bB][01]{1,64}")
 _POWER_OF_TWO = re.compile(r"2\*\*([0-9]{1,2})")
-_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 
 
@@ -29,7 +28,7 @@ def boolean(text: str) -> bool | None:
 
 def is_identifier(text: str) -> bool:
     """Whether ``text`` can be a name in C and Python alike."""
-    return _IDENTIFIER.fullmatch(text) is not None
+    return text.isascii() and text.isidentifier()
 
 
 def entry_value(text: str) -> int | None:

@@ -48,6 +48,11 @@ class Project(Written):
     system_id: int = described("MAVLink system id of the vehicle, 1 to 255.", default=1)
     component_id: str = described("Entry of MAV_COMPONENT that is sent as.", default="MAV_COMP_ID_AUTOPILOT1")
     protocol: int = described("MAVLink version that is sent, 1 or 2.", default=2)
+    machine_code: bool = described(
+        "Let MicroPython make machine code of the functions that encode, decode and build messages. false leaves them "
+        "bytecode, for ports without native code: slower by ten times and more.",
+        default=True,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

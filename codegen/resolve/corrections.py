@@ -2,13 +2,15 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.model.dialect import EnumDefinition, FieldDefinition, MessageDefinition
 from codegen.model.literals import boolean, entry_value
-from codegen.model.spec import Correction
 from codegen.source import Place
+
+if TYPE_CHECKING:
+    from codegen.model.spec import Correction
 
 CORRECTION_TARGET = Rule(
     "correction-target",
@@ -57,7 +59,7 @@ class Corrected:
 def apply_corrections(
     messages: Mapping[str, MessageDefinition],
     enums: Mapping[str, EnumDefinition],
-    corrections: tuple[Correction, ...],
+    corrections: "tuple[Correction, ...]",
     report: Report,
 ) -> Corrected:
     """``messages`` and ``enums`` with the corrections applied in their order.
@@ -82,7 +84,7 @@ def apply_corrections(
     return Corrected(new_messages, new_enums, sentinel_places)
 
 
-def _check_unique(corrections: tuple[Correction, ...], report: Report) -> None:
+def _check_unique(corrections: "tuple[Correction, ...]", report: Report) -> None:
     """Two corrections of one attribute contradict each other, or one of them says nothing."""
     places: dict[tuple[str | None, ...], Place] = {}
     for correction in corrections:
@@ -94,7 +96,7 @@ def _check_unique(corrections: tuple[Correction, ...], report: Report) -> None:
                 report.add(CORRECTED_TWICE, correction.place, f"{attribute} is corrected twice", None, related)
 
 
-def _check_grounds(correction: Correction, report: Report) -> None:
+def _check_grounds(correction: "Correction", report: Report) -> None:
     for key, text in (("reason", correction.reason), ("source", correction.source)):
         if not text.strip():
             report.add(CORRECTION_UNFOUNDED, correction.at(key), f"the {key} is empty")
@@ -103,7 +105,7 @@ def _check_grounds(correction: Correction, report: Report) -> None:
 
 
 def _correct_field(
-    correction: Correction,
+    correction: "Correction",
     messages: dict[str, MessageDefinition],
     enums: Mapping[str, EnumDefinition],
     sentinel_places: dict[tuple[str, str], Place],
@@ -148,7 +150,7 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
 
 
 def _with_attribute(
-    correction: Correction,
+    correction: "Correction",
     field: FieldDefinition,
     attribute: str,
     text: str,
@@ -175,10 +177,10 @@ def _with_attribute(
         report.add(OBSOLETE_CORRECTION, place, f"the dialect already has {attribute} {text!r} for {target}")
         return field
     change: dict[str, Any] = {key: None if value == "" else value}
-    return replace(field, **change)
+    return field._replace(**change)
 
 
-def _correct_entry(correction: Correction, enums: dict[str, EnumDefinition], report: Report) -> None:
+def _correct_entry(correction: "Correction", enums: dict[str, EnumDefinition], report: Report) -> None:
     name = correction.enum or ""
     enum = enums.get(name)
     if enum is None:
@@ -203,5 +205,5 @@ def _correct_entry(correction: Correction, enums: dict[str, EnumDefinition], rep
             related = [(holder.place, "the other entry")]
             report.add(CORRECTION_VALUE, place, f"{entry.name}: {holder.name} has the value {value}", related=related)
         else:
-            new = replace(entry, value=value, is_implicit=False)
+            new = entry._replace(value=value, is_implicit=False)
             enums[name] = replace(enum, entries=tuple(new if other is entry else other for other in enum.entries))

@@ -2,15 +2,18 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, DialectFile, EnumDefinition, MessageDefinition
-from codegen.model.spec import Correction
 from codegen.model.wire_types import VERSION_TYPE
 from codegen.resolve.corrections import apply_corrections
 from codegen.resolve.enums import merge_enums
 from codegen.resolve.wire import wire_message
 from codegen.source import Place
+
+if TYPE_CHECKING:
+    from codegen.model.spec import Correction
 
 MESSAGE_CONFLICT = Rule(
     "message-conflict",
@@ -27,7 +30,7 @@ DEFAULT_VERSION = 2
 
 
 def resolve_dialect(
-    name: str, files: tuple[DialectFile, ...], corrections: tuple[Correction, ...], report: Report
+    name: str, files: tuple[DialectFile, ...], corrections: "tuple[Correction, ...]", report: Report
 ) -> Dialect:
     """The dialect that ``files`` make together: included files first, then the dialect's own, overlays last.
 
@@ -88,7 +91,7 @@ def _merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, 
 def _stated(message: MessageDefinition) -> tuple[object, ...]:
     """What has to agree where a message is stated twice: everything but places, descriptions and lifecycle."""
     anywhere = Place("")
-    alike = (replace(field, place=anywhere, description="", print_format=None) for field in message.fields)
+    alike = (field._replace(place=anywhere, description="", print_format=None) for field in message.fields)
     return message.id, message.name, tuple(alike)
 
 
@@ -102,5 +105,5 @@ def _with_enums(message: MessageDefinition, enums: Mapping[str, EnumDefinition],
         if field.enum and enum is None:
             hint = did_you_mean(field.enum, enums)
             report.add(UNKNOWN_ENUM, field.place, f"{message.name}.{field.name}: there is no enum {field.enum}", hint)
-        fields.append(replace(field, is_bitmask=True) if enum and enum.is_bitmask and not field.is_bitmask else field)
+        fields.append(field._replace(is_bitmask=True) if enum and enum.is_bitmask and not field.is_bitmask else field)
     return replace(message, fields=tuple(fields))

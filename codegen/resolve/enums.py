@@ -58,7 +58,7 @@ def _moved(entries: tuple[EnumEntry, ...], earlier: dict[int, EnumEntry]) -> Ite
     for entry in entries:
         if entry.is_implicit and entry.value <= highest:
             highest += 1
-            entry = replace(entry, value=highest)  # noqa: PLW2901
+            entry = entry._replace(value=highest)  # noqa: PLW2901
         moved.append(entry)
     return moved
 

@@ -35,7 +35,7 @@ UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum
 
 _IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
 # Names that the generated code uses itself, beside Python's own.
-_RESERVED_QUANTITIES = {"instance", "failures", "updated_ms", "is_high", "expire", "set_count"}
+_RESERVED_QUANTITIES = {"instance", "failures", "expires_ms", "is_high", "expire", "set_count"}
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 _CONVERSIONS = {"limited", "spill", *Rounding}
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}

@@ -3,8 +3,11 @@
 import json
 import keyword
 import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from codegen.model.system import Component, PopulatedMessage
+if TYPE_CHECKING:
+    from codegen.model.system import Component, PopulatedMessage
 
 
 def class_name(message: str) -> str:
@@ -12,12 +15,25 @@ def class_name(message: str) -> str:
     return "".join(part.capitalize() for part in message.split("_"))
 
 
+def class_names(messages: Iterable[str]) -> dict[str, str]:
+    """The class of each message in messages.py: an underscore keeps a name apart that is taken already."""
+    names: dict[str, str] = {}
+    taken = {"Message"}  # their base class
+    for message in messages:
+        name = class_name(message)
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        names[message] = name
+    return names
+
+
 def state_class(component: str) -> str:
     """battery -> BatteryState."""
     return f"{class_name(component)}State"
 
 
-def builder_name(message: PopulatedMessage) -> str:
+def builder_name(message: "PopulatedMessage") -> str:
     """BATTERY_STATUS -> build_battery_status."""
     return f"build_{message.name.lower()}"
 
@@ -28,7 +44,7 @@ def parameter_attribute(parameter: str) -> str:
     return f"{name}_" if keyword.iskeyword(name) or name in ("get", "set", "names", "value") else name
 
 
-def instance_expression(component: Component, is_for_each: bool) -> str:
+def instance_expression(component: "Component", is_for_each: bool) -> str:
     """How a builder reaches the component of its message: ``state.battery``, or one of a list of several."""
     if component.instances == 1:
         return f"state.{component.name}"

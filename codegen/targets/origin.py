@@ -4,10 +4,13 @@ import hashlib
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from codegen.model.dialect import WireMessage
-from codegen.model.system import System
-from codegen.render import copied, plain_files
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+from codegen.template_files import copied, plain_files
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +21,7 @@ class Origin:
     digest: str
 
 
-def source_name(system: System, path: str) -> str:
+def source_name(system: "System", path: str) -> str:
     """The name of a specification file as headers and documents print it: ``specs/state.yaml``."""
     return os.path.relpath(path, os.path.dirname(system.spec.folder)).replace(os.sep, "/")
 
@@ -28,7 +31,7 @@ def origin_of_text(name: str, text: str) -> Origin:
     return Origin((name,), hashlib.sha256(text.encode()).hexdigest()[:16])
 
 
-def origin_of(system: System, paths: Iterable[str], messages: Iterable[WireMessage] = ()) -> Origin:
+def origin_of(system: "System", paths: Iterable[str], messages: Iterable[WireMessage] = ()) -> Origin:
     """The origin of a file that comes from specification files and from messages of the dialect.
 
     Of the dialect only what the messages are on the wire counts, with corrections applied: a new release of it
@@ -47,6 +50,11 @@ def origin_of(system: System, paths: Iterable[str], messages: Iterable[WireMessa
     return Origin(tuple(names), digest.hexdigest()[:16])
 
 
+def wire_digest(messages: Iterable[WireMessage]) -> str:
+    """The first 16 digits of the sha256 of what messages are on the wire."""
+    return hashlib.sha256("".join(_wire_facts(message) for message in messages).encode()).hexdigest()[:16]
+
+
 def _wire_facts(message: WireMessage) -> str:
     facts = [f"{message.name} {message.id} {message.crc_extra} {message.base_length} {message.length}\n"]
     for field in message.fields:
@@ -59,7 +67,7 @@ def _wire_facts(message: WireMessage) -> str:
     return "".join(facts)
 
 
-def specification_file(system: System, name: str) -> str:
+def specification_file(system: "System", name: str) -> str:
     """The absolute path of a file of the specification's folder."""
     return os.path.join(system.spec.folder, name)
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from codegen.model.system import System
+from codegen.model.system import System, read_quantities
 from codegen.render import render_template
 from codegen.targets.cases import cases_text
 from codegen.targets.firmware.board import BoardView, board_view
@@ -27,6 +27,7 @@ class SuiteView:
     steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
     parameters: tuple[ParameterView, ...]
+    expiring: dict[str, tuple[str, ...]]
 
 
 def render_suite(system: System) -> dict[str, str]:
@@ -46,7 +47,17 @@ def render_suite(system: System) -> dict[str, str]:
         steady=tuple(message.name.lower() for message in system.messages if not message.live_floats),
         streams=stream_views(system),
         parameters=parameter_views(system),
+        expiring={component.name: _readers(component.name, system) for component in state.components},
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)
     return files
+
+
+def _readers(component: str, system: System) -> tuple[str, ...]:
+    """The messages, in lower case, whose builders read a component and so notice that it went stale."""
+    return tuple(
+        message.name.lower()
+        for message in system.messages
+        if any(quantity.component == component for binding in message.bindings for quantity in read_quantities(binding))
+    )

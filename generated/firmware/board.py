@@ -5,6 +5,7 @@
 import time
 
 import machine
+from guard import Guard
 
 
 class Board:
@@ -12,6 +13,7 @@ class Board:
 
     def __init__(self, log=print):
         self._log = log
+        self._guard = Guard()
         self.battery_failures = 0  # failed readings in a row
         self._battery_count = None
         self._battery_adc = None
@@ -27,18 +29,25 @@ class Board:
         `battery_failures`.
         """
         started = time.ticks_us()
-        total = 0
-        try:
-            for _ in range(5):
-                total += self._battery_adc.read_u16() >> 4
-        except Exception as error:
-            return self._keep_battery("cannot be read:", error)
+        total = self._try_battery()
+        if total is None:
+            return self._keep_battery("cannot be read:", self._guard.error)
         took = time.ticks_diff(time.ticks_us(), started)
         if took > 2000:
             return self._keep_battery("took too long to read, in us:", took)
         self.battery_failures = 0
         self._battery_count = (total + 2) // 5
         return self._battery_count
+
+    def _try_battery(self):
+        with self._guard:
+            return self._sum_battery()
+
+    def _sum_battery(self):
+        total = 0
+        for _ in range(5):
+            total += self._battery_adc.read_u16() >> 4
+        return total
 
     def _keep_battery(self, problem, detail):
         self.battery_failures += 1

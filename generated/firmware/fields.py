@@ -1,9 +1,10 @@
-# Generated from templates/firmware/fields.py: do not edit.
-# Inputs: 4946f46c53300425
-"""Reading and writing single fields of a payload, with equal strictness on CPython and MicroPython.
+# Generated from templates/codec/fields.py: do not edit.
+# Inputs: 273028de8f1d702f
+"""Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
-A field is (struct code, offset, count): count 0 is a scalar, code "s" is text of count characters. For people and
-tests; what is sent many times a second packs into the payload itself.
+A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
+`count` characters), and behind "=" what means unknown: `=V` in the field or in any element, `=V:` in element 0 for the
+whole array, `=V1,,V3` element by element.
 """
 
 import struct
@@ -11,12 +12,61 @@ import struct
 _INFINITY = float("inf")
 
 
-def read(payload, field):
-    """Return a number, a tuple for an array, text up to the first NUL for characters.
+def layout(message):
+    """Return {name: (code, offset, count, sentinels)} of a message or its class, made at its first use.
 
-    Characters that are not ASCII come as bytes.
+    Count 0 is a scalar; sentinels has one value or None for each element and is empty without any; one None more than
+    elements means that the first speaks for the whole array.
     """
-    code, offset, count = field
+    cls = message if isinstance(message, type) else type(message)
+    if cls.__dict__.get("_layout") is None:
+        cls._layout = {}
+        offset = 0
+        for word in cls.FIELDS.split():
+            name, form = word.split(":", 1)
+            form, _, unknown = form.partition("=")
+            count = int(form[:-1] or 0)
+            cls._layout[name] = (form[-1], offset, count, _sentinels(unknown, count, form[-1] in "fd"))
+            offset += (count or 1) * struct.calcsize("<" + form[-1])
+    return cls._layout
+
+
+def get(message, name):
+    """Return a field, None for what is unknown; Message.get() describes it."""
+    field = layout(message)[name]
+    _put_live(message)
+    return known(message.wire, field)
+
+
+def raw(message, name):
+    """Return a field as it stands on the wire."""
+    field = layout(message)[name]
+    _put_live(message)
+    return read(message.wire, field)
+
+
+def set(message, name, value):  # noqa: A001  what a message calls it too
+    """Write a field; Message.set() describes it."""
+    field = layout(message)[name]
+    _put_live(message)
+    try:
+        write(message.wire, field, value)
+    except ValueError as error:
+        raise ValueError(f"{message.NAME}.{name} {error}") from None
+    _take_live(message)
+
+
+def forget(message):
+    """Make every field unknown that can be."""
+    for field in layout(message).values():
+        if field[3]:
+            write(message.wire, field, None)
+    _take_live(message)
+
+
+def read(payload, field):
+    """Return a number, a tuple for an array, text up to the first NUL for characters; bytes if they are not ASCII."""
+    code, offset, count, _ = field
     size = count or 1
     if code == "s":
         text = bytes(payload[offset : offset + size]).split(b"\0")[0]
@@ -25,24 +75,109 @@ def read(payload, field):
     return values if count else values[0]
 
 
+def known(payload, field):
+    """Return what read() does, with None for what is unknown."""
+    value = read(payload, field)
+    code, _, count, sentinels = field
+    if code == "s" or not sentinels:
+        return value
+    if not count:
+        return None if _is(value, sentinels[0]) else value
+    if len(sentinels) > count:
+        return None if _is(value[0], sentinels[0]) else value
+    return tuple([None if _is(element, sentinels[index]) else element for index, element in enumerate(value)])
+
+
 def write(payload, field, value):
-    """Write a number, as many numbers as the array has, or ASCII text or bytes, filled up with NUL.
+    """Write a number, as many numbers as the array has, or ASCII text or bytes, filled up with NUL; None is unknown.
 
     ValueError: the field cannot carry the value; the payload stays as it was.
     """
-    code, offset, count = field
+    code, offset, count, sentinels = field
     size = count or 1
+    if value is None:
+        if not sentinels:
+            raise ValueError("has no value for unknown")
+        value = [sentinel or 0 for sentinel in sentinels[:size]]
+        value = bytes(value) if code == "s" else value if count else value[0]
     if code == "s":
         payload[offset : offset + size] = _characters(value, size)
         return
-    values = tuple(value) if count else (value,)
+    values = _elements(value) if count else [value]
     if len(values) != size:
         raise ValueError(f"takes {size} values, not {len(values)}")
     carries = _carries_float if code in "fd" else _carries_integer
-    for number in values:
-        if not carries(code, number):
-            raise ValueError(f"cannot carry {number!r}")
+    for index in range(size):
+        if values[index] is None and len(sentinels) == size:
+            values[index] = sentinels[index]
+        if not carries(code, values[index]):
+            raise ValueError(f"cannot carry {values[index]!r}")
     struct.pack_into(f"<{size}{code}", payload, offset, *values)
+
+
+def _elements(value):
+    try:
+        return list(value)
+    except TypeError:
+        raise ValueError(f"is an array and cannot be {value!r}") from None
+
+
+def places(message, names):
+    """Return the places of live fields, `name` or `name[index]`, one for each element.
+
+    A place is offset * 8, + 4 if the element is signed, + half its bytes, rounded down.
+    """
+    found = []
+    for part in names:
+        name, _, element = part.partition("[")
+        code, offset, count, _ = layout(message)[name]
+        if code not in "BHIbhi":
+            raise ValueError(f"{message.NAME}.{name} is no whole number of up to 32 bits")
+        size = struct.calcsize("<" + code)
+        elements = [int(element[:-1])] if element else range(count or 1)
+        for index in elements:
+            if not 0 <= index < (count or 1):
+                raise ValueError(f"{message.NAME}.{name} has no element {index}")
+            found.append((offset + index * size) << 3 | (4 if code.islower() else 0) | size >> 1)
+    return found
+
+
+def _put_live(message):
+    """Write the live values into the payload, as a frame that is encoded does."""
+    for index, value in enumerate(message.live):
+        code, offset = _live(message, index)
+        bits = 8 * struct.calcsize(code)
+        wrapped = ((value + (1 << (bits - 1))) & ((1 << bits) - 1)) - (1 << (bits - 1))
+        struct.pack_into(code.lower(), message.wire, offset, wrapped)
+
+
+def _take_live(message):
+    """Read the live values from the payload, as a frame that is received does."""
+    for index in range(len(message.live)):
+        code, offset = _live(message, index)
+        message.live[index] = struct.unpack_from(code.replace("I", "i"), message.wire, offset)[0]
+
+
+def _live(message, index):
+    image = message._image
+    place = image[10 + 2 * index] | image[11 + 2 * index] << 8
+    return "<" + "BHI-bhi"[place & 7], place >> 3
+
+
+def _sentinels(text, count, is_float):
+    if not text:
+        return ()
+    number = float if is_float else int
+    if text[-1] == ":":
+        return (number(text[:-1]),) + (None,) * count
+    if "," in text:
+        values = [number(part) if part else None for part in text.split(",")]
+        return tuple(values + [None] * (count - len(values)))
+    return (number(text),) * (count or 1)
+
+
+def _is(value, sentinel):
+    return value == sentinel or (sentinel is not None and value != value and sentinel != sentinel)  # noqa: PLR0124  NaN
 
 
 def _characters(value, size):

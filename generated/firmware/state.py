@@ -8,6 +8,7 @@ Properties show them in the units of people; to set a property to None or NaN ma
 import time
 
 from conversion import product, to_steps
+from guard import Guard
 from parameters import Parameters
 
 
@@ -28,7 +29,7 @@ class BatteryState:
         # Temperature of the pack. The rover has no sensor for it [cdegC]
         self.temperature_cdegc = None
         self.failures = 0  # failed readings in a row
-        self.updated_ms = None  # time of the last good one
+        self.expires_ms = None  # when the last good one will be too old
         self.is_high = False
 
     @property
@@ -108,11 +109,10 @@ class BatteryState:
         """
         self.voltage_mv = product(count, multiplier, 11, 136500)
 
-    def expire(self, now_ms):
-        """Forget a reading that is older than 1000 ms, FR-00067.3."""
-        if self.updated_ms is not None and time.ticks_diff(now_ms, self.updated_ms) > 1000:
-            self.voltage_mv = None
-            self.updated_ms = None
+    def expire(self):
+        """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
+        self.voltage_mv = None
+        self.expires_ms = None
 
 
 class VehicleState:
@@ -155,6 +155,7 @@ class SystemState:
     def __init__(self, parameters=None, log=print):
         self.parameters = parameters or Parameters()
         self._log = log
+        self._guard = Guard()
         self.battery = BatteryState()
         self._batt_volt_mult = self.parameters.batt_volt_mult  # a new one counts from the next start
         self.vehicle = VehicleState()
@@ -165,25 +166,30 @@ class SystemState:
         It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
         """
         battery = self.battery
-        try:
-            count = board.read_battery_adc()
-            is_good = not board.battery_failures and isinstance(count, int) and 0 <= count <= 4095
-        except Exception as error:
-            is_good = False
-            if battery.failures == 0:
-                self._log("error: the board cannot read the battery:", error)
-        if not is_good:
+        count = self._read_battery(board)
+        if not self._is_good_battery(board, count):
             battery.failures += 1
             if battery.failures >= 5:
                 battery.voltage_mv = None
             return
         battery.failures = 0
         battery.set_count(count, self._batt_volt_mult)
-        battery.updated_ms = time.ticks_ms()
+        battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
         is_high = battery.voltage_mv > 13000
         if is_high and not battery.is_high:
             self._log("warning: the battery's voltage is above 13 V:", battery.voltage)
         battery.is_high = is_high
+
+    def _read_battery(self, board):
+        with self._guard:
+            return board.read_battery_adc()
+
+    def _is_good_battery(self, board, count):
+        if self._guard.error is not None:
+            if self.battery.failures == 0:
+                self._log("error: the board cannot read the battery:", self._guard.error)
+            return False
+        return not board.battery_failures and isinstance(count, int) and 0 <= count <= 4095
 
     def calibrate_battery(self, measured):
         """Set BATT_VOLT_MULT to what a meter shows, in V; return whether it was accepted.

@@ -1,6 +1,7 @@
-# Generated from specs/board.yaml, specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: a54bf13a8c3ac865
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/sys_status.yaml, specs/parameters.yaml,
+#   specs/state.yaml, dialect common: do not edit.
+# Inputs: 2cc039dcd905eab5
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -11,48 +12,68 @@ import time
 from struct import pack_into
 
 import messages
-from conversion import limited, spill
+import micropython
+from conversion import spill
 
 
 def _new_heartbeat():
-    message = messages.Heartbeat()
-    payload = message.payload
-    payload[4] = 10  # type: MAV_TYPE_GROUND_ROVER
-    payload[5] = 3  # autopilot: MAV_AUTOPILOT_ARDUPILOTMEGA
-    payload[6] = 65  # base_mode: MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
-    payload[8] = 3  # mavlink_version: version of the dialect
+    message = messages.Heartbeat(live=("custom_mode", "base_mode", "system_status"), unknown=False)
+    wire = message.wire
+    wire[4] = 10  # type: MAV_TYPE_GROUND_ROVER
+    wire[5] = 3  # autopilot: MAV_AUTOPILOT_ARDUPILOTMEGA
+    wire[6] = 65  # base_mode: MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
+    wire[8] = 3  # mavlink_version: version of the dialect
     return message
 
 
 _heartbeat = _new_heartbeat()
 
 
+@micropython.native
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
     message = _heartbeat
-    payload = message.payload
+    live = message.live
     vehicle = state.vehicle
 
     # custom_mode: vehicle.mode (FR-00068.8)
     value = vehicle.mode_number
-    value = 0 if value is None else limited(value, 0, 1000000)
-    pack_into("<I", payload, 0, value)
+    if value is None:
+        value = 0  # until it is set
+    elif value < 0:
+        value = 0
+    elif value > 1000000:
+        value = 1000000
+    live[0] = value
 
     # base_mode: MAV_MODE_FLAG_SAFETY_ARMED if vehicle.armed (FR-00068.8)
-    payload[6] = 0x41 | (0x80 if vehicle.armed else 0)
+    live[1] = 0x41 | (0x80 if vehicle.armed else 0)
 
     # system_status: vehicle.status (FR-00068.8)
     value = vehicle.status
-    value = 3 if value is None else limited(value, 0, 8)
-    payload[7] = value
+    if value is None:
+        value = 3  # until it is set
+    elif value < 0:
+        value = 0
+    elif value > 8:
+        value = 8
+    live[2] = value
     return message
 
 
 def _new_sys_status():
-    message = messages.SysStatus()
-    payload = message.payload
-    pack_into("<I", payload, 0, 33554432)  # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY
-    pack_into("<I", payload, 4, 33554432)  # onboard_control_sensors_enabled: MAV_SYS_STATUS_SENSOR_BATTERY
+    message = messages.SysStatus(
+        live=(
+            "load",
+            "voltage_battery",
+            "current_battery",
+            "battery_remaining",
+        ),
+        unknown=False,
+    )
+    wire = message.wire
+    pack_into("<I", wire, 0, 33554432)  # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY
+    pack_into("<I", wire, 4, 33554432)  # onboard_control_sensors_enabled: MAV_SYS_STATUS_SENSOR_BATTERY
     # onboard_control_sensors_health: no flag, 0
     # drop_rate_comm: 0
     # errors_comm: 0
@@ -69,50 +90,79 @@ def _new_sys_status():
 _sys_status = _new_sys_status()
 
 
+@micropython.native
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
     message = _sys_status
-    payload = message.payload
+    live = message.live
+    wire = message.wire
     battery = state.battery
-    battery.expire(time.ticks_ms())
-    vehicle = state.vehicle
+    if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
+        battery.expire()
 
     # onboard_control_sensors_health: MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy (FR-00067.3)
-    payload[11] = 0x02 if battery.healthy else 0
+    wire[11] = 0x02 if battery.healthy else 0
 
     # load [d%]: vehicle.load (FR-00068.9)
-    value = vehicle.load_dpct
-    value = 0 if value is None else limited(value, 0, 1000)
-    pack_into("<H", payload, 12, value)
+    value = state.vehicle.load_dpct
+    if value is None:
+        value = 0  # until it is set
+    elif value < 0:
+        value = 0
+    elif value > 1000:
+        value = 1000
+    live[0] = value
 
     # voltage_battery [mV]: battery.voltage (FR-00068.9)
     value = battery.voltage_mv
-    value = 65535 if value is None else limited(value, 0, 65534)
-    pack_into("<H", payload, 14, value)
+    if value is None:
+        value = 65535  # unknown
+    elif value < 0:
+        value = 0
+    elif value > 65534:
+        value = 65534
+    live[1] = value
 
     # current_battery [cA]: battery.current (FR-00068.4)
     value = battery.current_ca
     if value is None:
         value = -1  # unknown
-    else:
-        value = limited(value, -32768, 32767)
-        if value == -1:
-            value = -2  # -1 would read as unknown
-    pack_into("<h", payload, 16, value)
+    elif value < -32768:
+        value = -32768
+    elif value > 32767:
+        value = 32767
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    live[2] = value
 
     # battery_remaining [%]: battery.remaining (FR-00068.5)
     value = battery.remaining_pct
-    value = -1 if value is None else limited(value, 0, 100)
-    pack_into("<b", payload, 30, value)
+    if value is None:
+        value = -1  # unknown
+    elif value < 0:
+        value = 0
+    elif value > 100:
+        value = 100
+    live[3] = value
     return message
 
 
 def _new_battery_status(instance):
-    message = messages.BatteryStatus()
-    payload = message.payload
-    payload[32] = instance  # id: the battery's number
-    payload[33] = 1  # battery_function: MAV_BATTERY_FUNCTION_ALL
-    payload[34] = 1  # type: MAV_BATTERY_TYPE_LIPO
+    message = messages.BatteryStatus(
+        live=(
+            "current_consumed",
+            "energy_consumed",
+            "temperature",
+            "voltages",
+            "current_battery",
+            "battery_remaining",
+        ),
+        unknown=False,
+    )
+    wire = message.wire
+    wire[32] = instance  # id: the battery's number
+    wire[33] = 1  # battery_function: MAV_BATTERY_FUNCTION_ALL
+    wire[34] = 1  # type: MAV_BATTERY_TYPE_LIPO
     # time_remaining: unknown (0), 0
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0
     # voltages_ext: unknown ([0]), 0
@@ -124,56 +174,81 @@ def _new_battery_status(instance):
 _battery_status = [_new_battery_status(instance) for instance in range(1)]
 
 
+@micropython.native
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
     message = _battery_status[instance]
-    payload = message.payload
+    live = message.live
     battery = state.battery
-    battery.expire(time.ticks_ms())
+    if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
+        battery.expire()
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = battery.consumed_mah
     if value is None:
         value = -1  # unknown
-    else:
-        value = limited(value, -1073741823, 1073741823)
-        if value == -1:
-            value = -2  # -1 would read as unknown
-    pack_into("<i", payload, 0, value)
+    elif value < -1073741823:
+        value = -1073741823
+    elif value > 1073741823:
+        value = 1073741823
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    live[0] = value
 
     # energy_consumed [hJ]: battery.energy (FR-00068.6)
     value = battery.energy_hj
     if value is None:
         value = -1  # unknown
-    else:
-        value = limited(value, -1073741823, 1073741823)
-        if value == -1:
-            value = -2  # -1 would read as unknown
-    pack_into("<i", payload, 4, value)
+    elif value < -1073741823:
+        value = -1073741823
+    elif value > 1073741823:
+        value = 1073741823
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    live[1] = value
 
     # temperature [cdegC]: battery.temperature (FR-00068.6)
     value = battery.temperature_cdegc
-    value = 32767 if value is None else limited(value, -32768, 32766)
-    pack_into("<h", payload, 8, value)
+    if value is None:
+        value = 32767  # unknown
+    elif value < -32768:
+        value = -32768
+    elif value > 32766:
+        value = 32766
+    live[2] = value
 
     # voltages [mV]: battery.voltage, spilling above 65534 (FR-00068.3)
     value = battery.voltage_mv
-    if value is not None:
-        value = limited(value, 0, 655340)
-    spill(payload, "<H", 10, 2, 10, value, 65534, 65535)
+    if value is None or value > 65534 or live[4] != 65535:
+        _spill_battery_status_voltages(live, value)
+    else:
+        live[3] = value if value > 0 else 0
 
     # current_battery [cA]: battery.current (FR-00068.4)
     value = battery.current_ca
     if value is None:
         value = -1  # unknown
-    else:
-        value = limited(value, -32768, 32767)
-        if value == -1:
-            value = -2  # -1 would read as unknown
-    pack_into("<h", payload, 30, value)
+    elif value < -32768:
+        value = -32768
+    elif value > 32767:
+        value = 32767
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    live[13] = value
 
     # battery_remaining [%]: battery.remaining (FR-00068.5)
     value = battery.remaining_pct
-    value = -1 if value is None else limited(value, 0, 100)
-    pack_into("<b", payload, 35, value)
+    if value is None:
+        value = -1  # unknown
+    elif value < 0:
+        value = 0
+    elif value > 100:
+        value = 100
+    live[14] = value
     return message
+
+
+def _spill_battery_status_voltages(live, value):
+    if value is not None and value < 0:
+        value = 0
+    spill(live, 3, 10, value, 65534, 65535)

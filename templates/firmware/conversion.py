@@ -4,8 +4,6 @@ Only to_steps(), for people and tests, works with floats. Everything else is int
 nothing as long as it stays below 2 ** 30.
 """
 
-import struct
-
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
 
@@ -66,18 +64,19 @@ def product(first, second, numerator, denominator):
     return both // denominator * numerator + (both % denominator * numerator + denominator // 2) // denominator
 
 
-def spill(payload, code, offset, size, cells, value, most, unused):
-    """Spread a value over cells that hold up to `most` each; cells that are not reached get `unused`.
+def spill(live, index, cells, value, most, unused):
+    """Spread a value over live cells that hold up to `most` each; cells that are not reached get `unused`.
 
     None, the unknown value, reaches no cell, 0 the first one.
     """
-    for _ in range(cells):
+    cells += index
+    while index < cells:
         if value is None:
-            struct.pack_into(code, payload, offset, unused)
+            live[index] = unused
         elif value > most:
-            struct.pack_into(code, payload, offset, most)
+            live[index] = most
             value -= most
         else:
-            struct.pack_into(code, payload, offset, value)
+            live[index] = value
             value = None
-        offset += size
+        index += 1

@@ -36,6 +36,9 @@ class Pipeline:
     def render_system(self, _system: object) -> dict[str, str]:
         return self.files
 
+    def files_read(self, _system: object) -> set[str]:
+        return set()
+
     def output_folder(self, _system: object) -> str:
         return str(self.folder)
 
@@ -56,6 +59,7 @@ def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Pipeline:
     fake = Pipeline(project / "generated")
     monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
     monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
+    monkeypatch.setattr("codegen.stamp.keep", lambda *_: None)  # what is rendered changes here without a file
     return fake
 
 

@@ -6,22 +6,26 @@ from types import SimpleNamespace
 import pytest
 from jinja2 import UndefinedError
 
-from codegen import render
-from codegen.render import copied, render_template, templates_folder
+from codegen import render, template_files
+from codegen.render import render_template
+from codegen.template_files import copied, filled, templates_folder
 
-TEMPLATES = sorted(path.relative_to(templates_folder()).as_posix() for path in templates_folder().rglob("*.j2"))
+FOLDER = Path(templates_folder())
+TEMPLATES = sorted(path.relative_to(FOLDER).as_posix() for path in FOLDER.rglob("*.j2"))
 
 
 @pytest.fixture
 def templates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A template folder of the test's own."""
-    monkeypatch.setattr(render, "templates_folder", lambda: tmp_path)
+    for module in (render, template_files):
+        monkeypatch.setattr(module, "templates_folder", lambda: str(tmp_path))
+    monkeypatch.setattr(template_files, "_template", template_files._template.__wrapped__)
     monkeypatch.setattr(render, "_environment", render._environment.__wrapped__)
     return tmp_path
 
 
 def test_templates_of_the_checkout_are_found() -> None:
-    assert (templates_folder() / "firmware").is_dir()
+    assert (FOLDER / "firmware").is_dir()
 
 
 def test_lines_of_the_template_language_leave_no_trace(templates: Path) -> None:
@@ -48,6 +52,13 @@ def test_a_name_that_is_not_there_raises(templates: Path, text: str) -> None:
 def test_a_plain_file_is_copied_to_the_byte(templates: Path) -> None:
     (templates / "a.py").write_bytes("µ = '{{ x }}'\r\n".encode())
     assert copied("a.py") == "µ = '{{ x }}'\r\n"
+
+
+def test_names_are_filled_in_and_a_missing_one_raises(templates: Path) -> None:
+    (templates / "a.py.in").write_text("$name = '$text'  # $$5\n")
+    assert filled("a.py.in", {"name": "x", "text": "$name"}) == "x = '$name'  # $5\n"
+    with pytest.raises(KeyError):
+        filled("a.py.in", {"name": "x"})
 
 
 @pytest.mark.parametrize("name", TEMPLATES)

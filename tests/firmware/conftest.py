@@ -1,15 +1,12 @@
 """Runs the plain firmware files and mocks where they stand, under CPython and under MicroPython."""
 
 import importlib
-import json
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
-from firmware_runs import FIRMWARE, MOCKS, MODULES, Exercise, interpret
+from firmware_runs import FOLDERS, MODULES, Exercise
 
 
 @pytest.fixture
@@ -17,7 +14,7 @@ def firmware() -> Iterator[SimpleNamespace]:
     """The modules, imported afresh and forgotten afterwards: generated/tests imports others of the same names."""
     before = {name: sys.modules.pop(name, None) for name in MODULES}
     path, write_bytecode = list(sys.path), sys.dont_write_bytecode
-    sys.path[:0] = [str(FIRMWARE), str(MOCKS)]
+    sys.path[:0] = map(str, FOLDERS)
     sys.dont_write_bytecode = True
     try:
         importlib.invalidate_caches()
@@ -33,10 +30,4 @@ def firmware() -> Iterator[SimpleNamespace]:
 @pytest.fixture(params=["cpython", "micropython"])
 def exercise(request: pytest.FixtureRequest) -> Exercise:
     """One operation of exercise.py, on each interpreter."""
-
-    def run(operation: str, **arguments: Any) -> Any:
-        script = str(Path(__file__).with_name("exercise.py"))
-        return json.loads(interpret(request.param, script, json.dumps({"operation": operation} | arguments)))
-
-    run.interpreter = request.param  # type: ignore[attr-defined]
-    return run
+    return Exercise(request.param)

@@ -1,22 +1,32 @@
-"""Runs the firmware's framing on the interpreter that it is started with: cases as JSON in, results as JSON out.
+"""Runs the codec on the interpreter that it is started with: cases as JSON in, results as JSON out.
 
 The same cases go through CPython and MicroPython, so this file keeps to what both have. Bytes are {"hex": ...} and
-numbers that JSON lacks {"float": ...}.
+numbers that JSON lacks {"float": ...}. Operations answer for each form of the frames, "plain" and, where there is
+machine code, "viper".
 """
 
 import json
 import sys
+from array import array
 
-import crc
-import crc_plain
 import fields
+import frames
+import frames_plain
 import mavlink
-from crc_table import TABLE
+import receiver
+import sender
+import signing
+from frames import TABLE
+from message import Message
 
 try:
-    import crc_viper
-except ImportError:
-    crc_viper = None
+    import frames_viper
+
+    FORMS = {"plain": frames_plain, "viper": frames_viper}
+except (AttributeError, ImportError):
+    FORMS = {"plain": frames_plain}
+
+COUNTERS = ("received", "signed", "refused", "unknown", "crc_errors", "dropped")
 
 
 class Sink:
@@ -24,6 +34,52 @@ class Sink:
 
     def write(self, data):
         return len(data)
+
+
+class Loop:
+    """A stream that hands everything to a receiver, which has to read it at once: a sender goes on in its buffer."""
+
+    def __init__(self):
+        self.receiver = None
+        self.heard = 0
+
+    def write(self, data):
+        self.receiver.put(data)
+        while self.receiver.receive() is not None:
+            self.heard += 1
+        return len(data)
+
+
+class Clock:
+    """A clock that stands where it was put."""
+
+    def __init__(self, now):
+        self.now = now
+
+    def __call__(self):
+        return self.now
+
+
+def use(form):
+    """Let senders and receivers that are made from now on take a form of the frames."""
+    module = FORMS[form]
+    sender.write_frame = module.write_frame
+    receiver.fill = module.fill
+    receiver.find_frame = module.find_frame
+    receiver.read_frame = module.read_frame
+
+
+def in_each_form(operation):
+    """Make an operation answer {form: result}."""
+
+    def run(request):
+        results = {}
+        for form in FORMS:
+            use(form)
+            results[form] = operation(request)
+        return results
+
+    return run
 
 
 def from_json(value):
@@ -46,53 +102,81 @@ def to_json(value):
 
 def message_class(description):
     """Make the class that messages.py would have."""
-    description["FIELDS"] = {name: tuple(field) for name, field in description["FIELDS"].items()}
-    return type(description["NAME"], (mavlink.Message,), description)
+    return type(description["NAME"], (Message,), dict(description))
+
+
+def classes_of(request):
+    """Make all classes of a request."""
+    return [message_class(description) for description in request["classes"]]
+
+
+def raw_fields(message):
+    """Return every field as it stands on the wire."""
+    return {name: to_json(message.raw(name)) for name in message.names()}
+
+
+def source(message):
+    """Return where a message comes from."""
+    return [message.source_system, message.source_component, message.source_sequence]
+
+
+def choice(_request):
+    """Tell whether each function of `frames` is the plain one."""
+    names = ("fill", "find_frame", "read_frame", "write_frame")
+    return [getattr(frames, name) is getattr(frames_plain, name) for name in names]
 
 
 def checksums(request):
-    """CRC of pieces of data, by each implementation that there is."""
+    """CRC without CRC_EXTRA of the frame that begins at a place in the data, by each form."""
     results = {}
-    for name, module in (("plain", crc_plain), ("viper", crc_viper)):
-        if module:
-            results[name] = [
-                module.update(start_value, TABLE, bytes.fromhex(data), start, end)
-                for data, start, end, start_value in request["cases"]
-            ]
-    return {"results": results, "native": crc.update is not crc_plain.update}
-
-
-def frames(request):
-    """Set fields, encode, read the fields back; with either implementation of the checksum."""
-    classes = [message_class(description) for description in request["classes"]]
-    results = {}
-    for name, module in (("plain", crc_plain), ("viper", crc_viper)):
-        if not module:
-            continue
-        mavlink.write_frame = module.write_frame
-        link = mavlink.Link(Sink(), request["system"], request["component"], request["version"])
-        results[name] = []
-        for index, sequence, values in request["cases"]:
-            message = classes[index]()
-            for field, value in values.items():
-                message.set(field, from_json(value))
-            link.sequence = sequence
-            read = {field: to_json(message.get(field)) for field in values}
-            results[name].append([bytes(link.encode(message)).hex(), read])
-    mavlink.write_frame = crc.write_frame
+    for form, module in FORMS.items():
+        results[form] = []
+        for text, at, start in request["cases"]:
+            data = bytes.fromhex(text)
+            state = array("i", [at, len(data)] + [0] * 10)
+            found = module.find_frame(start, TABLE, data, state)
+            results[form].append(state[7] if found and state[3] == at else None)
     return results
 
 
+@in_each_form
+def sent_frames(request):
+    """Set fields, encode, read the fields back."""
+    classes = classes_of(request)
+    link = mavlink.Link(Sink(), request["system"], request["component"], request["version"])
+    results = []
+    for index, sequence, values in request["cases"]:
+        message = classes[index](unknown=False)
+        for field, value in values.items():
+            message.set(field, from_json(value))
+        link.sequence = sequence
+        read = {field: to_json(message.raw(field)) for field in values}
+        results.append([bytes(link.encode(message)).hex(), read])
+    return results
+
+
+@in_each_form
 def decode(request):
-    """Feed pieces and tell the messages, what each feed() yielded, and the counters."""
-    link = mavlink.Link(Sink(), messages=[message_class(description) for description in request["classes"]])
+    """Feed pieces and tell the messages and the counters."""
+    known = classes_of(request)
+    if request["reuse"]:
+        known = [cls() for cls in known]
+    link = receiver.Receiver(known, size=request["size"])
     messages = []
     for piece in request["pieces"]:
-        for message in link.feed(bytes.fromhex(piece)):
-            source = [message.system_id, message.component_id, message.sequence]
-            messages.append([message.NAME, bytes(message.payload).hex(), source])
-    names = ("received", "signed", "unknown", "crc_errors", "dropped")
-    return {"messages": messages, "counters": {name: getattr(link, name) for name in names}}
+        # A view that begins anywhere: a driver hands over what it has.
+        data = memoryview(b"-" + bytes.fromhex(piece))[1:]
+        if request["reuse"]:
+            link.put(data)
+            while True:
+                message = link.receive()
+                if message is None:
+                    break
+                messages.append([message.NAME, bytes(message.wire).hex(), source(message)])
+        else:
+            for message in link.feed(data):
+                messages.append([message.NAME, bytes(message.wire).hex(), source(message)])
+    return {"messages": messages, "counters": {name: getattr(link, name) for name in COUNTERS}}
 
 
 def refusals(request):
@@ -109,46 +193,313 @@ def refusals(request):
     return results
 
 
-def without_heap(request):
-    """Send random payloads of every class with the heap locked from the first frame on; return the lengths."""
-    import micropython  # noqa: PLC0415 - only MicroPython has it
-
+@in_each_form
+def live(request):
+    """Encode messages with live values and receive them into others: raw fields, frames, what arrived."""
+    classes = classes_of(request)
     results = []
-    for version in (1, 2):
-        for description in request["classes"]:
-            if version == 2 or description["ID"] <= 0xFF:
-                link = mavlink.Link(Sink(), version=version)
-                message = message_class(dict(description))()
-                seen = bytearray(281)
-                micropython.heap_lock()
-                try:
-                    send_random(link, message, seen, request["rounds"])
-                finally:
-                    micropython.heap_unlock()
-                lengths = [length for length in range(len(seen)) if seen[length]]
-                results.append([version, description["NAME"], lengths, link.sequence, link.tx_errors])
+    for index, names, wire, values in request["cases"]:
+        message = classes[index](live=names, unknown=False)
+        message.wire[:] = bytes.fromhex(wire)
+        for place, value in enumerate(values):
+            message.live[place] = value
+        raw = raw_fields(message)
+        frames = [bytes(mavlink.Link(Sink(), version=version).encode(message)) for version in (2, 1)]
+        arrived = []
+        for frame in frames:
+            target = classes[index](live=names)
+            (received,) = receiver.Receiver([target]).feed(frame)
+            assert received is target
+            # The wire is looked at first: to read a field puts the live values there again.
+            arrived.append([bytes(target.wire).hex(), list(target.live), raw_fields(target)])
+        results.append([raw, [frame.hex() for frame in frames], arrived])
     return results
 
 
-def send_random(link, message, seen, rounds):
-    """Send `rounds` frames whose payloads end in ever other numbers of zeros; mark the lengths in `seen`."""
-    payload = message.payload
+def unknown(request):
+    """Tell [get, raw] of a field at the start and, or the error, after set(); and what is on the wire."""
+    results = []
+    for description, name, value in request["cases"]:
+        message = message_class(description)()
+        answer = [to_json(message.get(name)), to_json(message.raw(name))]
+        message = message_class(description)(unknown=False)
+        message.wire[:] = b"\x55" * description["LENGTH"]
+        try:
+            message.set(name, from_json(value))
+            answer += [to_json(message.get(name)), to_json(message.raw(name))]
+        except ValueError:
+            answer.append("ValueError")
+        answer.append(bytes(message.wire).hex())
+        results.append(answer)
+    return results
+
+
+def sign(request):
+    """Encode signed frames, each at the time of the clock that it names."""
+    classes = classes_of(request)
+    clock = Clock(request["clock"])
+    signer = signing.Signing(bytes.fromhex(request["key"]), request["link"], request["timestamp"], clock)
+    link = mavlink.Link(Sink(), request["system"], request["component"], signing=signer)
+    results = []
+    for index, sequence, now, values in request["cases"]:
+        clock.now = now
+        message = classes[index](unknown=False)
+        for field, value in values.items():
+            message.set(field, from_json(value))
+        link.sequence = sequence
+        results.append(bytes(link.encode(message)).hex())
+    return results
+
+
+def judge(request):
+    """Feed a signing link one piece after the other; tell the messages, the counters and the timestamp after each."""
+    clock = Clock(request["clock"])
+    signer = signing.Signing(bytes.fromhex(request["key"]), timestamp=request["timestamp"], clock=clock)
+    link = mavlink.Link(Sink(), messages=classes_of(request), signing=signer)
+    results = []
+    for piece in request["pieces"]:
+        messages = [[message.NAME, bytes(message.wire).hex()] for message in link.feed(bytes.fromhex(piece))]
+        results.append([messages, [getattr(link, name) for name in COUNTERS], signer.timestamp])
+    return results
+
+
+def keep(request):
+    """Save at one time and load at another; return what was loaded, and the first timestamp that it signs with."""
+    clock = Clock(request["saved_at"])
+    path = request["path"]
+    signer = signing.Signing(bytes.fromhex(request["key"]), request["link"], request["timestamp"], clock)
+    signer.save(path)
+    signer.save(path)  # over the first one
+    loaded = signing.load(path, clock=Clock(request["loaded_at"]))
+    frame = bytearray(30)
+    loaded.sign(frame)
+    with open(path, "rb") as file:
+        content = file.read()
+    errors = 0
+    damaged = [content[:-1], content + b"\0", b""]
+    for place in range(len(content)):
+        wrong = bytearray(content)
+        wrong[place] ^= 1
+        damaged.append(bytes(wrong))
+    for wrong in damaged:
+        with open(path, "wb") as file:
+            file.write(wrong)
+        try:
+            signing.load(path)
+        except ValueError:
+            errors += 1
+    try:
+        signing.load(path + ".absent")
+    except OSError:
+        errors += 1
+    return [loaded.key.hex(), loaded.link_id, int.from_bytes(bytes(frame[18:24]), "little"), errors - len(damaged)]
+
+
+def equal_frames(request):
+    """Write random frames by each form; what comes back, the link's buffer and the image."""
+    classes = classes_of(request)
+    results = {form: [] for form in FORMS}
+    for form, module in FORMS.items():
+        for index, names, buffer, wire, values in request["cases"]:
+            message = classes[index](live=names, unknown=False)
+            message.wire[:] = bytes.fromhex(wire)
+            for place, value in enumerate(values):
+                message.live[place] = value
+            data = bytearray(bytes.fromhex(buffer))
+            try:
+                answer = module.write_frame(0xFFFF, TABLE, data, message._image, message.live)
+                end = 14 + data[3] if data[2] == 0xFD else 10 + data[3]
+            except ValueError as error:
+                answer = str(error)
+                end = len(data)
+            results[form].append([answer, bytes(data[:end]).hex(), bytes(message._image).hex(), list(message.live)])
+    return results
+
+
+def equal_streams(request):
+    """Take pieces in by each form, step for step as a receiver does, and tell all that each step leaves behind."""
+    classes = classes_of(request)
+    results = {form: [] for form in FORMS}
+    for form, module in FORMS.items():
+        for size, offset, pieces in request["cases"]:
+            known = {}
+            for index, cls in enumerate(classes):
+                known[cls.ID] = cls(live=request["live"][index])
+            state = array("i", [0] * 12)
+            buffer = bytearray(size)
+            steps = []
+            for piece in pieces:
+                data = memoryview(bytes(offset) + bytes.fromhex(piece))[offset:]
+                state[2] = 0
+                trace(module, buffer, data, state, known, steps)
+            results[form].append([steps, bytes(buffer).hex()])
+    return results
+
+
+def trace(module, buffer, data, state, known, steps):
+    """Look for frames and fill until the data are used up; all of that goes into `steps`."""
+    while True:
+        while module.find_frame(0xFFFF, TABLE, buffer, state):
+            steps.append(list(state))
+            message = known.get(state[6])
+            if message is None:
+                continue
+            is_intact = module.read_frame(TABLE, buffer, state, message._image, message.live)
+            steps.append([is_intact, bytes(message._image).hex(), list(message.live), list(state)])
+            if not is_intact:
+                state[0] = state[3] + 1
+        # What describes a frame means nothing when there is none.
+        steps.append([state[0], state[1], state[2], state[8], state[10], state[11]])
+        if state[2] == len(data):
+            return
+        steps.append([module.fill(buffer, data, state, len(data), len(buffer)), state[0], state[1], state[2]])
+
+
+def allocation(request):
+    """Send random payloads of every class to a receiver, and let it take pieces: what does it allocate?
+
+    Once with the heap locked from the first frame on, and once counted: a function that silently puts its variables
+    on the heap when there is one does without when it is locked.
+    """
+    import micropython  # noqa: PLC0415 - only MicroPython has it
+
+    results = []
+    for description, names in zip(request["classes"], request["live"]):  # noqa: B905 - MicroPython has no strict
+        for version in (1, 2):
+            if version == 1 and description["ID"] > 0xFF:
+                continue
+            cls = message_class(description)
+            loop = Loop()
+            link = mavlink.Link(loop, version=version)
+            message = cls(live=names)
+            loop.receiver = receiver.Receiver([cls(live=names)])
+            seen = bytearray(300)
+            micropython.heap_lock()
+            try:
+                exchange(link, message, seen, request["rounds"])
+            finally:
+                micropython.heap_unlock()
+            allocated = exchange_counted(link, message, seen, request["rounds"])
+            lengths = [length for length in range(len(seen)) if seen[length]]
+            counted = [link.sequence, link.tx_errors, loop.receiver.received, loop.heard, allocated]
+            results.append([version, description["NAME"], lengths, counted])
+    known = [cls() for cls in classes_of(request)]
+    pieces = [bytes.fromhex(piece) for piece in request["pieces"]]
+    taking = receiver.Receiver(known)
+    micropython.heap_lock()
+    try:
+        found = take(taking, pieces)
+    finally:
+        micropython.heap_unlock()
+    allocated = take_counted(taking, pieces)
+    return {
+        "sent": results,
+        "taken": [found, allocated],
+        "control": allocation_of_one(pieces),
+        "is_plain": choice(None),
+    }
+
+
+def exchange(link, message, seen, rounds):
+    """Send `rounds` frames that end in ever other numbers of zeros, every other one with live values of 32 bits.
+
+    Marks the lengths in `seen`.
+    """
+    wire = message.wire
+    live = message.live
     number = 1
     for turn in range(rounds):
-        kept = turn % (len(payload) + 1)
-        for index in range(len(payload)):
-            number = (number * 75 + 74) % 65537
-            payload[index] = number & 0xFF if index < kept else 0
+        number = fill_wire(wire, turn % (len(wire) + 1), number)
+        if turn & 1:
+            number = fill_live(live, number)
+        else:
+            clear_live(live)
         seen[len(link.encode(message))] = 1
         link.send(message)
 
 
+def exchange_counted(link, message, seen, rounds):
+    """Return what exchange() allocates; the frame of exchange() itself, the same for any rounds, is taken off."""
+    import micropython  # noqa: PLC0415
+
+    exchange(link, message, seen, 1)
+    start = micropython.mem_total()
+    exchange(link, message, seen, 0)
+    middle = micropython.mem_total()
+    exchange(link, message, seen, rounds)
+    end = micropython.mem_total()
+    return (end - middle) - (middle - start)
+
+
+def fill_wire(wire, kept, number):
+    """Fill in random bytes, and zeros from some place on; small, as all that runs while it counts."""
+    for index in range(len(wire)):
+        number = (number * 75 + 74) % 65537
+        wire[index] = number & 0xFF if index < kept else 0
+    return number
+
+
+def fill_live(live, number):
+    """Fill in random values of 32 bits."""
+    for index in range(len(live)):
+        number = (number * 75 + 74) % 65537
+        live[index] = (number - 32768) * 65535 + (number >> 1)
+    return number
+
+
+def clear_live(live):
+    """Fill in zeros, as which live values leave a frame short."""
+    for index in range(len(live)):
+        live[index] = 0
+
+
+def take(into, pieces):
+    """Take pieces in as they come; return how many messages they complete."""
+    found = 0
+    for piece in pieces:
+        into.put(piece)
+        while into.receive() is not None:
+            found += 1
+    return found
+
+
+def take_counted(into, pieces):
+    """Return what take() allocates for all pieces; its own frame is taken off."""
+    import micropython  # noqa: PLC0415
+
+    none = pieces[:0]
+    take(into, pieces)
+    start = micropython.mem_total()
+    take(into, none)
+    middle = micropython.mem_total()
+    take(into, pieces)
+    end = micropython.mem_total()
+    return (end - middle) - (middle - start)
+
+
+def allocation_of_one(pieces):
+    """Return what one copy of some bytes allocates: the count has to move for it."""
+    import micropython  # noqa: PLC0415
+
+    start = micropython.mem_total()
+    bytearray(pieces[0])
+    return micropython.mem_total() - start
+
+
 OPERATIONS = {
+    "choice": choice,
     "checksums": checksums,
-    "frames": frames,
+    "sent_frames": sent_frames,
     "decode": decode,
     "refusals": refusals,
-    "without_heap": without_heap,
+    "live": live,
+    "unknown": unknown,
+    "sign": sign,
+    "judge": judge,
+    "keep": keep,
+    "equal_frames": equal_frames,
+    "equal_streams": equal_streams,
+    "allocation": allocation,
 }
 
 if __name__ == "__main__":

@@ -1,19 +1,34 @@
 """Runs scripts with the plain firmware files and mocks where they stand, under CPython and under MicroPython."""
 
+import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).parents[2]
+CODEC = ROOT / "templates" / "codec"
 FIRMWARE = ROOT / "templates" / "firmware"
 MOCKS = ROOT / "templates" / "mocks"
+FOLDERS = (CODEC, FIRMWARE, MOCKS)
 TOOLS = Path(sys.executable).parent
-MODULES = ("crc", "crc_plain", "crc_table", "fields", "mavlink", "machine", "mock_time")
-
-Exercise = Callable[..., Any]
+EXERCISE = Path(__file__).with_name("exercise.py")
+MODULES = (
+    "conversion",
+    "fields",
+    "frames",
+    "frames_plain",
+    "machine",
+    "mavlink",
+    "message",
+    "micropython",
+    "mock_time",
+    "receiver",
+    "sender",
+    "signing",
+)
 
 
 def tool(name: str) -> str:
@@ -23,7 +38,7 @@ def tool(name: str) -> str:
     return str(path)
 
 
-def interpret(interpreter: str, script: str, stdin: str = "", folders: tuple[Path, ...] = (FIRMWARE, MOCKS)) -> str:
+def interpret(interpreter: str, script: str, stdin: str = "", folders: tuple[Path, ...] = FOLDERS) -> str:
     """Run a script with `folders` to import from, and return what it prints."""
     path = os.pathsep.join(map(str, folders))
     if interpreter == "micropython":
@@ -40,3 +55,36 @@ def interpret(interpreter: str, script: str, stdin: str = "", folders: tuple[Pat
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """Runs operations of exercise.py on an interpreter."""
+
+    interpreter: str
+
+    @property
+    def forms(self) -> set[str]:
+        """The forms of the frames that there are."""
+        return {"plain", "viper"} if self.interpreter == "micropython" else {"plain"}
+
+    def __call__(self, operation: str, folders: tuple[Path, ...] = FOLDERS, **arguments: Any) -> Any:
+        """What an operation answers."""
+        asked = json.dumps({"operation": operation} | arguments)
+        return json.loads(interpret(self.interpreter, str(EXERCISE), asked, folders))
+
+
+def as_json(value: Any) -> Any:
+    """A field's value as exercise.py reads it."""
+    if isinstance(value, bytes):
+        return {"hex": value.hex()}
+    if isinstance(value, (list, tuple)):
+        return [as_json(item) for item in value]
+    if isinstance(value, float) and (value != value or value in (float("inf"), float("-inf"))):  # noqa: PLR0124
+        return {"float": str(value)}
+    return value
+
+
+def as_read(value: Any) -> Any:
+    """What get() returns of it: bytes that are ASCII come as text."""
+    return value.decode() if isinstance(value, bytes) else as_json(value)

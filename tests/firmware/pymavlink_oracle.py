@@ -1,6 +1,7 @@
 """Messages, values and frames as pymavlink makes them: what the firmware is compared with."""
 
 import random
+import re
 import struct
 from typing import Any
 
@@ -9,9 +10,10 @@ from pymavlink.dialects.v20 import common as common_2
 from pymavlink.generator.mavcrc import x25crc
 
 SYSTEM, COMPONENT = 42, 190
+KEY = b"\xfd" * 32
 
 # The plain, the truncated, text, 64 bit integers, doubles, the longest payload, ids above 255, and fields that are
-# called like attributes of Message (TUNNEL.payload, LOGGING_DATA.sequence).
+# called like attributes of receivers (TUNNEL.payload, LOGGING_DATA.sequence).
 NAMES = (
     "HEARTBEAT",
     "SYS_STATUS",
@@ -32,25 +34,34 @@ Description = dict[str, Any]
 Values = dict[str, Any]
 
 
-def describe(name: str) -> Description:
-    """The class attributes that messages.py gives a message, as JSON can carry them."""
-    message = BY_NAME[name]
-    fields: dict[str, tuple[str, int, int]] = {}
+def described(name: str, words: str, message_id: int = 200, base_length: int = 0, extra: int = 7) -> Description:
+    """The class attributes of a message with these fields."""
+    description = {"NAME": name, "ID": message_id, "CRC_EXTRA": extra, "FIELDS": words}
+    length = sum(struct.calcsize(f"<{count or 1}{code}") for code, _, count in layout(description).values())
+    return description | {"LENGTH": length, "BASE_LENGTH": base_length or length}
+
+
+def layout(description: Description) -> dict[str, tuple[str, int, int]]:
+    """(struct code, offset, count) of each field, worked out without the codec; count 0 is a scalar."""
+    fields = {}
     offset = 0
+    for name, count, code in re.findall(r"(\w+):(\d*)(\w)\S*", description["FIELDS"]):
+        fields[name] = (code, offset, int(count or 0))
+        offset += struct.calcsize(f"<{int(count or 1)}{code}")
+    return fields
+
+
+def describe(name: str) -> Description:
+    """The class attributes that messages.py gives a message, without sentinels; as JSON can carry them."""
+    message = BY_NAME[name]
     codes = message.native_format.decode()[1:].replace("c", "s")
-    for field, code, count in zip(message.ordered_fieldnames, codes, message.array_lengths, strict=True):
-        fields[field] = (code, offset, count)
-        offset += struct.calcsize(f"<{count or 1}{code}")
-    assert offset == message.unpacker.size
-    base = common_1.mavlink_map[message.id].unpacker.size if message.id in common_1.mavlink_map else offset
-    return {
-        "NAME": name,
-        "ID": message.id,
-        "CRC_EXTRA": message.crc_extra,
-        "BASE_LENGTH": base,
-        "LENGTH": offset,
-        "FIELDS": fields,
-    }
+    fields = zip(message.ordered_fieldnames, message.array_lengths, codes, strict=True)
+    words = " ".join(f"{field}:{count or ''}{code}" for field, count, code in fields)
+    in_version_1 = common_1.mavlink_map.get(message.id)
+    base_length = in_version_1.unpacker.size if in_version_1 else 0
+    description = described(name, words, message.id, base_length, message.crc_extra)
+    assert description["LENGTH"] == message.unpacker.size
+    return description
 
 
 def random_number(code: str, chance: random.Random) -> int | float:
@@ -67,7 +78,7 @@ def random_number(code: str, chance: random.Random) -> int | float:
 def random_values(description: Description, chance: random.Random) -> Values:
     """Values of all fields; text is bytes without NUL inside."""
     values: Values = {}
-    for name, (code, _, count) in description["FIELDS"].items():
+    for name, (code, _, count) in layout(description).items():
         if code == "s":
             values[name] = bytes(chance.randrange(1, 128) for _ in range(chance.randrange(count + 1)))
         elif count:
@@ -85,13 +96,18 @@ def frame(name: str, values: Values, sequence: int, version: int = 2, signed: bo
     sender = dialect.MAVLink(None, srcSystem=SYSTEM, srcComponent=COMPONENT)
     sender.seq = sequence
     if signed:
-        sender.signing.secret_key = b"\xfd" * 32
-        sender.signing.link_id = 3
-        sender.signing.timestamp = 0xFEFD00
-        sender.signing.sign_outgoing = True
+        prepare_signing(sender, KEY, timestamp=0xFEFD00, link=3)
     message_type = dialect.mavlink_map[BY_NAME[name].id]
     message = message_type(**{field: values[field] for field in message_type.fieldnames})
     return bytes(message.pack(sender))
+
+
+def prepare_signing(side: Any, key: bytes, timestamp: int, link: int = 0) -> None:
+    """Let a MAVLink object of pymavlink sign what it sends and refuse what it receives without a valid signature."""
+    side.signing.secret_key = key
+    side.signing.link_id = link
+    side.signing.timestamp = timestamp
+    side.signing.sign_outgoing = True
 
 
 def raw_frame(message_id: int, payload: bytes, extra: int, flags: int = 0, tail: bytes = b"") -> bytes:
@@ -100,16 +116,28 @@ def raw_frame(message_id: int, payload: bytes, extra: int, flags: int = 0, tail:
     return b"\xfd" + body + x25crc(body + bytes([extra])).crc.to_bytes(2, "little") + tail
 
 
+def raw_frame_1(message_id: int, payload: bytes, extra: int) -> bytes:
+    """A MAVLink 1 frame put together by hand; sequence 9."""
+    body = bytes([len(payload), 9, SYSTEM, COMPONENT, message_id]) + payload
+    return b"\xfe" + body + x25crc(body + bytes([extra])).crc.to_bytes(2, "little")
+
+
+def packed(description: Description, values: Values) -> bytes:
+    """The payload without truncation; fields without a value are zero."""
+    wire = bytearray(description["LENGTH"])
+    for field, (code, offset, count) in layout(description).items():
+        if field in values:
+            value = values[field] if count and code != "s" else [values[field]]
+            struct.pack_into(f"<{count or 1}{code}", wire, offset, *value)
+    return bytes(wire)
+
+
 def payload(name: str, values: Values, base_only: bool = False) -> bytes:
-    """The payload without truncation, extension fields zero if only the base fields were sent."""
+    """The payload of a message, extension fields zero if only the base fields were sent."""
     description = describe(name)
-    packed = bytearray(description["LENGTH"])
-    for field, (code, offset, count) in description["FIELDS"].items():
-        value = values[field] if count and code != "s" else [values[field]]
-        struct.pack_into(f"<{count or 1}{code}", packed, offset, *value)
-    if base_only:
-        packed[description["BASE_LENGTH"] :] = bytes(description["LENGTH"] - description["BASE_LENGTH"])
-    return bytes(packed)
+    wire = packed(description, values)
+    length = description["BASE_LENGTH"] if base_only else len(wire)
+    return wire[:length] + bytes(len(wire) - length)
 
 
 def parse(data: bytes) -> list[Any]:

@@ -15,17 +15,36 @@ def test_values_that_a_field_cannot_carry_are_refused(exercise: Exercise) -> Non
     refused: list[tuple[object, object]] = []
     taken: list[tuple[object, object]] = []
     for code, (low, high) in INTEGERS.items():
-        taken += [((code, 8, 0), low), ((code, 8, 0), high), ((code, 8, 0), True)]
-        refused += [((code, 8, 0), low - 1), ((code, 8, 0), high + 1), ((code, 8, 2), [0, high + 1])]
-        refused += [((code, 8, 0), {"float": text}) for text in ("nan", "inf", "1.0", "0.5")]
-        refused += [((code, 8, 0), "1"), ((code, 8, 0), None), ((code, 8, 2), [1]), ((code, 8, 2), [1, 2, 3])]
-    taken += [((code, 8, 0), {"float": text}) for code in "fd" for text in ("nan", "inf", "-inf", "3.4e38")]
-    taken += [(("d", 8, 0), {"float": "1e39"}), (("f", 8, 0), 7), (("f", 8, 0), False)]
-    refused += [(("f", 8, 0), {"float": "1e39"}), (("f", 8, 2), [0, {"float": "-1e39"}]), (("f", 8, 0), 10**39)]
-    refused += [(("f", 8, 0), "1"), (("f", 8, 0), None), (("f", 8, 3), [1, 2]), (("d", 8, 0), 10**400)]
-    taken += [(("s", 8, 4), "four"), (("s", 8, 4), ""), (("s", 8, 4), {"hex": "ff00ff00"}), (("s", 8, 0), "x")]
-    refused += [(("s", 8, 4), "fives"), (("s", 8, 4), "é"), (("s", 8, 4), {"hex": "0102030405"}), (("s", 8, 4), 4)]
-    refused += [(("s", 8, 0), "xy")]
+        taken += [((code, 8, 0, ()), low), ((code, 8, 0, ()), high), ((code, 8, 0, ()), True)]
+        refused += [((code, 8, 0, ()), low - 1), ((code, 8, 0, ()), high + 1), ((code, 8, 2, ()), [0, high + 1])]
+        refused += [((code, 8, 0, ()), {"float": text}) for text in ("nan", "inf", "1.0", "0.5")]
+        refused += [
+            ((code, 8, 0, ()), "1"),
+            ((code, 8, 0, ()), None),
+            ((code, 8, 2, ()), [1]),
+            ((code, 8, 2, ()), [1, 2, 3]),
+        ]
+    taken += [((code, 8, 0, ()), {"float": text}) for code in "fd" for text in ("nan", "inf", "-inf", "3.4e38")]
+    taken += [(("d", 8, 0, ()), {"float": "1e39"}), (("f", 8, 0, ()), 7), (("f", 8, 0, ()), False)]
+    refused += [
+        (("f", 8, 0, ()), {"float": "1e39"}),
+        (("f", 8, 2, ()), [0, {"float": "-1e39"}]),
+        (("f", 8, 0, ()), 10**39),
+    ]
+    refused += [(("f", 8, 0, ()), "1"), (("f", 8, 0, ()), None), (("f", 8, 3, ()), [1, 2]), (("d", 8, 0, ()), 10**400)]
+    taken += [
+        (("s", 8, 4, ()), "four"),
+        (("s", 8, 4, ()), ""),
+        (("s", 8, 4, ()), {"hex": "ff00ff00"}),
+        (("s", 8, 0, ()), "x"),
+    ]
+    refused += [
+        (("s", 8, 4, ()), "fives"),
+        (("s", 8, 4, ()), "é"),
+        (("s", 8, 4, ()), {"hex": "0102030405"}),
+        (("s", 8, 4, ()), 4),
+    ]
+    refused += [(("s", 8, 0, ()), "xy")]
     for cases, expected in ((refused, ["ValueError", True]), (taken, [None, True])):
         results = exercise("refusals", cases=cases)
         assert [case for case, result in zip(cases, results, strict=True) if result != expected] == []
@@ -34,26 +53,22 @@ def test_values_that_a_field_cannot_carry_are_refused(exercise: Exercise) -> Non
 @pytest.fixture
 def message(firmware: SimpleNamespace) -> object:
     """A message with a scalar, an array, text, and fields called like attributes of Message."""
-    fields = {
-        "id": ("B", 0, 0),
-        "cells": ("H", 1, 3),
-        "text": ("s", 7, 6),
-        "payload": ("B", 13, 2),
-        "level": ("f", 15, 0),
-    }
-    return type("Sample", (firmware.mavlink.Message,), {"NAME": "SAMPLE", "LENGTH": 19, "FIELDS": fields})()
+    fields = "id:B cells:3H=65535 text:6s wire:2B level:f get:H"
+    return type("Sample", (firmware.message.Message,), {"NAME": "SAMPLE", "LENGTH": 21, "FIELDS": fields})()
 
 
 def test_fields_read_as_attributes(message: SimpleNamespace) -> None:
     """Scalar, tuple, text; a name that Message uses itself is reached through get()."""
+    assert message.names() == ["id", "cells", "text", "wire", "level", "get"]
     message.set("id", 3)
-    message.set("cells", (1, 2, 65535))
+    message.set("cells", (1, 2, 65534))
     message.set("text", "low")
-    message.set("payload", b"\x01\x02")
+    message.set("wire", b"\x01\x02")
     message.set("level", math.nan)
-    assert (message.id, message.cells, message.text) == (3, (1, 2, 65535), "low")
-    assert message.get("payload") == (1, 2)
-    assert message.payload == bytes.fromhex("03 0100 0200 ffff 6c6f77000000 0102 0000c07f")
+    message.set("get", 7)
+    assert (message.id, message.cells, message.text) == (3, (1, 2, 65534), "low")
+    assert (message.get("wire"), message.get("get")) == ((1, 2), 7)
+    assert message.wire == bytes.fromhex("03 0100 0200 feff 6c6f77000000 0102 0000c07f 0700")
     assert math.isnan(message.level)
 
 
@@ -65,7 +80,7 @@ def test_text_ends_at_the_first_nul(message: SimpleNamespace) -> None:
     assert message.text == "ab"
     message.set("text", "")
     assert message.text == ""
-    assert message.payload[7:13] == bytes(6)
+    assert message.wire[7:13] == bytes(6)
 
 
 def test_text_that_is_not_ascii_comes_as_bytes(message: SimpleNamespace) -> None:
@@ -77,16 +92,40 @@ def test_text_that_is_not_ascii_comes_as_bytes(message: SimpleNamespace) -> None
 def test_unknown_names(message: SimpleNamespace) -> None:
     """A missing attribute is an AttributeError, as hasattr() wants it, a missing field a KeyError."""
     assert not hasattr(message, "voltage")
-    with pytest.raises(KeyError):
-        message.get("voltage")
-    with pytest.raises(KeyError):
-        message.set("voltage", 1)
+    for reach in (message.get, message.raw, lambda name: message.set(name, 1)):
+        with pytest.raises(KeyError):
+            reach("voltage")
     with pytest.raises(ValueError, match=r"SAMPLE\.id cannot carry 256"):
         message.set("id", 256)
+
+
+def test_update_writes_several_fields(message: SimpleNamespace) -> None:
+    """It returns the message, to be sent in the same line; a value that is refused is told with its field."""
+    assert message.update(id=9, text="on") is message
+    assert (message.id, message.text) == (9, "on")
+    with pytest.raises(ValueError, match=r"SAMPLE\.cells takes 3 values, not 2"):
+        message.update(cells=(1, 2))
+
+
+def test_message_shows_its_fields(message: SimpleNamespace) -> None:
+    """Whoever prints a message sees what the fields say, not what is on the wire."""
+    message.update(id=9, text="on", level=1.5)
+    assert repr(message) == (
+        "SAMPLE{'id': 9, 'cells': (None, None, None), 'text': 'on', 'wire': (0, 0), 'level': 1.5, 'get': 0}"
+    )
 
 
 def test_messages_do_not_share_payloads(message: SimpleNamespace) -> None:
     """Each instance has a payload of its own, zero at first."""
     other = type(message)()
     message.set("id", 1)
-    assert (other.id, other.system_id, other.component_id, other.sequence) == (0, 0, 0, 0)
+    assert (other.id, other.source_system, other.source_component, other.source_sequence) == (0, 0, 0, 0)
+
+
+def test_derived_classes_have_fields_of_their_own(message: SimpleNamespace) -> None:
+    """The layout is kept with a class: one that derives from it and says otherwise must not get that."""
+    assert message.names()
+    longer = type("Longer", (type(message),), {"FIELDS": "id:H", "LENGTH": 2})()
+    assert longer.update(id=256).names() == ["id"]
+    assert longer.wire == b"\x00\x01"
+    assert type(message)().update(id=255).wire[:2] == b"\xff\xff"

@@ -12,7 +12,7 @@ import pytest
 import codegen
 
 ROOT = Path(__file__).parents[2]
-LEFT_BY_RUNS = {"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
+LEFT_BY_RUNS = {".codegen", "__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
 
 
 def tree(folder: Path) -> dict[str, bytes]:

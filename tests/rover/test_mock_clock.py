@@ -19,9 +19,9 @@ board.set_adc_value(3000)
 state = SystemState()
 mock_time.set_ticks_us(5_000_000_000)
 state.update_battery(board)
-print(telemetry.build_battery_status(state).voltages[0])
+print(telemetry.build_battery_status(state).raw("voltages")[0])
 mock_time.advance_us(1_001_000)
-print(telemetry.build_battery_status(state).voltages[0])
+print(telemetry.build_battery_status(state).raw("voltages")[0])
 """
 
 

@@ -2,8 +2,9 @@
 
 from codegen.model.system import System
 from codegen.render import render_template
+from codegen.targets.codec.layout import messages_text
+from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.firmware.board import board_view
-from codegen.targets.firmware.messages import message_views
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
@@ -21,13 +22,14 @@ def render_firmware(system: System) -> dict[str, str]:
     wires = [message.wire for message in system.messages]
     rendered = {
         "board.py": (board_view(system), [board, state], []),
-        "messages.py": (message_views(system), tables, wires),
         "parameters.py": (parameter_views(system), [parameters], []),
         "state.py": (state_view(system), [state, board, parameters], []),
         "streams.py": (streams_view(system), [project, streams, parameters, *tables], []),
-        "telemetry.py": (telemetry_view(system), [*tables, state, board, parameters], wires),
+        "telemetry.py": (telemetry_view(system), [project, *tables, state, board, parameters], wires),
     }
-    files = copied_files("firmware")
+    accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
+    files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
+    files["firmware/messages.py"] = headed(messages_text(wires), origin_of(system, tables, wires))
     for name, (view, paths, messages) in rendered.items():
         text = render_template(f"firmware/{name}.j2", view)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))

@@ -2,22 +2,35 @@
 
 import math
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.model.dialect import Kind
 from codegen.model.spec import Rounding
-from codegen.model.system import Binding, FlagsBinding, LiveBinding, Parameter, Quantity, SplitBinding
+from codegen.model.system import (
+    Binding,
+    FlagsBinding,
+    LiveBinding,
+    Parameter,
+    PopulatedMessage,
+    Quantity,
+    SplitBinding,
+)
 from codegen.targets.naming import number, parameter_attribute
 
 
 @dataclass(frozen=True, slots=True)
 class LiveView:
-    """A field that is written on every build."""
+    """A field that is written on every build: into the message's live values, or packed into its payload.
+
+    ``index`` is the place among the live values; None for fields that are packed with ``code`` at ``offset``, because
+    they are longer than the values that a message keeps.
+    """
 
     comment: str
     source: str
+    index: int | None
     code: str
     offset: int
     unknown: str | None
@@ -33,14 +46,13 @@ class LiveView:
 
 @dataclass(frozen=True, slots=True)
 class SpillView:
-    """An array field over which one value is spread on every build."""
+    """An array field over which one value is spread on every build, from the live value ``index`` on."""
 
     comment: str
     source: str
-    code: str
-    offset: int
-    size: int
+    index: int
     cells: int
+    function: str
     stand_in: str | None
     low: int
     high: int
@@ -51,22 +63,74 @@ class SpillView:
 
 
 @dataclass(frozen=True, slots=True)
+class FlagsView:
+    """A bitmask some bits of which depend on the state, as one live value."""
+
+    comment: tuple[str, ...]
+    index: int
+    expression: str
+
+
+@dataclass(frozen=True, slots=True)
 class FlagByteView:
-    """A byte of a bitmask some bits of which depend on the state."""
+    """A byte of a bitmask of 32 bits or more: as one number it would be too large for a board's small integers."""
 
     comment: tuple[str, ...]
     offset: int
     expression: str
 
 
-def live_views(binding: Binding) -> Iterator[LiveView | SpillView | FlagByteView]:
-    """What is written on every build for one binding; nothing for what is known at build time."""
+View = LiveView | SpillView | FlagsView | FlagByteView
+
+
+def live_names(message: PopulatedMessage) -> tuple[str, ...]:
+    """The fields, or elements of fields, that a message keeps as live values, in the order of its bindings."""
+    names: list[str] = []
+    for binding in message.bindings:
+        if _live_count(binding):
+            covers = binding.covers
+            is_whole = covers.count == covers.field.count
+            elements = range(covers.first, covers.first + covers.count)
+            names += [covers.field.name] if is_whole else [f"{covers.field.name}[{index}]" for index in elements]
+    return tuple(names)
+
+
+def live_views(message: PopulatedMessage, reach: Mapping[str, str]) -> tuple[View, ...]:
+    """What is written on every build, in the order of the bindings; nothing for what is known at build time.
+
+    ``reach`` has by component how the builder reaches it: ``battery``, or ``state.vehicle``.
+    """
+    views: list[View] = []
+    index = 0
+    for binding in message.bindings:
+        views += _views(binding, index, message, reach)
+        index += _live_count(binding)
+    return tuple(views)
+
+
+def _live_count(binding: Binding) -> int:
+    """How many live values a binding takes: none where nothing changes, or where the field is too long for one."""
+    is_short = binding.covers.field.type.is_integer and binding.covers.field.type.size <= 4
+    if isinstance(binding, LiveBinding | SplitBinding):
+        return binding.covers.count if is_short else 0
+    if isinstance(binding, FlagsBinding):
+        return int(bool(binding.conditional) and binding.covers.field.type.size <= 2)
+    return 0
+
+
+def _views(binding: Binding, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> Iterator[View]:
     if isinstance(binding, LiveBinding):
-        yield _float_view(binding) if binding.covers.field.type.kind is Kind.FLOAT else _integer_view(binding)
+        is_float = binding.covers.field.type.kind is Kind.FLOAT
+        source = _source(binding.source, reach)
+        at = index if _live_count(binding) else None
+        yield _float_view(binding, source) if is_float else _integer_view(binding, source, at)
     elif isinstance(binding, SplitBinding):
-        yield _spill_view(binding)
-    elif isinstance(binding, FlagsBinding):
-        yield from _flag_bytes(binding)
+        yield _spill_view(binding, index, message, reach)
+    elif isinstance(binding, FlagsBinding) and binding.conditional:
+        if _live_count(binding):
+            yield _flags_view(binding, index, reach)
+        else:
+            yield from _flag_bytes(binding, reach)
 
 
 def _comment(binding: LiveBinding | SplitBinding) -> str:
@@ -79,10 +143,10 @@ def _comment(binding: LiveBinding | SplitBinding) -> str:
     return f"{target}: {origin}{spread} ({covers.citation})"
 
 
-def _source(source: Quantity | Parameter) -> str:
+def _source(source: Quantity | Parameter, reach: Mapping[str, str]) -> str:
     if isinstance(source, Parameter):
         return f"state.parameters.{parameter_attribute(source.name)}"
-    return f"{source.component}.{source.attribute}"
+    return f"{reach[source.component]}.{source.attribute}"
 
 
 def _scale(factor: Fraction, rounding: Rounding) -> tuple[str, int, int] | None:
@@ -101,12 +165,13 @@ def _stand_in(source: Quantity | Parameter) -> str | None:
     return None if initial is None else str(initial)
 
 
-def _integer_view(binding: LiveBinding) -> LiveView:
+def _integer_view(binding: LiveBinding, source: str, index: int | None) -> LiveView:
     assert binding.unknown is None or isinstance(binding.unknown, int)
     unknown = _stand_in(binding.source) if binding.unknown is None else str(binding.unknown)
     return LiveView(
         comment=_comment(binding),
-        source=_source(binding.source),
+        source=source,
+        index=index,
         code=f"<{binding.covers.field.type.code}",
         offset=binding.covers.offset,
         unknown=unknown,
@@ -121,7 +186,7 @@ def _integer_view(binding: LiveBinding) -> LiveView:
     )
 
 
-def _float_view(binding: LiveBinding) -> LiveView:
+def _float_view(binding: LiveBinding, source: str) -> LiveView:
     """A float field: everything up to the last division happens in stored steps."""
     factor = binding.factor
     unknown = _stand_in(binding.source) if binding.unknown is None else number(binding.unknown)
@@ -132,7 +197,8 @@ def _float_view(binding: LiveBinding) -> LiveView:
     divided = f" * {factor.numerator}" if factor.numerator != 1 else ""
     return LiveView(
         comment=_comment(binding),
-        source=_source(binding.source),
+        source=source,
+        index=None,
         code=f"<{binding.covers.field.type.code}",
         offset=binding.covers.offset,
         unknown=unknown,
@@ -147,15 +213,14 @@ def _float_view(binding: LiveBinding) -> LiveView:
     )
 
 
-def _spill_view(binding: SplitBinding) -> SpillView:
+def _spill_view(binding: SplitBinding, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> SpillView:
     low, high = Fraction(binding.low), Fraction(binding.high)
     return SpillView(
         comment=_comment(binding),
-        source=_source(binding.source),
-        code=f"<{binding.covers.field.type.code}",
-        offset=binding.covers.offset,
-        size=binding.covers.field.type.size,
+        source=_source(binding.source, reach),
+        index=index,
         cells=binding.covers.count,
+        function=f"_spill_{message.name.lower()}_{binding.covers.field.name}",
         stand_in=_stand_in(binding.source),
         low=binding.low,
         high=binding.high,
@@ -166,27 +231,35 @@ def _spill_view(binding: SplitBinding) -> SpillView:
     )
 
 
-def _flag_bytes(binding: FlagsBinding) -> Iterator[FlagByteView]:
-    covers = binding.covers
-    size = covers.field.type.size
-    terms: dict[int, list[str]] = {}
-    words = []
-    for name, value, quantity in binding.conditional:
-        words.append(f"{name} if {quantity.path}")
-        for index, byte in enumerate(struct.pack("<Q", value)[:size]):
-            if byte:
-                source = f"{quantity.component}.{quantity.attribute}"
-                terms.setdefault(index, []).append(f"({byte:#04x} if {source} else 0)")
-    comment = _flag_comment(f"{covers.label}:", words, f"({covers.citation})")
-    for index in sorted(terms):
-        always = struct.pack("<Q", binding.mask)[index]
-        parts = [f"{always:#04x}"] * bool(always) + terms[index]
-        expression = " | ".join(parts) if len(parts) > 1 else parts[0].strip("()")
-        yield FlagByteView(comment, covers.offset + index, expression)
-        comment = ()
+def _flags_view(binding: FlagsBinding, index: int, reach: Mapping[str, str]) -> FlagsView:
+    terms = [(value, _source(quantity, reach)) for _, value, quantity in binding.conditional]
+    return FlagsView(_flag_comment(binding), index, _or(binding.mask, terms))
 
 
-def _flag_comment(label: str, words: list[str], citation: str) -> tuple[str, ...]:
+def _flag_bytes(binding: FlagsBinding, reach: Mapping[str, str]) -> Iterator[FlagByteView]:
+    size = binding.covers.field.type.size
+    comment = _flag_comment(binding)
+    masks = struct.pack("<Q", binding.mask)
+    for index in range(size):
+        terms = [
+            (byte, _source(quantity, reach))
+            for _, value, quantity in binding.conditional
+            if (byte := struct.pack("<Q", value)[index])
+        ]
+        if terms:
+            yield FlagByteView(comment, binding.covers.offset + index, _or(masks[index], terms))
+            comment = ()
+
+
+def _or(always: int, terms: Iterable[tuple[int, str]]) -> str:
+    """``0x41 | (0x80 if vehicle.armed else 0)``."""
+    parts = [f"{always:#04x}"] * bool(always) + [f"({bits:#04x} if {source} else 0)" for bits, source in terms]
+    return " | ".join(parts) if len(parts) > 1 else parts[0].strip("()")
+
+
+def _flag_comment(binding: FlagsBinding) -> tuple[str, ...]:
     """One line, or, where that gets long, a line for each flag."""
+    label, citation = f"{binding.covers.label}:", f"({binding.covers.citation})"
+    words = [f"{name} if {quantity.path}" for name, _, quantity in binding.conditional]
     line = f"{label} {', '.join(words)} {citation}"
     return (line,) if len(line) < 100 else (f"{label} {citation}", *(f"  {word}" for word in words))

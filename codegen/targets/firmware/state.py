@@ -75,6 +75,7 @@ class StateView:
 
     components: tuple[ComponentView, ...]
     conversions: tuple[str, ...]
+    is_measured: bool
     uses_clock: bool
 
 
@@ -86,7 +87,9 @@ def state_view(system: System) -> StateView:
         used |= {"product"}
     if any(quantity.has_property for component in components for quantity in component.quantities):
         used |= {"to_steps"}
-    return StateView(components, tuple(sorted(used)), any(component.measured for component in components))
+    measured = [component.measured for component in components if component.measured]
+    expires = any(reading.stale_after_ms is not None for reading in measured)
+    return StateView(components, tuple(sorted(used)), is_measured=bool(measured), uses_clock=expires)
 
 
 def _component(component: Component) -> ComponentView:

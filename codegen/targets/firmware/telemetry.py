@@ -1,9 +1,11 @@
 """View of telemetry.py: one builder per populated message, ready to print."""
 
+from collections import Counter
 from dataclasses import dataclass
 
 from codegen.model.dialect import Kind, WireField
 from codegen.model.system import (
+    Component,
     Elements,
     FixedBinding,
     FlagsBinding,
@@ -14,8 +16,8 @@ from codegen.model.system import (
     System,
     read_quantities,
 )
-from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, live_views
-from codegen.targets.naming import builder_name, class_name, instance_expression, number, quoted
+from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, View, live_names, live_views
+from codegen.targets.naming import builder_name, class_names, instance_expression, number, quoted
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,9 +41,12 @@ class BuilderView:
     citation: str
     instances: int
     is_for_each: bool
-    components: tuple[tuple[str, str, bool], ...]
+    components: tuple[tuple[str, str], ...]
+    expiring: tuple[str, ...]
     fixed: tuple[FixedView, ...]
-    live: tuple[LiveView | SpillView | FlagByteView, ...]
+    live_names: tuple[str, ...]
+    live: tuple[View, ...]
+    packs: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,53 +57,80 @@ class TelemetryView:
     conversions: tuple[str, ...]
     uses_nan: bool
     uses_clock: bool
+    packs: bool
+    machine_code: bool
+
+
+LOCALS = 2
+"""Components that a builder has as variables of its own."""
 
 
 def telemetry_view(system: System) -> TelemetryView:
     """The view of the whole module."""
-    builders = tuple(_builder(message, system) for message in system.messages)
+    classes = class_names(message.name for message in system.messages)
+    builders = tuple(_builder(message, classes[message.name], system) for message in system.messages)
     used: set[str] = set()
     for builder in builders:
         for view in builder.live:
-            if isinstance(view, LiveView | SpillView):
+            if isinstance(view, LiveView | SpillView) and view.scale:
+                used.update(["limited", view.scale[0]])
+            if isinstance(view, LiveView) and view.divisor:
                 used.add("limited")
-                used.update([view.scale[0]] if view.scale else [])
             used.update(["spill"] if isinstance(view, SpillView) else [])
     unknowns = [view.unknown for builder in builders for view in builder.live if isinstance(view, LiveView)]
     prefilled = [fixed.statement for builder in builders for fixed in builder.fixed]
+    packed = [builder for builder in builders if any(_is_packed(view) for view in builder.live)]
     return TelemetryView(
         builders=builders,
         conversions=tuple(sorted(used)),
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
-        uses_clock=any(expires for builder in builders for _, _, expires in builder.components),
+        uses_clock=any(builder.expiring for builder in builders),
+        packs=bool(packed) or any("pack_into" in statement for statement in prefilled),
+        machine_code=system.spec.project.machine_code,
     )
 
 
-def _builder(message: PopulatedMessage, system: System) -> BuilderView:
-    components = {}
-    for binding in message.bindings:
-        for quantity in read_quantities(binding):
-            component = system.components[quantity.component]
-            expires = any(known.stale_after_ms is not None for known in component.quantities.values())
-            is_each = message.component is not None and message.component.name == component.name
-            components[component.name] = (component.name, instance_expression(component, is_each), expires)
+def _is_packed(view: View) -> bool:
+    return isinstance(view, LiveView) and view.index is None
+
+
+def _builder(message: PopulatedMessage, class_name: str, system: System) -> BuilderView:
+    read = Counter(quantity.component for binding in message.bindings for quantity in read_quantities(binding))
+    expiring = tuple(name for name in sorted(read) if _expires(system.components[name]))
+    reach = {}
+    for name in read:
+        is_each = message.component is not None and message.component.name == name
+        reach[name] = instance_expression(system.components[name], is_each)
+    packs = any(_is_packed(view) for view in live_views(message, reach))
+    # A board keeps up to eleven variables and intermediate values of a function off the heap: so only the components
+    # that are read most are variables, and none where values are packed.
+    frequent = [] if packs else [name for name, count in read.most_common(LOCALS) if count > 1 or name in expiring]
+    locals_ = tuple((name, reach[name]) for name in sorted(frequent))
+    reach |= {name: name for name in frequent}
     lowered = message.name.lower()
     return BuilderView(
         name=message.name,
         id=message.wire.id,
-        class_name=class_name(message.name),
+        class_name=class_name,
         function=builder_name(message),
         prefill=f"_new_{lowered}",
         store=f"_{lowered}",
         citation=str(message.citation),
         instances=message.instances,
         is_for_each=message.component is not None,
-        components=tuple(components[name] for name in sorted(components)),
+        components=locals_,
+        expiring=tuple(reach[name] for name in expiring),
         fixed=tuple(
             _fixed(binding) for binding in message.bindings if not isinstance(binding, LiveBinding | SplitBinding)
         ),
-        live=tuple(view for binding in message.bindings for view in live_views(binding)),
+        live_names=live_names(message),
+        live=live_views(message, reach),
+        packs=packs or any(isinstance(view, FlagByteView) for view in live_views(message, reach)),
     )
+
+
+def _expires(component: Component) -> bool:
+    return any(quantity.stale_after_ms is not None for quantity in component.quantities.values())
 
 
 def _fixed(binding: FixedBinding | FlagsBinding | InstanceBinding) -> FixedView:
@@ -125,10 +157,10 @@ def _prefilled(covers: Elements, values: tuple[int | float | str, ...], meaning:
         return FixedView(_packed(field, covers.offset, shown[0]), comment)
     code = f'"<{len(values)}{field.type.code}"'
     listed = f"*[{shown[0]}] * {len(shown)}" if len(set(shown)) == 1 else ", ".join(shown)
-    return FixedView(f"pack_into({code}, payload, {covers.offset}, {listed})", comment)
+    return FixedView(f"pack_into({code}, wire, {covers.offset}, {listed})", comment)
 
 
 def _packed(field: WireField, offset: int, value: str) -> str:
     if field.type.code == "B":
-        return f"payload[{offset}] = {value}"
-    return f'pack_into("<{field.type.code}", payload, {offset}, {value})'
+        return f"wire[{offset}] = {value}"
+    return f'pack_into("<{field.type.code}", wire, {offset}, {value})'

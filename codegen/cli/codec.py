@@ -1,0 +1,59 @@
+"""``codegen codec``: encoders and decoders for the messages of any dialect, no specification needed."""
+
+import argparse
+import os
+import sys
+from typing import Any
+
+from codegen.cli.architectures import ARCHITECTURES
+from codegen.cli.output import add_output_options, nonsense
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "codec",
+        parents=[common],
+        help="make MicroPython encoders and decoders for any dialect, without a specification",
+        description="Make MicroPython modules that encode and decode messages of a MAVLink dialect: a link for both "
+        "versions of the protocol with signing, the messages, their enums, and a page that says how to use them.",
+    )
+    parser.add_argument(
+        "--dialect", required=True, metavar="X", help="a dialect that pymavlink ships, or the path of an XML file"
+    )
+    parser.add_argument(
+        "--messages", required=True, metavar="A,B", help="names of messages, or all; only these take memory"
+    )
+    parser.add_argument("--out", required=True, metavar="DIR", help="the folder that the files go to")
+    parser.add_argument(
+        "--bytecode", action="store_true", help="make no machine code, for ports of MicroPython without it"
+    )
+    parser.add_argument(
+        "--mpy",
+        metavar="ARCH",
+        choices=ARCHITECTURES,
+        help="write compiled modules instead of sources: " + ", ".join(ARCHITECTURES),
+    )
+    add_output_options(parser)
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do what the options ask for, and return the exit code."""
+    names = [name.strip() for name in arguments.messages.split(",") if name.strip()]
+    fault = nonsense(arguments) or (None if names else "--messages names no message; say all for every one")
+    if fault:
+        print(f"codegen codec: {fault}", file=sys.stderr)
+        return 2
+    from codegen.cli.output import emit
+    from codegen.codec import codec_files
+    from codegen.diagnostics import Report
+
+    report = Report()
+    machine_code = not (arguments.bytecode or arguments.mpy == "bytecode")
+    rendered: dict[str, str | bytes] = {**codec_files(arguments.dialect, names, report, machine_code=machine_code)}
+    if rendered and arguments.mpy is not None:
+        from codegen.mpy import compiled
+
+        rendered = compiled(rendered, arguments.mpy, report)
+    return emit(rendered or None, os.path.abspath(arguments.out), arguments, report)

@@ -1,0 +1,90 @@
+"""Writing an output folder, or saying what would become of it: the same for every command that generates."""
+
+import argparse
+import sys
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from codegen.diagnostics import Report
+    from codegen.emit.plan import Plan
+
+
+def add_output_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say what happens to the files of the output folder."""
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if anything would change")
+    parser.add_argument("--diff", action="store_true", help="write nothing; print what would change as a patch")
+    parser.add_argument("--dry-run", action="store_true", help="write nothing; list the files that would be written")
+    parser.add_argument("--force", action="store_true", help="overwrite files that were edited by hand or are foreign")
+    parser.add_argument("--clean", action="store_true", help="remove files that are no longer generated")
+
+
+def nonsense(arguments: argparse.Namespace) -> str | None:
+    """Why the options of add_output_options() cannot go together, or None."""
+    if arguments.dry_run and (arguments.check or arguments.diff):
+        return "--dry-run lists what would be written; it does not go with --check or --diff"
+    if arguments.check and (arguments.force or arguments.clean):
+        return "--check compares and never writes; it does not go with --force or --clean"
+    return None
+
+
+def emit(
+    rendered: Mapping[str, str | bytes] | None, folder: str, arguments: argparse.Namespace, report: "Report"
+) -> int:
+    """Do with ``rendered`` what the options ask for, print the findings, and return the exit code.
+
+    Without ``rendered``, or after errors, there are only the findings.
+    """
+    from codegen.cli.findings import print_findings
+
+    plan = None if rendered is None or report.has_errors else _plan(rendered, folder, arguments, report)
+    if plan is None or arguments.check or arguments.diff or arguments.dry_run:
+        print_findings(report)
+        return report.exit_code if plan is None else _show(arguments, plan, report)
+    outcome = None
+    if not report.has_errors:
+        from codegen.emit.write import write_output
+
+        outcome = write_output(plan, report)
+    print_findings(report)
+    if outcome is not None:
+        removed = f", {outcome.removed} removed" if outcome.removed else ""
+        noun = "file" if outcome.written == 1 else "files"
+        print(f"{outcome.written} {noun} written, {outcome.unchanged} unchanged{removed}", file=sys.stderr)
+    return report.exit_code
+
+
+def _plan(
+    rendered: Mapping[str, str | bytes], folder: str, arguments: argparse.Namespace, report: "Report"
+) -> "Plan | None":
+    """The comparison with the disk; None if the folder cannot be used, which is then reported."""
+    from codegen.emit.findings import report_refusals, report_stale, report_strays
+    from codegen.emit.plan import plan_output
+
+    plan = plan_output(rendered, folder, report, force=arguments.force, clean=arguments.clean)
+    if plan is None:
+        return None
+    if arguments.check:
+        report_stale(plan, report)
+    else:
+        report_refusals(plan, report)
+    report_strays(plan, report)
+    return plan
+
+
+def _show(arguments: argparse.Namespace, plan: "Plan", report: "Report") -> int:
+    """Print what a run would do, after the findings, and return the exit code."""
+    from codegen.emit.difference import differences
+    from codegen.source import shown_path
+
+    code = report.exit_code
+    if arguments.diff:
+        for patch in differences(plan):
+            print(patch, end="")
+            code = code or 1
+    elif arguments.dry_run and not report.has_errors:
+        for file in plan.writes:
+            print(f"write {shown_path(plan.place(file.path).file)} ({file.change.value})")
+        for file in plan.removals:
+            print(f"remove {shown_path(plan.place(file.path).file)} ({file.change.value})")
+    return code

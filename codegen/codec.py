@@ -1,0 +1,71 @@
+"""The way of the data for a codec: read a dialect, choose messages, render; no specification is needed."""
+
+import os
+from collections.abc import Sequence
+
+from codegen.decode.dialect_files import decode_dialect_files
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
+from codegen.model.dialect import Dialect, WireMessage
+from codegen.resolve.dialect import resolve_dialect
+from codegen.source import Place
+from codegen.targets.codec import render_codec
+from codegen.targets.codec.enums import enums_of
+
+ALL = "all"
+
+CODEC_DIALECT = Rule(
+    "codec-dialect",
+    "A codec is made of a dialect that pymavlink ships (common, ardupilotmega, ...) or of an XML file, whose path ends "
+    "in .xml.",
+    unreadable=True,
+)
+CODEC_MESSAGE = Rule(
+    "codec-message",
+    "A codec is asked for a message that the dialect does not have. Names are those of the dialect, in any case.",
+)
+CODEC_EMPTY = Rule("codec-empty", "A codec without a message would have nothing to do: the dialect states none.")
+
+
+def read_codec_dialect(written: str, report: Report) -> Dialect | None:
+    """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic."""
+    path = shipped_dialect_path(written)
+    if path is None and not written.lower().endswith(".xml"):
+        hint = did_you_mean(written, shipped_dialect_names())
+        report.add(CODEC_DIALECT, Place(os.path.abspath(written)), f"pymavlink ships no dialect {written}", hint)
+        return None
+    path = path or os.path.abspath(written)
+    files = decode_dialect_files(path, report)
+    name = os.path.splitext(os.path.basename(path))[0]
+    return resolve_dialect(name, files, (), report) if files else None
+
+
+def chosen_messages(names: Sequence[str], dialect: Dialect, report: Report) -> tuple[WireMessage, ...]:
+    """The messages called ``names`` (or all), in order of id, each once; names that do not exist are reported."""
+    if any(name.lower() == ALL for name in names):
+        wanted = set(dialect.messages)
+    else:
+        wanted = set()
+        for name in names:
+            if name.upper() in dialect.messages:
+                wanted.add(name.upper())
+            else:
+                hint = did_you_mean(name.upper(), dialect.messages)
+                place = Place(dialect.files[-1])
+                report.add(CODEC_MESSAGE, place, f"the dialect {dialect.name} has no message {name}", hint)
+    if not dialect.messages:
+        report.add(CODEC_EMPTY, Place(dialect.files[-1]), f"the dialect {dialect.name} has no messages")
+    return tuple(message for name, message in dialect.messages.items() if name in wanted)
+
+
+def codec_files(written: str, names: Sequence[str], report: Report, *, machine_code: bool = True) -> dict[str, str]:
+    """``{path below the output folder: text}`` of a codec; empty if anything was reported as an error."""
+    dialect = read_codec_dialect(written, report)
+    if dialect is None:
+        return {}
+    messages = chosen_messages(names, dialect, report)
+    if report.has_errors or not messages:
+        return {}
+    is_whole = len(messages) == len(dialect.messages)
+    enums = [dialect.enums[name] for name in sorted(dialect.enums)] if is_whole else enums_of(messages, dialect)
+    return render_codec(dialect, messages, enums, machine_code=machine_code)

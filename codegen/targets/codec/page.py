@@ -1,0 +1,82 @@
+"""The codec's page: how to use it, and what is in it, message by message."""
+
+from collections.abc import Callable, Iterable, Sequence
+
+from codegen.model.dialect import EnumDefinition, Kind, WireField, WireMessage
+from codegen.targets.codec.enums import module_name
+from codegen.targets.codec.layout import type_text, unknown_text
+from codegen.targets.naming import class_names
+from codegen.template_files import filled
+
+
+def page_text(dialect: str, messages: Sequence[WireMessage], enums: Sequence[EnumDefinition]) -> str:
+    """The page about a codec with at least one message."""
+    classes = class_names(message.name for message in messages)
+    example, field = _example(messages, _is_simple)
+    live_example, live_field = _example(messages, _is_live)
+    values = {
+        "dialect": dialect,
+        "count": f"{len(messages)} message{'' if len(messages) == 1 else 's'}",
+        "class_name": classes[example.name],
+        "lowered": example.name.lower(),
+        "field": field.name,
+        "value": '"text"' if field.type.kind is Kind.CHAR else f"[1] * {field.count}" if field.is_array else "1",
+        "live_class": classes[live_example.name],
+        "live_field": live_field.name,
+        "longest": max(message.length for message in messages),
+        "enums": _enums(enums),
+        "messages": "".join(_message(message, classes[message.name]) for message in messages),
+    }
+    return filled("codec/README.md.in", values)
+
+
+def _is_simple(field: WireField) -> bool:
+    return field.type.kind is not Kind.CHAR and not field.is_array
+
+
+def _is_live(field: WireField) -> bool:
+    return field.type.is_integer and field.type.size <= 4 and not field.is_array
+
+
+def _example(messages: Iterable[WireMessage], fits: Callable[[WireField], bool]) -> tuple[WireMessage, WireField]:
+    """A message and a field of it for an example: one that fits, with a unit if there is such."""
+    found = [(message, field) for message in messages for field in message.fields]
+    found.sort(key=lambda pair: (not fits(pair[1]), not pair[1].definition.units))
+    return found[0]
+
+
+def _enums(enums: Sequence[EnumDefinition]) -> str:
+    if not enums:
+        return "The fields of these messages refer to no enum."
+    listed = "\n".join(f"- `{module_name(enum)}`: {len(enum.entries)}" for enum in enums)
+    example = module_name(enums[0])
+    return (
+        f"Each is a module of its own, so that only those that are imported take memory: `from enums.{example} import "
+        f"...`. The modules, and how many entries each has:\n\n{listed}"
+    )
+
+
+def _message(message: WireMessage, class_name: str) -> str:
+    lengths = f"{message.base_length} bytes"
+    if message.length != message.base_length:
+        lengths += f", {message.length} with extensions"
+    description = message.definition.description
+    values = {
+        "name": message.name,
+        "class_name": class_name,
+        "id": message.id,
+        "crc_extra": message.crc_extra,
+        "lengths": lengths,
+        "description": f" {description}" if description else "",
+        "rows": "\n".join(_row(field) for field in message.fields),
+    }
+    return filled("codec/message_page.md.in", values)
+
+
+def _row(field: WireField) -> str:
+    definition = field.definition
+    extension = " (extension)" if definition.is_extension else ""
+    unit = definition.units or ""
+    enum = f"`{definition.enum}`" if definition.enum else ""
+    description = definition.description.replace("|", "\\|")
+    return f"| {field.name}{extension} | {type_text(field)} | {unit} | {enum} | {unknown_text(field)} | {description} |"

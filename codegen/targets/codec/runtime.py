@@ -1,0 +1,18 @@
+"""The part of the codec that is the same for every dialect: links, messages and frames."""
+
+from codegen.targets.origin import headed, origin_of_text
+from codegen.template_files import copied
+
+MODULES = ("fields", "frames", "frames_plain", "mavlink", "message", "receiver", "sender")
+"""Modules that a link needs; signing.py comes with those that sign, frames_viper.py where machine code is wanted."""
+
+MACHINE_CODE = "frames_viper"
+
+
+def runtime_files(folder: str, *more: str) -> dict[str, str]:
+    """The modules, and ``more`` of templates/codec, by path; ``folder`` is "" or ends in a slash."""
+    files = {}
+    for module in sorted((*MODULES, *more)):
+        text = copied(f"codec/{module}.py")
+        files[f"{folder}{module}.py"] = headed(text, origin_of_text(f"templates/codec/{module}.py", text))
+    return files

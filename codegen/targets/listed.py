@@ -1,0 +1,19 @@
+"""The targets of a project: each makes one kind of output from the resolved system. To add one, list it here."""
+
+from collections.abc import Callable
+
+from codegen.model.system import System
+from codegen.targets.documents import render_documents
+from codegen.targets.firmware import render_firmware
+from codegen.targets.mocks import render_mocks
+from codegen.targets.schema_files import render_schemas
+from codegen.targets.suite import render_suite
+
+TARGETS: tuple[Callable[[System], dict[str, str]], ...] = (
+    render_firmware,
+    render_mocks,
+    render_suite,
+    render_documents,
+    render_schemas,
+)
+"""Functions from the system to ``{path below the output folder: text}``."""

@@ -1,0 +1,11 @@
+# Generated from templates/mocks/micropython.py: do not edit.
+# Inputs: c414533482e4e1bd
+"""MicroPython's module of this name, as far as the firmware uses it, for CPython: functions stay what they are.
+
+MicroPython has its own and never reads this file.
+"""
+
+
+def native(function):
+    """Make no machine code."""
+    return function
