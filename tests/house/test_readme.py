@@ -55,3 +55,44 @@ def test_finding_is_the_one_that_the_readme_shows(tmp_path):
     done = subprocess.run([str(BIN / "codegen"), "check"], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert done.stdout.startswith(block("text", "sentinel-contradiction").rstrip("\n"))
+
+
+WIRE = """
+class Wire:
+    def __init__(self):
+        self.data = b""
+
+    def write(self, data):
+        self.data += bytes(data)
+        return len(data)
+
+    def read(self):
+        return self.data
+
+
+uart = Wire()
+"""
+
+
+def test_codec_examples_run(tmp_path):
+    """The command of the README writes what it says; its example and that of docs/codec.md talk to themselves."""
+    command, shown = re.search(r"\$ (codegen codec .*)\n(.*\n)", block("console", "$ codegen codec")).groups()
+    environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "MICROPYPATH": "lib"}
+    bash = ["bash", "-c", command]
+    done = subprocess.run(bash, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, shown)
+    page = (ROOT / "docs" / "codec.md").read_text()
+    examples = [
+        block("python", "messages.BatteryStatus().update"),
+        re.findall(r"```python\n(.*?)```", page, re.DOTALL)[0],
+    ]
+    for example in examples:
+        heartbeat = "link.send(messages.Heartbeat())\nfor message in link.feed(uart.read()):"
+        text = WIRE + example.replace("for message in link.feed(uart.read()):", heartbeat)
+        (tmp_path / "example.py").write_text(text)
+        for interpreter in ("micropython", "python"):
+            run = [str(BIN / interpreter), "example.py"]
+            paths = {**environment, "PYTHONPATH": "lib", "PYTHONDONTWRITEBYTECODE": "1"}
+            printed = subprocess.run(run, cwd=tmp_path, env=paths, capture_output=True, text=True, check=False)
+            assert printed.returncode == 0, printed.stderr
+            assert "1 BATTERY_STATUS" in printed.stdout or "system 1 is there" in printed.stdout

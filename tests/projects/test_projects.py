@@ -1,7 +1,8 @@
 """Other projects than the rover: each is built as it is, and its generated suite is green on both interpreters.
 
-two_batteries has what the rover does not: several instances, an overlay's message with float fields, scaling with each
-rounding, parameters as sources, texts, elements answered one by one, limits as amounts, and a converter of 10 bits.
+minimal has neither sensors nor machine code. two_batteries has what the rover does not: several instances, an
+overlay's message with float fields, scaling with each rounding, parameters as sources, texts, elements answered one by
+one, limits as amounts, and a converter of 10 bits.
 """
 
 import subprocess

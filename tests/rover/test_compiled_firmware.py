@@ -1,0 +1,92 @@
+"""`codegen build --mpy`: the modules that a board loads do what their sources do."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TOOLS = Path(sys.executable).parent
+
+# The stream takes the place of the board's UART; everything else is the compiled firmware.
+SCRIPT = """
+import frames, frames_plain_or_viper
+from state import SystemState
+from streams import open_link
+import telemetry
+
+class Wire:
+    def write(self, frame):
+        print(bytes(frame).hex())
+        return len(frame)
+
+state = SystemState()
+state.battery.voltage = 12.6
+state.battery.current = -0.01
+link = open_link(Wire())
+for build in (telemetry.build_heartbeat, telemetry.build_sys_status, telemetry.build_battery_status):
+    link.send(build(state))
+"""
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """The rover's specification in a folder of its own."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    return tmp_path
+
+
+def codegen(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [str(TOOLS / "codegen"), "build", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def frames(folder: Path, modules: Path, form: str) -> list[str]:
+    """The frames that firmware makes under MicroPython; without machine code it makes them in plain Python."""
+    script = folder / "script.py"
+    script.write_text(SCRIPT.replace("frames_plain_or_viper", form))
+    path = os.pathsep.join([str(modules), str(ROOT / "generated" / "mocks")])
+    done = subprocess.run(
+        [str(TOOLS / "micropython"), str(script)],
+        env=os.environ | {"MICROPYPATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+@pytest.mark.parametrize(("architecture", "form"), [("x64", "frames_viper"), ("bytecode", "frames_plain")])
+def test_compiled_firmware_sends_the_same_frames(project: Path, architecture: str, form: str) -> None:
+    """Machine code for this host, and bytecode for every board, although the project asks for machine code."""
+    done = codegen(project, "--mpy", architecture)
+    assert done.returncode == 0, done.stdout
+    modules = project / "build" / architecture
+    assert not list(modules.glob("*.py"))
+    sent = frames(project, modules, form)
+    assert len(sent) == 3
+    assert sent == frames(project, ROOT / "generated" / "firmware", "frames_plain")
+
+
+@pytest.mark.parametrize("architecture", ["armv6m", "armv7emsp"])
+def test_firmware_compiles_for_the_boards_processors(project: Path, architecture: str) -> None:
+    done = codegen(project, "--mpy", architecture)
+    assert done.returncode == 0, done.stdout
+    compiled = {path.stem for path in (project / "build" / architecture).glob("*.mpy")}
+    assert {"board", "frames_viper", "mavlink", "streams", "telemetry"} <= compiled
+    assert "frames_plain" not in compiled
+
+
+def test_machine_code_can_be_done_without(project: Path) -> None:
+    """`machine_code: false` leaves neither viper nor native code; the frames stay the same."""
+    with (project / "specs" / "codegen.yaml").open("a") as file:
+        file.write("machine_code: false\n")
+    assert codegen(project).returncode == 0
+    firmware = project / "generated" / "firmware"
+    assert not (firmware / "frames_viper.py").exists()
+    assert "micropython" not in (firmware / "telemetry.py").read_text()
+    assert frames(project, firmware, "frames_plain") == frames(project, ROOT / "generated" / "firmware", "frames_viper")
