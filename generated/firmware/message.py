@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: b641960a2752ebfe
+# Inputs: 8927c1185cddf833
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -21,6 +21,7 @@ class Message:
     BASE_LENGTH = 0  # bytes of payload without extension fields: all that MAVLink 1 sends
     LENGTH = 0
     FIELDS = ""  # name:code in wire order; see fields
+    DEFAULTS = {}  # what fields hold at first instead of 0: the version of the dialect
 
     def __init__(self, live=(), unknown=True):
         """Make a message; what the dialect has a value for "unknown" for is unknown at first, everything else is 0.
@@ -47,6 +48,8 @@ class Message:
             image[11 + 2 * index] = place >> 8
         if unknown and "=" in self.FIELDS:
             _fields().forget(self)
+        if unknown:
+            self.update(**self.DEFAULTS)
 
     def __getattr__(self, name):
         try:

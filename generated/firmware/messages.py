@@ -23,6 +23,7 @@ class Heartbeat(Message):
     BASE_LENGTH = 9
     LENGTH = 9
     FIELDS = "custom_mode:I type:B autopilot:B base_mode:B system_status:B mavlink_version:B"
+    DEFAULTS = {"mavlink_version": 3}
 
 
 class SysStatus(Message):

@@ -19,6 +19,7 @@ class Message:
     BASE_LENGTH = 0  # bytes of payload without extension fields: all that MAVLink 1 sends
     LENGTH = 0
     FIELDS = ""  # name:code in wire order; see fields
+    DEFAULTS = {}  # what fields hold at first instead of 0: the version of the dialect
 
     def __init__(self, live=(), unknown=True):
         """Make a message; what the dialect has a value for "unknown" for is unknown at first, everything else is 0.
@@ -45,6 +46,8 @@ class Message:
             image[11 + 2 * index] = place >> 8
         if unknown and "=" in self.FIELDS:
             _fields().forget(self)
+        if unknown:
+            self.update(**self.DEFAULTS)
 
     def __getattr__(self, name):
         try:

@@ -32,6 +32,7 @@ DIALECT = """<mavlink>
 </mavlink>
 """
 BASE = """<mavlink>
+  <version>7</version>
   <enums>
     <enum name="RACK_STATE"><entry value="0" name="RACK_STATE_OPEN"/><entry value="1" name="RACK_STATE_SHUT"/></enum>
     <enum name="UNUSED"><entry value="0" name="UNUSED_ENTRY"/></enum>
@@ -40,6 +41,7 @@ BASE = """<mavlink>
     <message id="0" name="HEARTBEAT">
       <description>Alive</description>
       <field type="uint8_t" name="beat">Beat</field>
+      <field type="uint8_t_mavlink_version" name="mavlink_version">Version of the dialect</field>
     </message>
   </messages>
 </mavlink>
@@ -61,6 +63,7 @@ link = Link(wire, 7, 8, messages=messages.ALL)
 rack = messages.PayloadRack()
 assert rack.label == "" and rack.weights == (None,) * 4 and rack.angle is None and rack.state == 0
 rack.update(label="hook", weights=[1, None, 3, 4], state=RACK_STATE_SHUT)
+assert messages.Heartbeat().mavlink_version == 7 and messages.Heartbeat(unknown=False).mavlink_version == 0
 rack.set("wire", -5)
 assert rack.get("wire") == -5
 link.send(rack)

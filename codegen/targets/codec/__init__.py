@@ -16,7 +16,7 @@ def render_codec(
     """The files of a codec for ``messages`` (at least one) and ``enums`` of a dialect."""
     files = runtime_files("", "signing", *([MACHINE_CODE] if machine_code else []))
     origin = Origin((f"dialect {dialect.name}",), wire_digest(messages))
-    files["messages.py"] = headed(messages_text(messages), origin)
+    files["messages.py"] = headed(messages_text(messages, dialect.version), origin)
     for enum in enums:
         files[f"enums/{module_name(enum)}.py"] = headed(enum_text(enum), origin)
     files["README.md"] = page_text(dialect.name, messages, enums)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable
 
 from codegen.model.dialect import Kind, Sentinel, SentinelForm, WireField, WireMessage
+from codegen.model.wire_types import VERSION_TYPE
 from codegen.targets.naming import class_names
 from codegen.template_files import filled
 
@@ -11,17 +12,18 @@ WIDTH = 104
 """Columns of a literal with field words, without indentation and quotes."""
 
 
-def messages_text(messages: Iterable[WireMessage]) -> str:
-    """The module with a class for each of the messages, in the order given."""
+def messages_text(messages: Iterable[WireMessage], version: int) -> str:
+    """The module with a class for each of the messages, in the order given; ``version`` is that of their dialect."""
     known = tuple(messages)
     classes = class_names(wire.name for wire in known)
     listed = "".join(f"    {name},\n" for name in classes.values())
     everything = f"(\n{listed})" if len(classes) > 1 else f"({', '.join(classes.values())},)" if classes else "()"
-    bodies = "".join(_class(wire, classes[wire.name]) for wire in known)
+    bodies = "".join(_class(wire, classes[wire.name], version) for wire in known)
     return filled("codec/messages.py.in", {"classes": bodies, "all": everything})
 
 
-def _class(wire: WireMessage, class_name: str) -> str:
+def _class(wire: WireMessage, class_name: str, version: int) -> str:
+    versions = [field.name for field in wire.fields if field.definition.type == VERSION_TYPE]
     values = {
         "name": wire.name,
         "class_name": class_name,
@@ -30,6 +32,7 @@ def _class(wire: WireMessage, class_name: str) -> str:
         "base_length": wire.base_length,
         "length": wire.length,
         "lines": "\n".join(f"    {_line(field)}" for field in wire.fields),
+        "defaults": "".join(f'    DEFAULTS = {{"{name}": {version}}}\n' for name in versions[:1]),
         "fields": _literal([field_word(field) for field in wire.fields]),
     }
     return filled("codec/message_class.py.in", values)

@@ -29,7 +29,9 @@ def render_firmware(system: System) -> dict[str, str]:
     }
     accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
-    files["firmware/messages.py"] = headed(messages_text(wires), origin_of(system, tables, wires))
+    files["firmware/messages.py"] = headed(
+        messages_text(wires, system.dialect.version), origin_of(system, tables, wires)
+    )
     for name, (view, paths, messages) in rendered.items():
         text = render_template(f"firmware/{name}.j2", view)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
