@@ -7,8 +7,9 @@ import argparse
 import os
 import sys
 from contextlib import suppress
+from functools import cache
 from importlib import import_module
-from typing import TextIO
+from typing import Any, TextIO
 
 from codegen import __version__
 
@@ -59,9 +60,24 @@ def _run(argv: list[str]) -> int:
     return int(arguments.run(arguments))
 
 
+class _Formatter(argparse.HelpFormatter):
+    """Asks for the terminal's width itself: argparse does so at each argument, and reads a large module for it."""
+
+    def __init__(self, prog: str) -> None:
+        super().__init__(prog, width=_columns() - 2)
+
+
+@cache
+def _columns() -> int:
+    with suppress(ValueError, OSError):
+        return int(os.environ.get("COLUMNS") or os.get_terminal_size().columns) or 80
+    return 80
+
+
 def _parser(argv: list[str]) -> argparse.ArgumentParser:
     """The parser with every command, or only with the one that ``argv`` begins with."""
-    common = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS)
+    options: dict[str, Any] = {"formatter_class": _Formatter}
+    common = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS, **options)
     common.add_argument(
         "--project",
         metavar="FILE",
@@ -76,6 +92,7 @@ def _parser(argv: list[str]) -> argparse.ArgumentParser:
         epilog="Exit codes: 0 clean; 1 findings or stale output; 2 usage, configuration or unreadable input; "
         "3 internal error.",
         parents=[common],
+        **options,
     )
     parser.add_argument("--version", action="version", version=f"codegen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="codegen")

@@ -13,6 +13,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "build",
         parents=[common],
+        formatter_class=common.formatter_class,
         help="generate the firmware, mocks, tests and documents",
         description="Generate the output folder. Files that are right already are not touched; a generated file that "
         "was edited by hand stops the build before anything is written.",

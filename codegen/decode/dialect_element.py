@@ -87,7 +87,10 @@ class ElementReader:
 
     def description(self, element: XmlElement) -> str:
         """The text of the first ``<description>`` on one line; empty where there is none."""
-        return next((one_line(child.text) for child in element.children if child.tag == "description"), "")
+        for child in element.children:
+            if child.tag == "description":
+                return one_line(child.text)
+        return ""
 
     def lifecycle(self, element: XmlElement) -> Lifecycle:
         """What ``<wip>``, ``<deprecated>`` and ``<superseded>`` say; a missing date is an error and reads as ''."""

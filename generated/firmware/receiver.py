@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: 671a8fad3394fd28
+# Inputs: 80bb04725eb87a34
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -73,9 +73,11 @@ class Receiver:
             while not find_frame(0xFFFF, TABLE, self._buffer, state):
                 if not self._fill():
                     return None
-            message = self._messages.get(state[6]) or self._new_message()
+            message = self._messages.get(state[6])
             if message is None:
-                continue
+                message = self._new_message()
+                if message is None:
+                    continue
             if self.signing is not None and not self._is_admitted(message):
                 continue
             if read_frame(TABLE, self._buffer, state, message._image, message.live):

@@ -71,9 +71,11 @@ class Receiver:
             while not find_frame(0xFFFF, TABLE, self._buffer, state):
                 if not self._fill():
                     return None
-            message = self._messages.get(state[6]) or self._new_message()
+            message = self._messages.get(state[6])
             if message is None:
-                continue
+                message = self._new_message()
+                if message is None:
+                    continue
             if self.signing is not None and not self._is_admitted(message):
                 continue
             if read_frame(TABLE, self._buffer, state, message._image, message.live):
