@@ -1,12 +1,12 @@
 """The way of the data for a codec: read a dialect, choose messages, render; no specification is needed."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
-from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.resolve.dialect import resolve_dialect
 from codegen.source import Place
 from codegen.targets.codec import render_codec
@@ -23,6 +23,10 @@ CODEC_DIALECT = Rule(
 CODEC_MESSAGE = Rule(
     "codec-message",
     "A codec is asked for a message that the dialect does not have. Names are those of the dialect, in any case.",
+)
+CODEC_ENUM = Rule(
+    "codec-enum",
+    "A codec is asked for an enum that the dialect does not have. Names are those of the dialect, in any case.",
 )
 CODEC_EMPTY = Rule("codec-empty", "A codec without a message would have nothing to do: the dialect states none.")
 
@@ -42,30 +46,57 @@ def read_codec_dialect(written: str, report: Report) -> Dialect | None:
 
 def chosen_messages(names: Sequence[str], dialect: Dialect, report: Report) -> tuple[WireMessage, ...]:
     """The messages called ``names`` (or all), in order of id, each once; names that do not exist are reported."""
-    if any(name.lower() == ALL for name in names):
-        wanted = set(dialect.messages)
-    else:
-        wanted = set()
-        for name in names:
-            if name.upper() in dialect.messages:
-                wanted.add(name.upper())
-            else:
-                hint = did_you_mean(name.upper(), dialect.messages)
-                place = Place(dialect.files[-1])
-                report.add(CODEC_MESSAGE, place, f"the dialect {dialect.name} has no message {name}", hint)
     if not dialect.messages:
         report.add(CODEC_EMPTY, Place(dialect.files[-1]), f"the dialect {dialect.name} has no messages")
+    if any(name.lower() == ALL for name in names):
+        return tuple(dialect.messages.values())
+    wanted = _known(names, "message", dialect.messages, CODEC_MESSAGE, dialect, report)
     return tuple(message for name, message in dialect.messages.items() if name in wanted)
 
 
-def codec_files(written: str, names: Sequence[str], report: Report, *, machine_code: bool = True) -> dict[str, str]:
-    """``{path below the output folder: text}`` of a codec; empty if anything was reported as an error."""
+def chosen_enums(
+    names: Sequence[str] | None, messages: Sequence[WireMessage], dialect: Dialect, report: Report
+) -> tuple[EnumDefinition, ...]:
+    """The enums called ``names``, without any those that the messages refer to, and for all messages every one."""
+    if names is not None:
+        wanted = _known(names, "enum", dialect.enums, CODEC_ENUM, dialect, report)
+        return tuple(dialect.enums[name] for name in sorted(wanted))
+    if len(messages) == len(dialect.messages):
+        return tuple(dialect.enums[name] for name in sorted(dialect.enums))
+    return enums_of(messages, dialect)
+
+
+def _known(
+    names: Sequence[str], kind: str, known: Collection[str], rule: Rule, dialect: Dialect, report: Report
+) -> set[str]:
+    """The names in the dialect's case; those that it does not have are reported."""
+    wanted = set()
+    for name in names:
+        if name.upper() in known:
+            wanted.add(name.upper())
+        else:
+            hint = did_you_mean(name.upper(), known)
+            report.add(rule, Place(dialect.files[-1]), f"the dialect {dialect.name} has no {kind} {name}", hint)
+    return wanted
+
+
+def codec_files(
+    written: str,
+    names: Sequence[str],
+    report: Report,
+    *,
+    enums: Sequence[str] | None = None,
+    machine_code: bool = True,
+) -> dict[str, str]:
+    """``{path below the output folder: text}`` of a codec; empty if anything was reported as an error.
+
+    ``names`` are those of messages, ``enums`` those of enums (None: the ones that the messages refer to).
+    """
     dialect = read_codec_dialect(written, report)
     if dialect is None:
         return {}
     messages = chosen_messages(names, dialect, report)
-    if report.has_errors or not messages:
+    chosen = chosen_enums(enums, messages, dialect, report)
+    if report.has_errors:
         return {}
-    is_whole = len(messages) == len(dialect.messages)
-    enums = [dialect.enums[name] for name in sorted(dialect.enums)] if is_whole else enums_of(messages, dialect)
-    return render_codec(dialect, messages, enums, machine_code=machine_code)
+    return render_codec(dialect, messages, chosen, machine_code=machine_code)

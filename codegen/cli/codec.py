@@ -27,6 +27,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--out", required=True, metavar="DIR", help="the folder that the files go to")
     parser.add_argument(
+        "--enums", metavar="A,B", help="names of enums, or none (default: those that the messages refer to)"
+    )
+    parser.add_argument(
         "--bytecode", action="store_true", help="make no machine code, for ports of MicroPython without it"
     )
     parser.add_argument(
@@ -41,7 +44,8 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Do what the options ask for, and return the exit code."""
-    names = [name.strip() for name in arguments.messages.split(",") if name.strip()]
+    names = _names(arguments.messages)
+    enums = None if arguments.enums is None else [name for name in _names(arguments.enums) if name.lower() != "none"]
     fault = nonsense(arguments) or (None if names else "--messages names no message; say all for every one")
     if fault:
         print(f"codegen codec: {fault}", file=sys.stderr)
@@ -52,9 +56,14 @@ def run(arguments: argparse.Namespace) -> int:
 
     report = Report()
     machine_code = not (arguments.bytecode or arguments.mpy == "bytecode")
-    rendered: dict[str, str | bytes] = {**codec_files(arguments.dialect, names, report, machine_code=machine_code)}
+    files = codec_files(arguments.dialect, names, report, enums=enums, machine_code=machine_code)
+    rendered: dict[str, str | bytes] = {**files}
     if rendered and arguments.mpy is not None:
         from codegen.mpy import compiled
 
         rendered = compiled(rendered, arguments.mpy, report)
     return emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
+
+
+def _names(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]

@@ -49,7 +49,7 @@ BASE = """<mavlink>
 
 SCRIPT = """
 import messages
-from enums.rack_state import RACK_STATE_SHUT
+from enums import RACK_STATE_SHUT
 from mavlink import Link
 
 class Wire:
@@ -121,10 +121,34 @@ def test_a_dialect_of_ones_own_works(dialect: Path, run: Run, interpreter: str, 
 def test_only_chosen_messages_are_there(dialect: Path, run: Run) -> None:
     """A board pays for nothing else: one class, the enum that it refers to; names in any case and order."""
     assert run("--dialect", "rack.xml", "--messages", "payload_rack", "--out", "lib")[0] == 0
-    assert {path for path in files(dialect / "lib") if path.startswith("enums/")} == {"enums/rack_state.py"}
+    enums = (dialect / "lib" / "enums.py").read_text()
+    assert "RACK_STATE_SHUT = 1" in enums
+    assert "UNUSED_ENTRY" not in enums
     text = (dialect / "lib" / "messages.py").read_text()
     assert text.count("\nclass ") == 1
     assert text.endswith("ALL = (PayloadRack,)\n")
+
+
+def test_enums_can_be_chosen(dialect: Path, run: Run) -> None:
+    """By their names, or none; one that is not there is a finding."""
+    arguments = ("--dialect", "rack.xml", "--messages", "HEARTBEAT")
+    assert run(*arguments, "--out", "a", "--enums", "unused")[0] == 0
+    assert "UNUSED_ENTRY = 0" in (dialect / "a" / "enums.py").read_text()
+    assert run(*arguments, "--out", "b", "--enums", "none")[0] == 0
+    assert " = " not in (dialect / "b" / "enums.py").read_text()
+    code, out, _ = run(*arguments, "--out", "c", "--enums", "RACK_STAT")
+    assert code == 1
+    assert "codec-enum" in out
+    assert "did you mean RACK_STATE?" in out
+
+
+def test_a_name_of_two_enums_stands_for_the_first(dialect: Path, run: Run) -> None:
+    """Constants share one module: what would overwrite another is a comment."""
+    path = dialect / "parts" / "base.xml"
+    path.write_text(path.read_text().replace('value="0" name="UNUSED_ENTRY"', 'value="5" name="RACK_STATE_SHUT"'))
+    assert run("--dialect", "rack.xml", "--messages", "all", "--out", "lib")[0] == 0
+    lines = (dialect / "lib" / "enums.py").read_text().splitlines()
+    assert [line for line in lines if "SHUT" in line] == ["RACK_STATE_SHUT = 1", "# RACK_STATE_SHUT = 5"]
 
 
 def test_page_shows_fields_and_runs_its_own_example(dialect: Path, run: Run) -> None:
@@ -160,7 +184,7 @@ def test_compiled_for_a_board(dialect: Path, run: Run) -> None:
         assert run(*arguments, "--out", architecture)[0] == 0
         found = files(dialect / architecture)
         assert not [path for path in found if path.endswith(".py")]
-        assert {"messages.mpy", "enums/rack_state.mpy", "README.md"} <= found
+        assert {"messages.mpy", "enums.mpy", "README.md"} <= found
         assert absent not in found
     assert run("--dialect", "rack.xml", "--messages", "all", "--mpy", "x64", "--out", "host")[0] == 0
     program = str(Path(sys.executable).parent / "micropython")

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
-from codegen.targets.codec.enums import enum_text, module_name
+from codegen.targets.codec.enums import enums_text
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.page import page_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
@@ -17,7 +17,6 @@ def render_codec(
     files = runtime_files("", "signing", *([MACHINE_CODE] if machine_code else []))
     origin = Origin((f"dialect {dialect.name}",), wire_digest(messages))
     files["messages.py"] = headed(messages_text(messages, dialect.version), origin)
-    for enum in enums:
-        files[f"enums/{module_name(enum)}.py"] = headed(enum_text(enum), origin)
+    files["enums.py"] = headed(enums_text(enums), origin)
     files["README.md"] = page_text(dialect.name, messages, enums)
     return files

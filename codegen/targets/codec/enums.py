@@ -1,4 +1,4 @@
-"""The enum modules: one for each enum, so that a board pays only for those that it imports."""
+"""enums.py: the constants of the enums that messages refer to."""
 
 from collections.abc import Iterable
 
@@ -15,19 +15,22 @@ def enums_of(messages: Iterable[WireMessage], dialect: Dialect) -> tuple[EnumDef
     return tuple(dialect.enums[name] for name in sorted(names & dialect.enums.keys()))
 
 
-def module_name(enum: EnumDefinition) -> str:
-    """The module of an enum, below ``enums``."""
-    return enum.name.lower()
+def enums_text(enums: Iterable[EnumDefinition]) -> str:
+    """The module with a constant for each entry: ``NAME = value  # what it means``.
 
-
-def enum_text(enum: EnumDefinition) -> str:
-    """The module of an enum: ``NAME = value  # what it means``."""
-    values = {
-        "name": enum.name,
-        "kind": "bits, to be combined" if enum.is_bitmask else "values",
-        "lines": "\n".join(_line(entry.name, entry.value, entry.description) for entry in enum.entries),
-    }
-    return filled("codec/enum.py.in", values)
+    A name that two enums have stands for the value of the first; that of the other is a comment.
+    """
+    taken: dict[str, int] = {}
+    blocks = []
+    for enum in enums:
+        lines = [f"# {enum.name}{': bits, to be combined' if enum.is_bitmask else ''}"]
+        for entry in enum.entries:
+            line = _line(entry.name, entry.value, entry.description)
+            lines.append(line if taken.setdefault(entry.name, entry.value) == entry.value else f"# {line}")
+        blocks.append("\n".join(lines))
+    return filled(
+        "codec/enums.py.in", {"enums": "\n\n".join(blocks) or "# The fields of these messages refer to none."}
+    )
 
 
 def _line(name: str, value: int, description: str) -> str:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Sequence
 
 from codegen.model.dialect import EnumDefinition, Kind, WireField, WireMessage
-from codegen.targets.codec.enums import module_name
 from codegen.targets.codec.layout import type_text, unknown_text
 from codegen.targets.naming import class_names
 from codegen.template_files import filled
@@ -48,11 +47,11 @@ def _example(messages: Iterable[WireMessage], fits: Callable[[WireField], bool])
 def _enums(enums: Sequence[EnumDefinition]) -> str:
     if not enums:
         return "The fields of these messages refer to no enum."
-    listed = "\n".join(f"- `{module_name(enum)}`: {len(enum.entries)}" for enum in enums)
-    example = module_name(enums[0])
+    listed = "\n".join(f"- `{enum.name}`: {len(enum.entries)}" for enum in enums)
+    example = enums[0].entries[0].name if enums[0].entries else "..."
     return (
-        f"Each is a module of its own, so that only those that are imported take memory: `from enums.{example} import "
-        f"...`. The modules, and how many entries each has:\n\n{listed}"
+        f"`from enums import {example}`. Whoever needs only a few of them saves memory by writing them down, or with "
+        f"`--enums` when the codec is made. How many entries each has:\n\n{listed}"
     )
 
 
