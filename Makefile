@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 
-.PHONY: build test lint clean
+.PHONY: build test lint clean benchmarks conformance
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -26,6 +26,14 @@ lint: $(INSTALLED)
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
 	$(BIN)/mypy
+
+# About two minutes; docs/benchmarks.md and docs/benchmarks.svg are what it found on this computer.
+benchmarks: $(INSTALLED)
+	$(BIN)/python benchmarks/report.py
+
+# About three minutes; docs/conformance.md says what was compared with pymavlink.
+conformance: $(INSTALLED)
+	$(BIN)/python benchmarks/conformance.py --write
 
 # The generated folder is committed and belongs to `codegen build --clean`: it stays.
 clean:

@@ -1,0 +1,57 @@
+"""Vehicle state to frame with the generated firmware of the rover: all six quantities of the battery are known.
+
+The voltage comes from a reading, so that every frame asks the clock whether it is too old. The board is a stand-in
+that only has what SystemState asks for: time is that of MicroPython itself, as on the board.
+Arguments: passes, frames per pass.
+"""
+
+import sys
+
+import telemetry
+from state import SystemState
+from stopwatch import answer
+from streams import open_link
+
+passes, count = map(int, sys.argv[1:3])
+
+
+class Board:
+    """Reads the same count at any time."""
+
+    battery_failures = 0
+
+    def read_battery_adc(self):
+        """Return the count."""
+        return 3000
+
+
+board = Board()
+link = open_link(None)
+state = SystemState()
+state.battery.temperature_cdegc = 2345
+state.battery.current_ca = 1520
+state.battery.energy_hj = 4567
+state.battery.remaining_pct = 67
+
+
+def sample():
+    """Take a reading; it is good for longer than a pass takes."""
+    state.update_battery(board)
+
+
+def frames(first, count):
+    """Make `count` frames; the charge counts on from `first`. Return the last frame."""
+    battery = state.battery
+    encode = link.encode
+    build = telemetry.build_battery_status
+    frame = None
+    for consumed in range(first, first + count):
+        battery.consumed_mah = consumed
+        frame = encode(build(state))
+    return frame
+
+
+sample()
+if state.battery.expires_ms is None or state.battery.voltage_mv is None:
+    raise SystemExit("the voltage is not known, or never grows old")
+answer(frames, count, passes, [bytes(frames(first, 1)).hex() for first in (1234, 98765)], sample)
