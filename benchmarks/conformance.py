@@ -40,7 +40,7 @@ KINDS = {
     "new message": "a message that nobody has written to",
     "live": "whole numbers through `live=`, fields and single elements, out and in",
     "any bits": "payloads of random bits, decoded",
-    "every truncated length": "payloads that end in every number of zeros, down to one byte, out and in",
+    "every truncated length": "payloads (written to `wire`) with every number of zeros at the end, out and in",
     "zeros left in": "frames that were not truncated, decoded",
     "no extensions": "MAVLink 2 frames without extension fields, decoded",
     "extensions in MAVLink 1": "MAVLink 1 frames with extension fields, as pymavlink's v20 modules send them, decoded",
@@ -124,8 +124,8 @@ PAGE_TEXT = """# Conformance
 
 Every message of every dialect that pymavlink {pymavlink} ships goes through the codec that `codegen codec --messages
 all` makes of it, under MicroPython {micropython} (unix port), and is compared with pymavlink byte for byte, frames
-with what `pack()` makes and values with what `decode()` reads: {messages} messages in {dialects} dialects, {distinct} of
-them different.
+with what `pack()` makes and values with what `decode()` reads. These are {messages} messages in {dialects} dialects,
+{distinct} of them different.
 
     make conformance
 
@@ -163,6 +163,8 @@ Where pymavlink is no yardstick:
 - A damaged frame whose id or length is 253 or 254 looks like two beginnings of a frame. It comes on its own, and has to
   count as one error at least.
 
+No dialect has ids above 65535: the third byte of an id comes up in unknown messages only.
+
 No board was compared. Where MicroPython has floats of 32 bits, `set()` and `get()` of a double cannot carry more.
 """
 
@@ -197,7 +199,7 @@ def _undone(rows: Sequence[Row]) -> str:
         text = "No dialect and no message is left out, and nothing differs."
     if made:
         return "\n".join([text, "", "Modules of pymavlink that had to be made from its XML, and why:", "", *made])
-    return text + " All modules that pymavlink brings are what it makes of its XML,\nso that none had to be made anew."
+    return text + "\nAll modules that pymavlink brings are what it makes of its XML, so that none had to be made anew."
 
 
 def main() -> int:

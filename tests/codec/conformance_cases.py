@@ -745,9 +745,10 @@ def _bad_checksum(message: Message, chance: random.Random) -> bytes:
 
 
 def _bad_length(message: Message, chance: random.Random) -> bytes:
-    """A frame that says that it is shorter or longer than it is; the longest cannot be longer."""
+    """A frame that says that it is shorter or longer than it is, so that it hides what follows."""
     frame = _whole(message, chance)
-    frame[1] += -1 if frame[1] == 255 else chance.choice((-1, 1))
+    length = frame[1]
+    frame[1] = length - 1 if length == 255 else chance.choice((length - 1, length + 1, 255))
     return bytes(frame)
 
 

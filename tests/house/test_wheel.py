@@ -83,3 +83,12 @@ def test_installed_command_generates_the_committed_bytes(installed: Path, tmp_pa
     generated, committed = tree(tmp_path / "generated"), tree(ROOT / "generated")
     assert sorted(generated) == sorted(committed)
     assert [path for path in generated if generated[path] != committed[path]] == []
+
+
+def test_installed_command_makes_codecs(installed: Path, tmp_path: Path) -> None:
+    """The runtime, its templates and the page come with the wheel, the same bytes as from the checkout."""
+    options = ["codec", "--dialect", "common", "--messages", "HEARTBEAT,BATTERY_STATUS", "--out"]
+    run(sys.executable, "-m", "codegen", *options, "a", cwd=tmp_path, PYTHONPATH=str(installed))
+    run(sys.executable, "-m", "codegen", *options, "b", cwd=tmp_path, PYTHONPATH=str(ROOT))
+    assert tree(tmp_path / "a") == tree(tmp_path / "b")
+    assert "messages.py" in tree(tmp_path / "a")
