@@ -1,6 +1,6 @@
 """Compares the codec of every dialect that pymavlink ships with pymavlink, message by message, on MicroPython.
 
-tests/codec/conformance_cases.py makes the cases, tests/codec/conform.py runs them.
+tests/codec/conformance_cases.py makes the cases, tests/codec/conformance_run.py runs them with tests/codec/conform.py.
 """
 # ruff: noqa: T201, S603 - a command: it prints, and it starts the MicroPython that comes with the dependencies
 
@@ -19,7 +19,8 @@ ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "conformance.md"
 sys.path.insert(0, str(ROOT / "tests" / "codec"))
 
-import conformance_cases as cases  # noqa: E402 - the tests are no package
+import conformance_run as conformance  # noqa: E402 - the tests are no package
+from conformance_oracle import read_dialect  # noqa: E402 - as above
 
 from codegen.load.shipped import shipped_dialect_names  # noqa: E402 - as above
 
@@ -61,7 +62,7 @@ class Row:
 
     name: str
     messages: int = 0
-    outcome: cases.Outcome = field(default_factory=cases.Outcome)
+    outcome: conformance.Outcome = field(default_factory=conformance.Outcome)
     made: tuple[str, ...] = ()
 
     @property
@@ -80,8 +81,8 @@ def compare(name: str, rounds: int, seed: int) -> tuple[Row, set[str]]:
     """Compare a whole dialect in both forms of the frames; tell its messages, too."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
-        dialect = cases.read_dialect(name, folder)
-        outcome = cases.compare(dialect, folder, dialect.messages, rounds, seed=seed)
+        dialect = read_dialect(name, folder)
+        outcome = conformance.compare(dialect, folder, dialect.messages, rounds, seed=seed)
     facts = {repr((message.description, message.fields)) for message in dialect.messages}
     return Row(name, len(dialect.messages), outcome, dialect.made), facts
 
@@ -91,7 +92,7 @@ def total(rows: Sequence[Row]) -> Row:
     counts: Counter[str] = Counter()
     for row in rows:
         counts.update(row.outcome.counts)
-    outcome = cases.Outcome(dict(counts), [], sum(row.outcome.different for row in rows))
+    outcome = conformance.Outcome(dict(counts), [], sum(row.outcome.different for row in rows))
     return Row("all of them", sum(row.messages for row in rows), outcome)
 
 
@@ -113,7 +114,7 @@ def table(lines: Sequence[Sequence[str]], left: Sequence[int] = (0, 6)) -> str:
 def micropython_version() -> str:
     """The version of the MicroPython that runs the codec."""
     code = "import sys; print('.'.join(str(part) for part in sys.implementation[1][:3]), sys.implementation[1][3])"
-    asked = [str(cases.MICROPYTHON), "-c", code]
+    asked = [str(conformance.MICROPYTHON), "-c", code]
     done = subprocess.run(asked, capture_output=True, text=True, check=True)
     return "-".join(done.stdout.split())
 

@@ -14,7 +14,7 @@ from measure import Figure, Weighed
 COMPARES = """codegen as a process of its own, from its start to its end, against mavgen.py of pymavlink (Python3, wire
 protocol 2.0), which checks the XML against its schema unless it says "no validation". Every run writes into a folder of
 its own that is new, except where it says otherwise, on a file system in memory: how long a disk takes to make a file
-depends on what happened to it before. mavgen.py writes one file, codegen one for each enum: "on disk" is shown as well.
+depends on what happened to it before. mavgen.py writes one file, codegen a dozen: "on disk" is shown as well.
 Memory is the most that a process had at once. What one more message takes is measured with made-up dialects: 1
 everywhere is a straight line."""
 

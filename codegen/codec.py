@@ -48,9 +48,10 @@ def chosen_messages(names: Sequence[str], dialect: Dialect, report: Report) -> t
     """The messages called ``names`` (or all), in order of id, each once; names that do not exist are reported."""
     if not dialect.messages:
         report.add(CODEC_EMPTY, Place(dialect.files[-1]), f"the dialect {dialect.name} has no messages")
-    if any(name.lower() == ALL for name in names):
-        return tuple(dialect.messages.values())
-    wanted = _known(names, "message", dialect.messages, CODEC_MESSAGE, dialect, report)
+    named = [name for name in names if name.lower() != ALL]
+    wanted = _known(named, "message", dialect.messages, CODEC_MESSAGE, dialect, report)
+    if len(named) < len(names):
+        wanted = set(dialect.messages)
     return tuple(message for name, message in dialect.messages.items() if name in wanted)
 
 
@@ -71,9 +72,10 @@ def _known(
 ) -> set[str]:
     """The names in the dialect's case; those that it does not have are reported."""
     wanted = set()
+    spelt = {name.upper(): name for name in known}
     for name in names:
-        if name.upper() in known:
-            wanted.add(name.upper())
+        if name in known or name.upper() in spelt:
+            wanted.add(name if name in known else spelt[name.upper()])
         else:
             hint = did_you_mean(name.upper(), known)
             report.add(rule, Place(dialect.files[-1]), f"the dialect {dialect.name} has no {kind} {name}", hint)

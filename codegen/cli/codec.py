@@ -46,7 +46,11 @@ def run(arguments: argparse.Namespace) -> int:
     """Do what the options ask for, and return the exit code."""
     names = _names(arguments.messages)
     enums = None if arguments.enums is None else [name for name in _names(arguments.enums) if name.lower() != "none"]
-    fault = nonsense(arguments) or (None if names else "--messages names no message; say all for every one")
+    fault = nonsense(arguments)
+    if not names:
+        fault = "--messages names no message; say all for every one"
+    elif not arguments.out:
+        fault = "--out names no folder"
     if fault:
         print(f"codegen codec: {fault}", file=sys.stderr)
         return 2
@@ -62,6 +66,8 @@ def run(arguments: argparse.Namespace) -> int:
         from codegen.mpy import compiled
 
         rendered = compiled(rendered, arguments.mpy, report)
+    # A module that is left over would be imported instead of its successor; what was edited by hand stays all the same.
+    arguments.clean = arguments.clean or not arguments.check
     return emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
 
 

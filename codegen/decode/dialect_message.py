@@ -133,7 +133,7 @@ def _field(element: XmlElement, is_extension: bool, read: ElementReader) -> Fiel
         length=wire_type[1],
         is_extension=is_extension,
         place=read.place(element),
-        units=attributes.get("units"),
+        units=one_line(attributes.get("units", "")) or None,
         enum=attributes.get("enum"),
         is_bitmask=display == "bitmask",
         is_instance=is_instance,

@@ -29,18 +29,18 @@ STRAY_FILE = Rule(
 STALE_OUTPUT = Rule(
     "stale-output",
     "A file of the output folder is not what the specification generates now: it is missing, out of date, edited by "
-    "hand, or no longer generated. Run codegen build and commit the result.",
+    "hand, or no longer generated. Run the command without --check and commit the result.",
 )
 
 _STALE = {
-    Change.NEW: ("it is missing", "run codegen build"),
-    Change.CHANGED: ("it is out of date", "run codegen build"),
-    Change.EDITED: ("it was edited by hand", "codegen build --force undoes the edit, --diff shows it"),
-    Change.FOREIGN: ("it was not written by codegen", "move it away, or run codegen build --force"),
-    Change.ORPHAN: ("it is no longer generated", "run codegen build --clean"),
+    Change.NEW: ("it is missing", "run the command without --check"),
+    Change.CHANGED: ("it is out of date", "run the command without --check"),
+    Change.EDITED: ("it was edited by hand", "--force undoes the edit, --diff shows it"),
+    Change.FOREIGN: ("it was not written by codegen", "move it away, or overwrite it with --force"),
+    Change.ORPHAN: ("it is no longer generated", "--clean removes it"),
     Change.EDITED_ORPHAN: (
         "it is no longer generated, and was edited by hand",
-        "codegen build --clean --force removes it",
+        "--clean --force removes it",
     ),
 }
 

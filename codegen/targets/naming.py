@@ -21,7 +21,9 @@ def class_names(messages: Iterable[str]) -> dict[str, str]:
     taken = {"Message"}  # their base class
     for message in messages:
         name = class_name(message)
-        while name in taken:
+        if not name.isidentifier():  # "_" leaves nothing, "_3D" a digit at the front
+            name = f"_{name}"
+        while name in taken or keyword.iskeyword(name):
             name += "_"
         taken.add(name)
         names[message] = name

@@ -10,6 +10,7 @@ from codegen.model.dialect import WireMessage
 
 if TYPE_CHECKING:
     from codegen.model.system import System
+from codegen.targets.naming import prose
 from codegen.template_files import copied, plain_files
 
 
@@ -46,7 +47,7 @@ def origin_of(system: "System", paths: Iterable[str], messages: Iterable[WireMes
     described = [_wire_facts(message) for message in messages]
     digest.update("".join(described).encode())
     if described:
-        names.append(f"dialect {system.dialect.name}")
+        names.append(f"dialect {prose(system.dialect.name)}")
     return Origin(tuple(names), digest.hexdigest()[:16])
 
 

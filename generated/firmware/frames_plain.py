@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-# Inputs: e7292a38372fab7a
+# Inputs: c08088e0cdbc30ee
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: id (3 bytes, little-endian), CRC_EXTRA, length with and
@@ -42,8 +42,12 @@ def fill(buffer, data, state, length, room):
     """
     length -= state[2]
     room -= state[1] - state[0]
+    if length > room:
+        length = room
+    if length < 0:
+        length = 0
     _move(buffer, state)
-    return _append(buffer, data, state, length if length < room else room)
+    return _append(buffer, data, state, length)
 
 
 def find_frame(crc, table, data, state):

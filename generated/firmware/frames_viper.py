@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: 23ff06819007b32c
+# Inputs: 110b939ba5cb506f
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Viper keeps a function's first three locals in registers: so the CRC, its table and the bytes to read are the first
@@ -107,6 +107,8 @@ def fill(buffer: ptr8, data: ptr8, state: ptr32, length: int, room: int) -> int:
     count = length - state[2]
     if count > room - state[1]:
         count = room - state[1]
+    if count < 0:
+        count = 0
     source = ptr8(int(data) + state[2])
     left = count
     while left > 0:

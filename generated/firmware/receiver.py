@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: 80bb04725eb87a34
+# Inputs: 32240162d9b26339
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -7,6 +7,7 @@ from array import array
 from frames import TABLE, fill, find_frame, is_entry, read_frame
 
 LONGEST_FRAME = 280
+_BYTES = (bytes, bytearray, memoryview)
 
 
 class Receiver:
@@ -23,7 +24,7 @@ class Receiver:
     def __init__(self, messages=(), signing=None, size=2 * LONGEST_FRAME):
         if size < LONGEST_FRAME:
             raise ValueError(f"a frame has up to {LONGEST_FRAME} bytes")
-        self.signing = signing
+        self._signing = signing
         self.refused = 0
         self.unknown = 0
         self.crc_errors = 0
@@ -58,7 +59,9 @@ class Receiver:
         return self._each()
 
     def put(self, data):
-        """Take in what arrived: receive() reads `data` until it returns None."""
+        """Take in what arrived: receive() reads `data` until it returns None. TypeError: these are not bytes."""
+        if data is not None and not isinstance(data, _BYTES):
+            raise TypeError("what arrives is bytes, a bytearray or a memoryview")
         if self._data is not None and data:
             self._data = bytes(memoryview(self._data)[self._state[2] :]) + data
             self._state[2] = 0
@@ -78,9 +81,9 @@ class Receiver:
                 message = self._new_message()
                 if message is None:
                     continue
-            if self.signing is not None and not self._is_admitted(message):
+            if self._signing is not None and not self._is_admitted(message):
                 continue
-            if read_frame(TABLE, self._buffer, state, message._image, message.live):
+            if read_frame(TABLE, self._buffer, state, message._image, message._live):
                 return message
             self._look_within()
 
@@ -99,9 +102,10 @@ class Receiver:
 
     def _fill(self):
         data = self._data
-        if data is None:
-            return False
         state = self._state
+        if data is None or len(data) <= state[2]:  # the caller may have made it shorter
+            self._data = None
+            return False
         fill(self._buffer, data, state, len(data), len(self._buffer))
         if state[2] == len(data):
             self._data = None
@@ -128,9 +132,9 @@ class Receiver:
             return False
         if state[9]:
             frame = memoryview(self._buffer)[state[3] : state[0]]
-            is_admitted = self.signing.accepts(frame)
+            is_admitted = self._signing.accepts(frame)
         else:
-            is_admitted = message.ID in self.signing.unsigned
+            is_admitted = message.ID in self._signing.unsigned
         if not is_admitted:
             self.refused += 1
         return is_admitted

@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 9b022c950635944b
+# Inputs: 55d544751e67d631
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from frames import TABLE, write_frame
@@ -27,8 +27,7 @@ class Sender:
         if signing and version == 1:
             raise ValueError("MAVLink 1 has no signatures")
         self.stream = stream
-        self.version = version
-        self.signing = signing
+        self._signing = signing
         self.tx_errors = 0
         header = 10 if version == 2 else 6
         extra = header + (15 if signing else 2)
@@ -43,6 +42,16 @@ class Sender:
         whole = memoryview(frame)
         views = [whole[2 : 2 + extra + length] for length in range(longest + 1)]
         self.encode = _encoder(frame, views, signing)
+
+    @property
+    def version(self):
+        """MAVLink version that is sent."""
+        return 2 if self._frame[2] == 0xFD else 1
+
+    @property
+    def signing(self):
+        """What signs the frames, or None; a link has it from the start."""
+        return self._signing
 
     @property
     def sequence(self):
@@ -77,7 +86,7 @@ class Sender:
 def _encoder(frame, views, signing):
     # A function that has what it needs around it is faster than a method, by a sixth.
     def encode(message):
-        return views[write_frame(0xFFFF, TABLE, frame, message._image, message.live)]
+        return views[write_frame(0xFFFF, TABLE, frame, message._image, message._live)]
 
     def encode_signed(message):
         view = encode(message)

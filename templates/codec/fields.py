@@ -132,17 +132,17 @@ def places(message, names):
         if code not in "BHIbhi":
             raise ValueError(f"{message.NAME}.{name} is no whole number of up to 32 bits")
         size = struct.calcsize("<" + code)
-        elements = [int(element[:-1])] if element else range(count or 1)
-        for index in elements:
-            if not 0 <= index < (count or 1):
-                raise ValueError(f"{message.NAME}.{name} has no element {index}")
+        if "[" in part and not (element[-1:] == "]" and element[:-1].isdigit() and int(element[:-1]) < count):
+            index = element.rstrip("]")
+            raise ValueError(f"{message.NAME}.{name} has no element {index}")
+        for index in [int(element[:-1])] if element else range(count or 1):
             found.append((offset + index * size) << 3 | (4 if code.islower() else 0) | size >> 1)
     return found
 
 
 def _put_live(message):
     """Write the live values into the payload, as a frame that is encoded does."""
-    for index, value in enumerate(message.live):
+    for index, value in enumerate(message._live):
         code, offset = _live(message, index)
         bits = 8 * struct.calcsize(code)
         wrapped = ((value + (1 << (bits - 1))) & ((1 << bits) - 1)) - (1 << (bits - 1))
@@ -151,9 +151,9 @@ def _put_live(message):
 
 def _take_live(message):
     """Read the live values from the payload, as a frame that is received does."""
-    for index in range(len(message.live)):
+    for index in range(len(message._live)):
         code, offset = _live(message, index)
-        message.live[index] = struct.unpack_from(code.replace("I", "i"), message.wire, offset)[0]
+        message._live[index] = struct.unpack_from(code.replace("I", "i"), message.wire, offset)[0]
 
 
 def _live(message, index):

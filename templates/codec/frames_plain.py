@@ -40,8 +40,12 @@ def fill(buffer, data, state, length, room):
     """
     length -= state[2]
     room -= state[1] - state[0]
+    if length > room:
+        length = room
+    if length < 0:
+        length = 0
     _move(buffer, state)
-    return _append(buffer, data, state, length if length < room else room)
+    return _append(buffer, data, state, length)
 
 
 def find_frame(crc, table, data, state):

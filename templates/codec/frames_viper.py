@@ -105,6 +105,8 @@ def fill(buffer: ptr8, data: ptr8, state: ptr32, length: int, room: int) -> int:
     count = length - state[2]
     if count > room - state[1]:
         count = room - state[1]
+    if count < 0:
+        count = 0
     source = ptr8(int(data) + state[2])
     left = count
     while left > 0:

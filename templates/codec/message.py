@@ -26,14 +26,15 @@ class Message:
 
         `live` names fields that change often, whole numbers of up to 32 bits. Their values, one for each element, stand
         in the array `live`: every frame that is encoded takes them from there, every frame that is received puts them
-        there. A uint32 above 2 ** 31 - 1 is negative there, as an int32 of the same bits. `unknown=False` starts with
-        zeros only. ValueError: a field cannot be live. KeyError: there is no such field.
+        there. Write its elements, `live[0] = 5`; another array has no effect. They are not checked: what a field
+        cannot carry wraps, and a uint32 above 2 ** 31 - 1 is negative, as an int32 of the same bits. `unknown=False`
+        starts with zeros only. ValueError: a field cannot be live. KeyError: there is no such field.
         """
         places = _fields().places(self, live) if live else ()
         start = (13 + 2 * len(places)) & -4
         self._image = image = bytearray(start + ((self.LENGTH + 3) & -4))  # frames_plain says what it holds
         self.wire = memoryview(image)[start : start + self.LENGTH]
-        self.live = array("i", [0] * len(places)) if live else _NOTHING_LIVE
+        self.live = self._live = array("i", [0] * len(places)) if live else _NOTHING_LIVE
         image[0] = self.ID & 0xFF
         image[1] = (self.ID >> 8) & 0xFF
         image[2] = self.ID >> 16
@@ -80,8 +81,8 @@ class Message:
     def get(self, name):
         """Return a field, or None if it is unknown: what stands on the wire is what the dialect has for that.
 
-        A number, a tuple for an array, None for each unknown element in it, text up to the first NUL for characters;
-        those that are not ASCII come as bytes. KeyError: there is no such field.
+        A number, a tuple for an array, None for each unknown element in it. Characters come as text up to the first
+        NUL, as bytes if they are not ASCII, and never as None. KeyError: there is no such field.
         """
         return _fields().get(self, name)
 
@@ -98,7 +99,7 @@ class Message:
         _fields().set(self, name, value)
 
     def update(self, **values):
-        """Write several fields, see set(); return the message itself."""
+        """Write several fields, one after the other, see set(); return the message itself."""
         for name, value in values.items():
             self.set(name, value)
         return self

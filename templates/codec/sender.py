@@ -25,8 +25,7 @@ class Sender:
         if signing and version == 1:
             raise ValueError("MAVLink 1 has no signatures")
         self.stream = stream
-        self.version = version
-        self.signing = signing
+        self._signing = signing
         self.tx_errors = 0
         header = 10 if version == 2 else 6
         extra = header + (15 if signing else 2)
@@ -41,6 +40,16 @@ class Sender:
         whole = memoryview(frame)
         views = [whole[2 : 2 + extra + length] for length in range(longest + 1)]
         self.encode = _encoder(frame, views, signing)
+
+    @property
+    def version(self):
+        """MAVLink version that is sent."""
+        return 2 if self._frame[2] == 0xFD else 1
+
+    @property
+    def signing(self):
+        """What signs the frames, or None; a link has it from the start."""
+        return self._signing
 
     @property
     def sequence(self):
@@ -75,7 +84,7 @@ class Sender:
 def _encoder(frame, views, signing):
     # A function that has what it needs around it is faster than a method, by a sixth.
     def encode(message):
-        return views[write_frame(0xFFFF, TABLE, frame, message._image, message.live)]
+        return views[write_frame(0xFFFF, TABLE, frame, message._image, message._live)]
 
     def encode_signed(message):
         view = encode(message)

@@ -4,7 +4,9 @@ import os
 import time
 from hashlib import sha256
 
-EPOCH = 1420070400  # 2015-01-01 as a time of Unix
+EPOCH = 1420070400  # 2015-01-01 in seconds since 1970
+if hasattr(time, "gmtime") and time.gmtime(0)[0] == 2000:  # the years of some boards begin there
+    EPOCH -= 946684800
 TICKS = 100000  # of a timestamp in a second
 MINUTE = 60 * TICKS
 DAY = 1440 * MINUTE
@@ -17,9 +19,10 @@ class Signing:
     """Signs the frames of one link and judges those that it receives.
 
     `key` has 32 bytes and stays secret; `link_id` tells the links of a system apart. `timestamp` is where to go on
-    from, in 10 us since 2015-01-01: no frame is ever signed with an older one. `clock` returns seconds since 1970;
-    while it is behind, as one that was not set yet, timestamps go on from the last one as time passes. `unsigned` are
-    ids of messages that are accepted without a signature.
+    from, in 10 us since 2015-01-01: no frame is ever signed with an older one. `clock` returns seconds since 1970, or
+    since 2000 on boards whose time.time() does; while it is behind, as one that was not set yet, timestamps go on from
+    the last one as time passes. `unsigned` are ids of messages that are accepted without a signature; the last
+    timestamps of up to `streams` senders are remembered.
     """
 
     def __init__(self, key, link_id=0, timestamp=0, clock=time.time, unsigned=(RADIO_STATUS,), streams=16):
@@ -91,9 +94,15 @@ class Signing:
         return digest.digest()[:6]
 
     def save(self, path):
-        """Keep key, link id and timestamp in a file; call it at least once a minute while frames are signed."""
+        """Keep key, link id, timestamp and the last timestamp of each sender in a file.
+
+        Call it at least once a minute while frames are signed. What arrived after the last call can be replayed once
+        after a reset.
+        """
         self._advance()
         content = self.key + bytes([self.link_id]) + self.timestamp.to_bytes(6, "little")
+        for stream, timestamp in self._streams.items():
+            content += bytes(stream) + timestamp.to_bytes(6, "little")
         with open(path + ".new", "wb") as file:
             file.write(content + sha256(content).digest()[:4])
         os.rename(path + ".new", path)
@@ -106,7 +115,11 @@ def load(path, **options):
     """
     with open(path, "rb") as file:
         content = file.read()
-    if len(content) != 43 or sha256(content[:39]).digest()[:4] != content[39:]:
+    end = len(content) - 4
+    if end < 39 or sha256(content[:end]).digest()[:4] != content[end:]:
         raise ValueError(path + " is damaged")
     timestamp = min(LATEST, int.from_bytes(content[33:39], "little") + MINUTE)
-    return Signing(content[:32], content[32], timestamp, **options)
+    signing = Signing(content[:32], content[32], timestamp, **options)
+    for at in range(39, end, 9):
+        signing._streams[tuple(content[at : at + 3])] = int.from_bytes(content[at + 3 : at + 9], "little")
+    return signing

@@ -31,9 +31,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "mpy": GROUND,
     "pipeline": {*READING, "targets", "render", "emit", "mpy", "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
-    "stamp": {"emit", "template_files"},
+    "stamp": {"emit", "manifest", "template_files"},
     "explain": {"catalogue", "targets", "model", *GROUND},
-    "cli": {"pipeline", "codec", "mpy", "stamp", "manifest", "explain", "catalogue", "emit", "model", *GROUND},
+    "cli": {"pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "model", *GROUND},
     "__main__": {"cli"},
 }
 """Part of the package (a folder or a module of its own) -> the other parts that it may import."""

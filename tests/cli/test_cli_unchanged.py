@@ -1,8 +1,10 @@
 """A build that would change nothing is over at once, and only then: whatever could matter makes it run."""
 
+import os
 import shutil
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,6 +19,8 @@ ROOT = Path(__file__).parents[2]
 def project(tmp_path: Path) -> Path:
     """The rover's specification, built."""
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    for path in (tmp_path / "specs").rglob("*"):
+        os.utime(path, (1, 1))  # long before the build
     build(tmp_path)
     return tmp_path
 
@@ -47,6 +51,15 @@ def edit(path: str, text: str = "# more\n") -> Callable[[Path], None]:
     return change
 
 
+def link(folder: Path, path: str, new: str = "") -> None:
+    """Move something elsewhere, leave a link to it, and put a new file behind it."""
+    elsewhere = folder / "elsewhere"
+    shutil.move(folder / path, elsewhere)
+    (folder / path).symlink_to(elsewhere)
+    if new:
+        (elsewhere / new).write_text("")
+
+
 @pytest.mark.parametrize(
     "change",
     [
@@ -61,6 +74,8 @@ def edit(path: str, text: str = "# more\n") -> Callable[[Path], None]:
         pytest.param(lambda folder: (folder / "generated" / "firmware" / "state.py").unlink(), id="missing-output"),
         pytest.param(lambda folder: (folder / "specs" / "messages" / "heartbeat.yaml").unlink(), id="missing-table"),
         pytest.param(lambda folder: shutil.rmtree(folder / "generated"), id="no-output"),
+        pytest.param(lambda folder: link(folder, "generated/firmware/state.py"), id="output-that-is-a-link"),
+        pytest.param(lambda folder: link(folder, "specs/messages", "new.yaml"), id="new-table-behind-a-link"),
     ],
 )
 def test_whatever_could_matter_makes_it_run(project: Path, change: Callable[[Path], None]) -> None:
@@ -89,3 +104,28 @@ def test_a_build_with_warnings_is_never_skipped(project: Path) -> None:
     assert "warning" in first
     assert "warning" in second
     assert known(project) is None
+
+
+def test_what_changed_during_the_build_is_not_taken_for_what_was_read(project: Path) -> None:
+    """An edit between reading and noting belongs to the next build."""
+    path = str(project / "specs" / "codegen.yaml")
+    folder = project / "generated"
+    made = [one for one in folder.rglob("*") if one.is_file() and ".codegen" not in one.parts]
+    rendered = {one.relative_to(folder).as_posix(): one.read_bytes() for one in made if one.name != "manifest.json"}
+    read = stamp.json.loads((folder / ".codegen" / "stamp.json").read_text())["read"]
+    shutil.rmtree(folder / ".codegen")
+    stamp.keep(path, Path(path).stat().st_mtime, read, str(folder), rendered)
+    assert known(project) is None
+    stamp.keep(path, time.time(), read, str(folder), {**rendered, "firmware/state.py": b"another\n"})
+    assert known(project) is None
+    stamp.keep(path, time.time(), read, str(folder), rendered)
+    assert known(project) is not None
+
+
+def test_things_beside_the_specification_do_not_matter(project: Path) -> None:
+    """A pipe would never end, and a large file would be read at every build: only their names count."""
+    (project / "specs" / "pictures").mkdir()
+    os.mkfifo(project / "specs" / "pictures" / "pipe")
+    assert known(project) is None
+    build(project)
+    assert known(project) is not None

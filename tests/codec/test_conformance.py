@@ -6,17 +6,20 @@ benchmarks/conformance.py compares more values, every dialect as a whole, and bo
 from collections.abc import Callable
 from pathlib import Path
 
-import conformance_cases as cases
+import conformance_oracle as oracle
 import pytest
+from conformance_cases import write_cases
+from conformance_run import compare, generate, run_cases
+from conformance_values import TEXTS
 
-from codegen.load.shipped import shipped_dialect_names
+from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 
 LARGEST = "all"
 PARTS = 8
 NAMES = (LARGEST, *(name for name in shipped_dialect_names() if name != LARGEST))
 CHUNKS = [(name, part) for name in NAMES for part in range(PARTS if name == LARGEST else 1)]
 
-Dialects = dict[str, tuple[cases.Dialect, list[cases.Message]]]
+Dialects = dict[str, tuple[oracle.Dialect, list[oracle.Message]]]
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +29,7 @@ def dialects(tmp_path_factory: pytest.TempPathFactory) -> Dialects:
     seen = set()
     found: Dialects = {}
     for name in NAMES:
-        dialect = cases.read_dialect(name, folder)
+        dialect = oracle.read_dialect(name, folder)
         new = []
         for message in dialect.messages:
             facts = repr((message.description, message.fields))
@@ -45,7 +48,7 @@ def test_every_message_is_that_of_pymavlink(dialects: Dialects, tmp_path: Path, 
     """
     dialect, new = dialects[name]
     step = PARTS if name == LARGEST else 1
-    outcome = cases.compare(dialect, tmp_path, new[part::step], rounds=1, forms=("viper",))
+    outcome = compare(dialect, tmp_path, new[part::step], rounds=1, forms=("viper",))
     assert not outcome.differences
     assert not outcome.different
     if new:
@@ -56,7 +59,7 @@ def test_every_message_is_that_of_pymavlink(dialects: Dialects, tmp_path: Path, 
 def test_the_plain_form_is_that_of_pymavlink(dialects: Dialects, tmp_path: Path, name: str) -> None:
     """Frames without machine code; that both forms do the same is compared in test_firmware_forms.py."""
     dialect, _ = dialects[name]
-    outcome = cases.compare(dialect, tmp_path, dialect.messages[::8], rounds=1, forms=("plain",))
+    outcome = compare(dialect, tmp_path, dialect.messages[::8], rounds=1, forms=("plain",))
     assert not outcome.differences
 
 
@@ -65,11 +68,11 @@ def test_every_kind_of_case_comes_up(dialects: Dialects, tmp_path: Path) -> None
     dialect, _ = dialects["common"]
     names = {"HEARTBEAT", "BATTERY_STATUS", "STATUSTEXT", "CONTROL_SYSTEM_STATE", "LOGGING_DATA"}
     messages = [message for message in dialect.messages if message.name in names]
-    counts = cases.compare(dialect, tmp_path, messages, rounds=1, forms=("viper",)).counts
+    counts = compare(dialect, tmp_path, messages, rounds=1, forms=("viper",)).counts
     assert counts.keys() == {
         *("encode", "decode", "v1", "refused", "class", "enum entries", "live", "new message"),
         *("random", "zeros at the end", "all minimum", "all maximum", "all zero", "special floats"),
-        *cases.TEXTS,
+        *TEXTS,
         *("unknown fields", "unknown elements"),
         *("any bits", "every truncated length", "zeros left in", "no extensions", "extensions in MAVLink 1"),
         *("newer extensions", "signed", "wrong checksums", "wrong lengths", "damaged frames"),
@@ -78,18 +81,18 @@ def test_every_kind_of_case_comes_up(dialects: Dialects, tmp_path: Path) -> None
 
 def test_modules_of_pymavlink_are_made_where_they_are_missing(tmp_path: Path) -> None:
     """A dialect without a module, or with one of another release, is compared with what pymavlink makes of its XML."""
-    path = cases.shipped_dialect_path("loweheiser")
+    path = shipped_dialect_path("loweheiser")
     assert path is not None
     for version in (1, 2):
-        made = cases.make_module("loweheiser", path, version, tmp_path)
-        expected = cases.xml_messages(path, version)
+        made = oracle.make_module("loweheiser", path, version, tmp_path)
+        expected = oracle.xml_messages(path, version)
         assert made.mavlink_map.keys() == expected.keys()
-        assert not cases.disagreement(made, expected)
+        assert not oracle.disagreement(made, expected)
         first = next(iter(expected))
         made.mavlink_map[first].crc_extra ^= 1
-        assert cases.disagreement(made, expected)
+        assert oracle.disagreement(made, expected)
         del made.mavlink_map[first]
-        assert cases.disagreement(made, expected)
+        assert oracle.disagreement(made, expected)
 
 
 def replace(file: str, old: str, new: str) -> Callable[[Path], None]:
@@ -128,8 +131,8 @@ def test_the_comparison_finds_faults(dialects: Dialects, tmp_path: Path, fault: 
     """A comparison that nothing could fail would prove nothing."""
     dialect, _ = dialects["standard"]
     codec = tmp_path / "codec"
-    cases.generate(dialect.name, codec, machine_code=True)
-    cases.write_cases(tmp_path / "cases", dialect, dialect.messages, seed=1, rounds=1)
-    assert not cases.run_cases(codec, tmp_path / "cases")["different"]
+    generate(dialect.name, codec, machine_code=True)
+    write_cases(tmp_path / "cases", dialect, dialect.messages, seed=1, rounds=1)
+    assert not run_cases(codec, tmp_path / "cases")["different"]
     FAULTS[fault](codec)
-    assert cases.run_cases(codec, tmp_path / "cases")["different"]
+    assert run_cases(codec, tmp_path / "cases")["different"]

@@ -486,7 +486,32 @@ def allocation_of_one(pieces):
     return micropython.mem_total() - start
 
 
+def misuse(request):
+    """Put wrong things where machine code takes addresses from; tell what came of it."""
+    message = classes_of(request)[0](live=("custom_mode",))
+    link = mavlink.Link(Sink(), messages=[message])
+    before = bytes(link.encode(message))
+    is_same = True
+    for wrong in (5, None, b"", bytearray(1)):
+        message.live = wrong
+        is_same = is_same and bytes(link.encode(message)) == before
+    data = bytearray(bytes.fromhex(request["frame"]) + bytes(2000))
+    link.put(data)
+    received = [int(link.receive() is not None)]
+    data[:] = bytes(10)
+    received.append(int(link.receive() is not None))
+    received.append(len(list(link.feed(bytes(5000) + bytes.fromhex(request["frame"])))))
+    refused = 0
+    for wrong in (5, "text", [1], 1.5):
+        try:
+            link.put(wrong)
+        except TypeError:
+            refused += 1
+    return {"same": is_same, "received": received, "refused": refused}
+
+
 OPERATIONS = {
+    "misuse": misuse,
     "choice": choice,
     "checksums": checksums,
     "sent_frames": sent_frames,

@@ -7,6 +7,7 @@ from codegen.targets.codec.enums import enums_text
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.page import page_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
+from codegen.targets.naming import prose
 from codegen.targets.origin import Origin, headed, wire_digest
 
 
@@ -15,7 +16,7 @@ def render_codec(
 ) -> dict[str, str]:
     """The files of a codec for ``messages`` (at least one) and ``enums`` of a dialect."""
     files = runtime_files("", "signing", *([MACHINE_CODE] if machine_code else []))
-    origin = Origin((f"dialect {dialect.name}",), wire_digest(messages))
+    origin = Origin((f"dialect {prose(dialect.name)}",), wire_digest(messages))
     files["messages.py"] = headed(messages_text(messages, dialect.version), origin)
     files["enums.py"] = headed(enums_text(enums), origin)
     files["README.md"] = page_text(dialect.name, messages, enums)

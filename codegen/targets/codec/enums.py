@@ -1,5 +1,6 @@
 """enums.py: the constants of the enums that messages refer to."""
 
+import keyword
 from collections.abc import Iterable
 
 from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
@@ -25,8 +26,9 @@ def enums_text(enums: Iterable[EnumDefinition]) -> str:
     for enum in enums:
         lines = [f"# {enum.name}{': bits, to be combined' if enum.is_bitmask else ''}"]
         for entry in enum.entries:
-            line = _line(entry.name, entry.value, entry.description)
-            lines.append(line if taken.setdefault(entry.name, entry.value) == entry.value else f"# {line}")
+            name = f"{entry.name}_" if keyword.iskeyword(entry.name) else entry.name
+            line = _line(name, entry.value, entry.description)
+            lines.append(line if taken.setdefault(name, entry.value) == entry.value else f"# {line}")
         blocks.append("\n".join(lines))
     return filled(
         "codec/enums.py.in", {"enums": "\n\n".join(blocks) or "# The fields of these messages refer to none."}

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from codegen.model.dialect import Kind, Sentinel, SentinelForm, WireField, WireMessage
 from codegen.model.wire_types import VERSION_TYPE
-from codegen.targets.naming import class_names
+from codegen.targets.naming import class_names, prose
 from codegen.template_files import filled
 
 WIDTH = 104
@@ -56,9 +56,9 @@ def unknown_text(field: WireField) -> str:
     sentinel = field.sentinel
     if sentinel is None:
         return ""
-    if field.type.kind is Kind.CHAR:
-        return "empty"
     shown = _sentinel_text(sentinel)
+    if field.type.kind is Kind.CHAR:
+        return "empty text" if not any(sentinel.values) else f"characters {shown}"
     if sentinel.form is SentinelForm.FIRST:
         return f"{shown[:-1]} in element 0"
     if sentinel.form is SentinelForm.POSITIONS:
@@ -82,7 +82,7 @@ def _number(value: float) -> str:
 def _line(field: WireField) -> str:
     definition = field.definition
     notes = [type_text(field)]
-    notes += [note for note in (definition.units, definition.enum) if note]
+    notes += [prose(note) for note in (definition.units, definition.enum) if note]
     if field.sentinel is not None:
         notes.append(f"unknown: {unknown_text(field)}")
     if definition.is_extension:

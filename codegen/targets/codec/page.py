@@ -1,6 +1,6 @@
 """The codec's page: how to use it, and what is in it, message by message."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from codegen.model.dialect import EnumDefinition, Kind, WireField, WireMessage
 from codegen.targets.codec.layout import type_text, unknown_text
@@ -12,7 +12,6 @@ def page_text(dialect: str, messages: Sequence[WireMessage], enums: Sequence[Enu
     """The page about a codec with at least one message."""
     classes = class_names(message.name for message in messages)
     example, field = _example(messages, _is_simple)
-    live_example, live_field = _example(messages, _is_live)
     values = {
         "dialect": dialect,
         "count": f"{len(messages)} message{'' if len(messages) == 1 else 's'}",
@@ -20,13 +19,20 @@ def page_text(dialect: str, messages: Sequence[WireMessage], enums: Sequence[Enu
         "lowered": example.name.lower(),
         "field": field.name,
         "value": '"text"' if field.type.kind is Kind.CHAR else f"[1] * {field.count}" if field.is_array else "1",
-        "live_class": classes[live_example.name],
-        "live_field": live_field.name,
+        "live": _live(messages, classes),
         "longest": max(message.length for message in messages),
         "enums": _enums(enums),
         "messages": "".join(_message(message, classes[message.name]) for message in messages),
     }
     return filled("codec/README.md.in", values)
+
+
+def _live(messages: Iterable[WireMessage], classes: Mapping[str, str]) -> str:
+    """The section about live fields; empty where no message has a field that can be one."""
+    message, field = _example(messages, _is_live)
+    if not _is_live(field):
+        return ""
+    return filled("codec/live_page.md.in", {"class_name": classes[message.name], "field": field.name})
 
 
 def _is_simple(field: WireField) -> bool:

@@ -14,5 +14,14 @@ def runtime_files(folder: str, *more: str) -> dict[str, str]:
     files = {}
     for module in sorted((*MODULES, *more)):
         text = copied(f"codec/{module}.py")
+        if module == "frames" and MACHINE_CODE not in more:
+            text = _without_machine_code(text)
         files[f"{folder}{module}.py"] = headed(text, origin_of_text(f"templates/codec/{module}.py", text))
     return files
+
+
+def _without_machine_code(text: str) -> str:
+    """frames.py without its attempt to import machine code: a file that is left over must not be found."""
+    before, _, rest = text.partition("try:\n")
+    _, _, after = rest.partition("\n    from frames_plain")
+    return f"{before}from frames_plain{after}"
