@@ -78,7 +78,7 @@ def test_firmware_compiles_for_the_boards_processors(project: Path, architecture
     assert done.returncode == 0, done.stdout
     compiled = {path.stem for path in (project / "build" / architecture).glob("*.mpy")}
     assert {"board", "frames_viper", "mavlink", "streams", "telemetry"} <= compiled
-    assert "frames_plain" not in compiled
+    assert "frames_plain" in compiled  # an interpreter of another kind takes it instead
 
 
 def test_machine_code_can_be_done_without(project: Path) -> None:
