@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 001e5b611c3ef807
+# Inputs: 8dd1814df04ecab0
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -29,6 +29,16 @@ def layout(message):
             cls._layout[name] = (form[-1], offset, count, _sentinels(unknown, count, form[-1] in "fd"))
             offset += (count or 1) * struct.calcsize("<" + form[-1])
     return cls._layout
+
+
+def names(message):
+    """Return the names of the fields in wire order."""
+    return [word.split(":")[0] for word in message.FIELDS.split()]
+
+
+def text(message):
+    """Return the message as people read it: its name and its fields in wire order."""
+    return message.NAME + "(" + ", ".join(f"{name}={get(message, name)!r}" for name in names(message)) + ")"
 
 
 def get(message, name):

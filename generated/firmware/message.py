@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: febb512188354e10
+# Inputs: e215123e9bc6c13b
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -59,7 +59,7 @@ class Message:
             raise AttributeError(name) from None
 
     def __repr__(self):
-        return self.NAME + repr({name: self.get(name) for name in self.names()})
+        return _fields().text(self)
 
     @property
     def source_sequence(self):
@@ -78,7 +78,7 @@ class Message:
 
     def names(self):
         """Return the names of the fields in wire order."""
-        return [word.split(":")[0] for word in self.FIELDS.split()]
+        return _fields().names(self)
 
     def get(self, name):
         """Return a field, or None if it is unknown: what stands on the wire is what the dialect has for that.

@@ -29,6 +29,16 @@ def layout(message):
     return cls._layout
 
 
+def names(message):
+    """Return the names of the fields in wire order."""
+    return [word.split(":")[0] for word in message.FIELDS.split()]
+
+
+def text(message):
+    """Return the message as people read it: its name and its fields in wire order."""
+    return message.NAME + "(" + ", ".join(f"{name}={get(message, name)!r}" for name in names(message)) + ")"
+
+
 def get(message, name):
     """Return a field, None for what is unknown; Message.get() describes it."""
     field = layout(message)[name]

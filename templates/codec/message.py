@@ -57,7 +57,7 @@ class Message:
             raise AttributeError(name) from None
 
     def __repr__(self):
-        return self.NAME + repr({name: self.get(name) for name in self.names()})
+        return _fields().text(self)
 
     @property
     def source_sequence(self):
@@ -76,7 +76,7 @@ class Message:
 
     def names(self):
         """Return the names of the fields in wire order."""
-        return [word.split(":")[0] for word in self.FIELDS.split()]
+        return _fields().names(self)
 
     def get(self, name):
         """Return a field, or None if it is unknown: what stands on the wire is what the dialect has for that.

@@ -66,6 +66,7 @@ rack.update(label="hook", weights=[1, None, 3, 4], state=RACK_STATE_SHUT)
 assert messages.Heartbeat().mavlink_version == 7 and messages.Heartbeat(unknown=False).mavlink_version == 0
 rack.set("wire", -5)
 assert rack.get("wire") == -5
+print(rack)
 link.send(rack)
 other = messages.Message_()
 other.set("get", 9)
@@ -74,7 +75,8 @@ for message in link.feed(wire.data):
     print(message.NAME, message.source_system, message.source_component, message.source_sequence, message.names())
     print([message.raw(name) for name in message.names() if name != "angle"])
 """
-PRINTED = """PAYLOAD_RACK 7 8 0 ['angle', 'weights', 'label', 'state', 'wire']
+PRINTED = """PAYLOAD_RACK(angle=None, weights=(1, None, 3, 4), label='hook', state=1, wire=-5)
+PAYLOAD_RACK 7 8 0 ['angle', 'weights', 'label', 'state', 'wire']
 [(1, 65535, 3, 4), 'hook', 1, -5]
 MESSAGE 7 8 1 ['get']
 [9]
