@@ -110,9 +110,8 @@ def test_update_writes_several_fields(message: SimpleNamespace) -> None:
 def test_message_shows_its_fields(message: SimpleNamespace) -> None:
     """Whoever prints a message sees what the fields say, not what is on the wire."""
     message.update(id=9, text="on", level=1.5)
-    assert repr(message) == (
-        "SAMPLE{'id': 9, 'cells': (None, None, None), 'text': 'on', 'wire': (0, 0), 'level': 1.5, 'get': 0}"
-    )
+    shown = "SAMPLE(id=9, cells=(None, None, None), text='on', wire=(0, 0), level=1.5, get=0)"
+    assert repr(message) == shown
 
 
 def test_messages_do_not_share_payloads(message: SimpleNamespace) -> None:

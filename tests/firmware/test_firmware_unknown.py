@@ -108,7 +108,7 @@ def test_attributes_and_text_of_a_message_tell_none(firmware: SimpleNamespace) -
     """Whoever looks at a message sees None, and the wire value only by raw()."""
     message = type("Row", (firmware.message.Message,), oracle.described("ROW", "x:H=65535 z:2B=9"))()
     assert (message.x, message.z) == (None, (None, None))
-    assert repr(message) == "ROW{'x': None, 'z': (None, None)}"
+    assert repr(message) == "ROW(x=None, z=(None, None))"
     with pytest.raises(ValueError, match=r"ROW\.x cannot carry 65536"):
         message.set("x", 65536)
     assert message.x is None
