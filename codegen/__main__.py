@@ -17,7 +17,7 @@ def run() -> None:
     # A run is over before looking for cycles in what it reads would free anything worth the time.
     gc.disable()
     code = main(sys.argv[1:])
-    # Freeing a whole dialect object by object takes a tenth of the time of a run, and the system does it at once.
+    # Freeing a whole dialect object by object takes time, and the system does it at once.
     os._exit(code)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
+from codegen.load.shipped import dialect_path
 from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.resolve.dialect import resolve_dialect
 from codegen.source import Place
@@ -33,12 +33,11 @@ CODEC_EMPTY = Rule("codec-empty", "A codec without a message would have nothing 
 
 def read_codec_dialect(written: str, report: Report) -> Dialect | None:
     """The dialect called ``written``, or of the file of that path with its includes; None after a diagnostic."""
-    path = shipped_dialect_path(written)
-    if path is None and not written.lower().endswith(".xml"):
-        hint = did_you_mean(written, shipped_dialect_names())
-        report.add(CODEC_DIALECT, Place(os.path.abspath(written)), f"pymavlink ships no dialect {written}", hint)
+    place = Place(os.path.abspath(written))
+    is_file = written.lower().endswith(".xml")
+    path = dialect_path(written, os.getcwd(), CODEC_DIALECT, place, report, is_file=is_file)
+    if path is None:
         return None
-    path = path or os.path.abspath(written)
     files = decode_dialect_files(path, report)
     name = os.path.splitext(os.path.basename(path))[0]
     return resolve_dialect(name, files, (), report) if files else None

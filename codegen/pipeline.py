@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.decode.spec import decode_spec
-from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
+from codegen.diagnostics import Report, Rule
+from codegen.load.shipped import dialect_path
 from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
 from codegen.model.system import System
@@ -42,15 +42,11 @@ def read_system(project_file: str, report: Report) -> System | None:
 def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
     project = spec.project
-    written = project.dialect
-    path = shipped_dialect_path(written)
-    if path is None and not written.endswith(".xml"):
-        hint = did_you_mean(written, shipped_dialect_names())
-        report.add(UNKNOWN_DIALECT, project.at("dialect"), f"pymavlink ships no dialect {written}", hint)
-        return None
+    written, place = project.dialect, project.at("dialect")
+    path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, report, is_file=written.endswith(".xml"))
     if path is None:
-        path = os.path.normpath(os.path.join(spec.folder, written))
-    files = decode_dialect_files(path, report, project.at("dialect"))
+        return None
+    files = decode_dialect_files(path, report, place)
     for overlay in project.overlays:
         overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
         files += decode_dialect_files(overlay_path, report, project.at("overlays"))

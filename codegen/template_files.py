@@ -1,6 +1,6 @@
 """The files of the templates: copied as they stand, or with ``$name`` filled in. Jinja's are rendered by render.py.
 
-Files that end in ``.in`` are for output that is made without a project: reading Jinja takes as long as a whole codec.
+Files that end in ``.in`` are for output that is made without a project: they need not wait for Jinja.
 """
 
 import os

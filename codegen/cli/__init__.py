@@ -67,6 +67,13 @@ class _Formatter(argparse.HelpFormatter):
         super().__init__(prog, width=_columns() - 2)
 
 
+class _Parser(argparse.ArgumentParser):
+    """A parser, and by that also those of the commands, with that formatter."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(formatter_class=_Formatter, **options)
+
+
 @cache
 def _columns() -> int:
     with suppress(ValueError, OSError):
@@ -76,8 +83,7 @@ def _columns() -> int:
 
 def _parser(argv: list[str]) -> argparse.ArgumentParser:
     """The parser with every command, or only with the one that ``argv`` begins with."""
-    options: dict[str, Any] = {"formatter_class": _Formatter}
-    common = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS, **options)
+    common = _Parser(add_help=False, argument_default=argparse.SUPPRESS)
     common.add_argument(
         "--project",
         metavar="FILE",
@@ -85,14 +91,13 @@ def _parser(argv: list[str]) -> argparse.ArgumentParser:
         "from the working directory upwards)",
     )
     common.add_argument("--debug", action="store_true", help="show the traceback of an internal error")
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="codegen",
         description="Generate MicroPython telemetry firmware, mocks and tests from requirement documents, "
         "field tables and MAVLink dialects.",
         epilog="Exit codes: 0 clean; 1 findings or stale output; 2 usage, configuration or unreadable input; "
         "3 internal error.",
         parents=[common],
-        **options,
     )
     parser.add_argument("--version", action="version", version=f"codegen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="codegen")

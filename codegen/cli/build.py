@@ -6,7 +6,7 @@ import time
 from typing import Any
 
 from codegen.cli.architectures import ARCHITECTURES
-from codegen.cli.output import add_output_options, nonsense
+from codegen.cli.output import add_output_options, is_plain, nonsense
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -14,7 +14,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "build",
         parents=[common],
-        formatter_class=common.formatter_class,
         help="generate the firmware, mocks, tests and documents",
         description="Generate the output folder. Files that are right already are not touched; a generated file that "
         "was edited by hand stops the build before anything is written.",
@@ -44,8 +43,7 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen import stamp
 
     started = time.time()
-    is_plain = not any((arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean))
-    count = stamp.unchanged(project) if is_plain and arguments.mpy is None else None
+    count = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
     if count is not None:
         print(f"0 files written, {count} unchanged", file=sys.stderr)
         return 0
@@ -60,7 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
     rendered = pipeline.render_system(system)
     folder = pipeline.output_folder(system)
     code = emit(rendered, folder, arguments, report)
-    if is_plain and not list(report):
+    if is_plain(arguments) and not list(report):
         stamp.keep(project, started, pipeline.files_read(system), folder, rendered)
     if arguments.mpy is None or code:
         return code

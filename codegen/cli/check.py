@@ -9,7 +9,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "check",
         parents=[common],
-        formatter_class=common.formatter_class,
         help="check the specification against the dialect and the documents",
         description="Check the specification against the dialect and the requirement documents.",
     )

@@ -14,7 +14,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "codec",
         parents=[common],
-        formatter_class=common.formatter_class,
         help="make MicroPython encoders and decoders for any dialect, without a specification",
         description="Make MicroPython modules that encode and decode messages of a MAVLink dialect: a link for both "
         "versions of the protocol with signing, the messages, their enums, and a page that says how to use them.",

@@ -10,7 +10,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "explain",
         parents=[common],
-        formatter_class=common.formatter_class,
         help="tell the whole story of a message, a field, a parameter or a rule",
         description="Tell the whole story of one thing: where it is specified, what becomes of it and why.",
     )

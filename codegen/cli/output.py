@@ -28,6 +28,11 @@ def nonsense(arguments: argparse.Namespace) -> str | None:
     return None
 
 
+def is_plain(arguments: argparse.Namespace) -> bool:
+    """Whether none of the options of add_output_options() was given."""
+    return not any((arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean))
+
+
 def emit(
     rendered: Mapping[str, str | bytes] | None, folder: str, arguments: argparse.Namespace, report: "Report"
 ) -> int:

@@ -4,6 +4,9 @@ import os
 from functools import cache
 from importlib.util import find_spec
 
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.source import Place
+
 
 def shipped_dialect_path(name: str) -> str | None:
     """The absolute path of the XML file of a shipped dialect (``common``), or None where pymavlink has no such."""
@@ -13,6 +16,23 @@ def shipped_dialect_path(name: str) -> str | None:
 def shipped_dialect_names() -> tuple[str, ...]:
     """The names of all shipped dialects, sorted; empty where pymavlink is not installed."""
     return tuple(_shipped())
+
+
+def dialect_path(
+    written: str, folder: str, unknown: Rule, place: Place, report: Report, *, is_file: bool
+) -> str | None:
+    """The absolute path of the XML file of the dialect called ``written``; None after the diagnostic ``unknown``.
+
+    Where pymavlink ships no such dialect, ``written`` is the path of a file below ``folder``, if ``is_file`` says so.
+    """
+    path = shipped_dialect_path(written)
+    if path is not None:
+        return path
+    if not is_file:
+        hint = did_you_mean(written, shipped_dialect_names())
+        report.add(unknown, place, f"pymavlink ships no dialect {written}", hint)
+        return None
+    return os.path.normpath(os.path.join(folder, written))
 
 
 @cache

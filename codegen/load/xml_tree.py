@@ -151,7 +151,7 @@ def _tree(root: etree._Element, text: str) -> XmlElement:
             for child in element:
                 children.append(located(child))
                 own_text += child.tail or ""
-        # items() is a list and attrib an object with a life of its own, which takes twice as long.
+        # items() is a list and attrib an object with a life of its own, which takes longer.
         return XmlElement(str(element.tag), dict(element.items()), own_text, tuple(children), line, column)  # type: ignore[arg-type]
 
     return located(root)

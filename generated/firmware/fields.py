@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 8dd1814df04ecab0
+# Inputs: b0abaee3f421bf72
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -13,12 +13,12 @@ _INFINITY = float("inf")
 
 
 def layout(message):
-    """Return {name: (code, offset, count, sentinels)} of a message or its class, made at its first use.
+    """Return {name: (code, offset, count, sentinels)} of a message, made at the first use of its class.
 
     Count 0 is a scalar; sentinels has one value or None for each element and is empty without any; one None more than
     elements means that the first speaks for the whole array.
     """
-    cls = message if isinstance(message, type) else type(message)
+    cls = type(message)
     if cls.__dict__.get("_layout") is None:
         cls._layout = {}
         offset = 0

@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 55d544751e67d631
+# Inputs: e6a211abb9eacfb0
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from frames import TABLE, write_frame
@@ -84,7 +84,7 @@ class Sender:
 
 
 def _encoder(frame, views, signing):
-    # A function that has what it needs around it is faster than a method, by a sixth.
+    # A function that has what it needs around it is faster than a method.
     def encode(message):
         return views[write_frame(0xFFFF, TABLE, frame, message._image, message._live)]
 

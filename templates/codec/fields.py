@@ -11,12 +11,12 @@ _INFINITY = float("inf")
 
 
 def layout(message):
-    """Return {name: (code, offset, count, sentinels)} of a message or its class, made at its first use.
+    """Return {name: (code, offset, count, sentinels)} of a message, made at the first use of its class.
 
     Count 0 is a scalar; sentinels has one value or None for each element and is empty without any; one None more than
     elements means that the first speaks for the whole array.
     """
-    cls = message if isinstance(message, type) else type(message)
+    cls = type(message)
     if cls.__dict__.get("_layout") is None:
         cls._layout = {}
         offset = 0

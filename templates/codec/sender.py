@@ -82,7 +82,7 @@ class Sender:
 
 
 def _encoder(frame, views, signing):
-    # A function that has what it needs around it is faster than a method, by a sixth.
+    # A function that has what it needs around it is faster than a method.
     def encode(message):
         return views[write_frame(0xFFFF, TABLE, frame, message._image, message._live)]
 

@@ -95,6 +95,11 @@ def live_names(message: PopulatedMessage) -> tuple[str, ...]:
     return tuple(names)
 
 
+def packs(message: PopulatedMessage) -> bool:
+    """Whether a builder packs a value into the payload: a float, or an integer that is too long to be live."""
+    return any(isinstance(binding, LiveBinding) and not _live_count(binding) for binding in message.bindings)
+
+
 def live_views(message: PopulatedMessage, reach: Mapping[str, str]) -> tuple[View, ...]:
     """What is written on every build, in the order of the bindings; nothing for what is known at build time.
 

@@ -16,7 +16,7 @@ from codegen.model.system import (
     System,
     read_quantities,
 )
-from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, View, live_names, live_views
+from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, View, live_names, live_views, packs
 from codegen.targets.naming import builder_name, class_names, instance_expression, number, quoted
 
 
@@ -46,7 +46,7 @@ class BuilderView:
     fixed: tuple[FixedView, ...]
     live_names: tuple[str, ...]
     live: tuple[View, ...]
-    packs: bool
+    uses_wire: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,19 +79,14 @@ def telemetry_view(system: System) -> TelemetryView:
             used.update(["spill"] if isinstance(view, SpillView) else [])
     unknowns = [view.unknown for builder in builders for view in builder.live if isinstance(view, LiveView)]
     prefilled = [fixed.statement for builder in builders for fixed in builder.fixed]
-    packed = [builder for builder in builders if any(_is_packed(view) for view in builder.live)]
     return TelemetryView(
         builders=builders,
         conversions=tuple(sorted(used)),
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
         uses_clock=any(builder.expiring for builder in builders),
-        packs=bool(packed) or any("pack_into" in statement for statement in prefilled),
+        packs=any(map(packs, system.messages)) or any("pack_into" in statement for statement in prefilled),
         machine_code=system.spec.project.machine_code,
     )
-
-
-def _is_packed(view: View) -> bool:
-    return isinstance(view, LiveView) and view.index is None
 
 
 def _builder(message: PopulatedMessage, class_name: str, system: System) -> BuilderView:
@@ -101,12 +96,13 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
     for name in read:
         is_each = message.component is not None and message.component.name == name
         reach[name] = instance_expression(system.components[name], is_each)
-    packs = any(_is_packed(view) for view in live_views(message, reach))
-    # A board keeps up to eleven variables and intermediate values of a function off the heap: so only the components
-    # that are read most are variables, and none where values are packed.
-    frequent = [] if packs else [name for name, count in read.most_common(LOCALS) if count > 1 or name in expiring]
+    # A board keeps only so many variables and intermediate values of a function off the heap: so only the components
+    # that are read most are variables, and none where values are packed, which takes five intermediate ones.
+    most_read = [] if packs(message) else read.most_common(LOCALS)
+    frequent = [name for name, count in most_read if count > 1 or name in expiring]
     locals_ = tuple((name, reach[name]) for name in sorted(frequent))
     reach |= {name: name for name in frequent}
+    live = live_views(message, reach)
     lowered = message.name.lower()
     return BuilderView(
         name=message.name,
@@ -124,8 +120,8 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
             _fixed(binding) for binding in message.bindings if not isinstance(binding, LiveBinding | SplitBinding)
         ),
         live_names=live_names(message),
-        live=live_views(message, reach),
-        packs=packs or any(isinstance(view, FlagByteView) for view in live_views(message, reach)),
+        live=live,
+        uses_wire=packs(message) or any(isinstance(view, FlagByteView) for view in live),
     )
 
 
