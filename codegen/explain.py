@@ -7,8 +7,9 @@ from textwrap import fill
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import WireMessage
-from codegen.model.system import Citation, Parameter, PopulatedMessage, Quantity, Stream, System
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
+from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.table import FieldRow, field_rows
 
 UNKNOWN_TOPIC = Rule(
@@ -91,6 +92,8 @@ def _message(message: PopulatedMessage) -> str:
 
 def _rate(message: PopulatedMessage) -> str:
     stream = message.stream
+    if stream is None:
+        return "sent when a ground station asks for it"
     if stream.parameter is not None:
         return f"stream {stream.name}: {stream.parameter.name} sets the rate, {stream.parameter.default} Hz by default"
     return f"stream {stream.name}: {decimal(stream.rate or Fraction(0))} Hz"

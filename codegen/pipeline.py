@@ -8,6 +8,7 @@ from codegen.decode.dialect_files import decode_dialect_files
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report, Rule
 from codegen.load.shipped import dialect_path
+from codegen.load.text import read_bytes
 from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
 from codegen.model.system import System
@@ -62,6 +63,16 @@ def render_system(system: System) -> Mapping[str, str]:
     for render in TARGETS:
         files.update(render(system))
     return files
+
+
+def stale_firmware(system: System) -> list[str]:
+    """The modules of the firmware, by file name, that a build would change or add in the output folder."""
+    folder = output_folder(system)
+    return [
+        os.path.basename(path)
+        for path, text in render_firmware(system).items()
+        if read_bytes(os.path.join(folder, path), Report()) != text.encode()
+    ]
 
 
 def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:

@@ -16,13 +16,18 @@ def render_template(name: str, view: object) -> str:
     return _environment().get_template(name).render(view=view)
 
 
+def render_page(name: str, view: object) -> str:
+    """The same for a page of HTML: whatever the view says is text of the page and never markup."""
+    return _environment(is_escaping=True).get_template(name).render(view=view)
+
+
 @cache
-def _environment() -> Environment:
-    # The output is Python, Markdown and JSON, never HTML: escaping would damage it.
+def _environment(*, is_escaping: bool = False) -> Environment:
+    # Python, Markdown and JSON would be damaged by escaping.
     return Environment(
         loader=FileSystemLoader(templates_folder()),
         undefined=StrictUndefined,
-        autoescape=False,  # noqa: S701
+        autoescape=is_escaping,  # noqa: S701
         keep_trailing_newline=True,
         trim_blocks=True,
         lstrip_blocks=True,

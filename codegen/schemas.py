@@ -8,6 +8,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, assert_never
 
+from codegen.model.board_spec import BoardSpec
+from codegen.model.program_spec import VehicleSpec
+from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.shape import (
     AnyScalar,
     Choice,
@@ -17,6 +20,7 @@ from codegen.model.shape import (
     Number,
     OneOf,
     RecordOf,
+    ScalarOrList,
     Shape,
     Text,
     Whole,
@@ -26,7 +30,6 @@ from codegen.model.shape import (
     short_forms,
 )
 from codegen.model.spec import (
-    BoardSpec,
     CorrectionsSpec,
     ParametersSpec,
     PopulationSpec,
@@ -42,8 +45,10 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "board.schema.json": BoardSpec,
     "parameters.schema.json": ParametersSpec,
     "streams.schema.json": StreamsSpec,
+    "vehicle.schema.json": VehicleSpec,
     "message.schema.json": PopulationSpec,
     "corrections.schema.json": CorrectionsSpec,
+    "scenarios.schema.json": ScenariosSpec,
 }
 """The schemas by file name, each with the model of the YAML file that it describes."""
 
@@ -114,7 +119,7 @@ def _shape(shape: Shape, definitions: dict[str, _Schema]) -> _Schema:
                 definitions[name] = {}  # claims the name before the records inside are visited
                 definitions[name] = _record(shape.model, definitions)
             return {"$ref": f"#/$defs/{name}"}
-        case OneOf():
+        case OneOf() | ScalarOrList():
             return {"anyOf": [_shape(member, definitions) for member in shape.members]}
         case _:
             return _scalar(shape)

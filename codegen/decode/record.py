@@ -10,6 +10,7 @@ from codegen.model.shape import (
     ListOf,
     MappingOf,
     RecordOf,
+    ScalarOrList,
     ScalarShape,
     Shape,
     keys_of,
@@ -135,6 +136,10 @@ class _RecordDecoder(Generic[Record]):
                 return self._mapping(node, shape, path)
             case ListOf():
                 return self._list(node, shape, path)
+            case ScalarOrList():
+                if isinstance(node, ScalarNode):
+                    return self._scalar(node, shape.scalar, path)
+                return self._list(node, shape.items, path)
             case _:
                 return self._scalar(node, shape, path)
 

@@ -15,6 +15,7 @@ from codegen.model.shape import (
     Number,
     OneOf,
     RecordOf,
+    ScalarOrList,
     ScalarShape,
     Shape,
     Text,
@@ -94,7 +95,7 @@ def wanted(shape: Shape) -> str:
             return "a whole number"
         case Choice():
             return " or ".join(shape.words)
-        case OneOf():
+        case OneOf() | ScalarOrList():
             return " or ".join(wanted(member) for member in shape.members)
         case ListOf():
             return "a list"

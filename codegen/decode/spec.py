@@ -10,8 +10,9 @@ from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text, read_bytes
 from codegen.load.yaml_tree import parse_yaml
+from codegen.model.board_spec import BoardSpec
+from codegen.model.program_spec import VehicleSpec
 from codegen.model.spec import (
-    BoardSpec,
     Correction,
     CorrectionsSpec,
     ParametersSpec,
@@ -42,6 +43,8 @@ UNREAD_FILE = Rule(
 
 FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
+OPTIONAL_FILES = ("vehicle.yaml",)
+"""Files beside it that only a project with a whole program has."""
 READ_BY_OTHERS = ("scenarios.yaml",)
 """Files beside the project file that belong to other commands than ``build``."""
 
@@ -77,6 +80,7 @@ class _SpecReader:
         board = self._fixed("board.yaml", BoardSpec)
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
+        vehicle = self._optional("vehicle.yaml", VehicleSpec)
         populations = self._populations()
         corrections = self._corrections(project)
         requirements = self._requirements()
@@ -92,6 +96,7 @@ class _SpecReader:
             board=board,
             parameters=parameters,
             streams=streams,
+            vehicle=vehicle,
             populations=populations,
             corrections=corrections,
             requirements=requirements,
@@ -115,6 +120,10 @@ class _SpecReader:
 
     def _fixed(self, name: str, cls: type[_Record]) -> _Record | None:
         return self._record(os.path.join(self._folder, name), cls, Place(self._project_file))
+
+    def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
+        path = os.path.join(self._folder, name)
+        return self._record(path, cls, Place(path)) if os.path.lexists(path) else None
 
     def _populations(self) -> tuple[PopulationSpec, ...]:
         """The tables by the names of their files; of two for one message the first."""
@@ -162,7 +171,7 @@ class _SpecReader:
         for folder in ("", "messages", "dialects", "requirements"):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
-                if path in self._hashes or (not folder and name in FIXED_FILES + READ_BY_OTHERS):
+                if path in self._hashes or (not folder and name in FIXED_FILES + OPTIONAL_FILES + READ_BY_OTHERS):
                     continue
                 self._report.add(
                     UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", self._hint(folder, name)
@@ -174,7 +183,9 @@ class _SpecReader:
             return "population tables end in .yaml"
         if folder == "dialects":
             return "name it under corrections in codegen.yaml"
-        absent = [fixed for fixed in FIXED_FILES if os.path.join(self._folder, fixed) not in self._hashes]
+        absent = [
+            fixed for fixed in FIXED_FILES + OPTIONAL_FILES if os.path.join(self._folder, fixed) not in self._hashes
+        ]
         return did_you_mean(name, absent) if not folder else None
 
     def _path(self, name: str) -> str:

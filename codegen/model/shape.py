@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from codegen.model.spec import Amount, Verbatim
+from codegen.model.described import Amount, Verbatim
 from codegen.source import Written
 
 AMOUNT_PATTERN = r"^[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)? *[A-Za-z%]\S*$"
@@ -83,8 +83,21 @@ class RecordOf:
     model: type[Written]
 
 
+@dataclass(frozen=True, slots=True)
+class ScalarOrList:
+    """A scalar, or a list in its place."""
+
+    scalar: "ScalarShape"
+    items: ListOf
+
+    @property
+    def members(self) -> tuple["Shape", ...]:
+        """Both."""
+        return (self.scalar, self.items)
+
+
 ScalarShape = Text | AnyScalar | YesNo | Number | Whole | Choice | OneOf
-Shape = ScalarShape | ListOf | MappingOf | RecordOf
+Shape = ScalarShape | ListOf | MappingOf | RecordOf | ScalarOrList
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +165,12 @@ def _shape(hint: Any) -> Shape:
     origin = get_origin(hint)
     if origin in (Union, types.UnionType):
         members = [_shape(member) for member in arguments if member is not type(None)]
-        return members[0] if len(members) == 1 else OneOf(tuple(members))  # type: ignore[arg-type]
+        match members:
+            case [only]:
+                return only
+            case [ListOf() as items, scalar] | [scalar, ListOf() as items]:
+                return ScalarOrList(scalar, items)  # type: ignore[arg-type]
+        return OneOf(tuple(members))  # type: ignore[arg-type]
     if origin is tuple:
         return ListOf(_shape(arguments[0]))
     if origin is Mapping:

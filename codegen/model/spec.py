@@ -1,30 +1,19 @@
 """The specification as its YAML and Markdown files state it, every record with its places.
 
-These dataclasses are the only description of the file formats: the decoder and the JSON Schemas both read them.
-Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
-A class may further declare ``ONE_OF``, keys of which exactly one is written, and ``SHORT_FORMS``, words that stand
-for a whole record.
+These dataclasses are the only description of the file formats: the decoder and the JSON Schemas both read them; see
+``described``. The board's have a module of their own, and so has the program that it runs.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
-from typing import Any, ClassVar, Literal, NewType
+from typing import Any, ClassVar, Literal
 
+from codegen.model.board_spec import BoardSpec
+from codegen.model.described import Amount, Verbatim, described
+from codegen.model.program_spec import VehicleSpec
 from codegen.source import Written
-
-Amount = NewType("Amount", str)
-"""A number with a unit, written as one string: ``3.3 V``, ``10 Hz``, ``2 ms``."""
-
-
-Verbatim = NewType("Verbatim", str)
-"""The text of a scalar as it is written, whether YAML takes it for text, a number or a boolean."""
-
-
-def described(doc: str, key: str | None = None, **rest: Any) -> Any:
-    """A dataclass field with the text that editors show for it, and its YAML key if that differs."""
-    return field(metadata={"doc": doc, "key": key}, **rest)
 
 
 class Rounding(StrEnum):
@@ -74,18 +63,33 @@ class QuantitySpec(Written):
     while_known: str | None = described(
         "For a boolean: true while this quantity of the same component is known.", default=None
     )
+    enabled_by: str | None = described(
+        "For a boolean: true while this parameter is not 0. What is measured in the component, and its own messages, "
+        "are left out while it is false.",
+        default=None,
+    )
+    trend_of: str | None = described(
+        "The quantity of the same component whose change per second this is.", default=None
+    )
+    window: Amount | None = described("For a trend: the time that it looks back, such as 4 s.", default=None)
+    estimate_from: str | None = described(
+        "The voltage of the same component from which the remaining charge is estimated, by the discharge curve of the "
+        "board's chemistry and cell count. Without it the charge is unknown until something sets it.",
+        default=None,
+    )
     adc: str | None = described("ADC channel of the board that measures it.", default=None)
     multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
     warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
+    warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
     stale_after: Amount | None = described("Age after which the last reading is unknown, such as 1 s.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration.",
+        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps.",
         default_factory=dict,
     )
 
-    ASPECTS = ("multiplier", "rounding", "warn_above", "invalid_after", "stale_after", "calibration")
+    ASPECTS = ("multiplier", "rounding", "warn_above", "invalid_after", "stale_after", "calibration", "gaps")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,33 +115,16 @@ class StateSpec(Written):
     components: Mapping[str, ComponentSpec] = described("The components by name.")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class AdcSpec(Written):
-    """One ADC channel."""
+class ParameterType(StrEnum):
+    """How PARAM_VALUE announces a parameter: an entry of MAV_PARAM_TYPE, in lower case and without that prefix."""
 
-    gpio: int = described("GPIO number of the pin, 26 to 29 on RP2040 and RP2350.")
-    bits: int = described("Resolution of one count.")
-    reference: Amount = described("Voltage of full scale, such as 3.3 V.")
-    samples: int = described("Readings whose mean is one reading of the battery.", default=1)
-    read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
-    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
-    criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: reference, samples, read_limit, failure, absence.", default_factory=dict
-    )
-
-    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class BoardSpec(Written):
-    """``board.yaml``: the board and what is connected to it."""
-
-    board: str = described("Name of the board.")
-    mcu: str = described("Name of the microcontroller.")
-    adc: Mapping[str, AdcSpec] = described("ADC channels by name.", default_factory=dict)
-    facts: Mapping[str, Mapping[str, str | Fraction]] = described(
-        "Facts about the connected hardware by component: enum entries, numbers or amounts.", default_factory=dict
-    )
+    INT8 = "int8"
+    UINT8 = "uint8"
+    INT16 = "int16"
+    UINT16 = "uint16"
+    INT32 = "int32"
+    UINT32 = "uint32"
+    REAL32 = "real32"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,6 +137,10 @@ class ParameterSpec(Written):
     max: Fraction = described("Largest value that is accepted, in unit.")
     step: Fraction = described("Resolution: the firmware keeps the value as a whole number of steps.")
     unit: str | None = described("Unit, absent for pure numbers.", default=None)
+    type: ParameterType = described("Type that PARAM_VALUE announces.", default=ParameterType.REAL32)
+    values: Mapping[str, str] = described(
+        "What single values mean, by the value; no others are accepted then.", default_factory=dict
+    )
     reboot: bool = described("Whether a new value is used only after a restart.", default=False)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
@@ -168,6 +159,13 @@ class StreamSpec(Written):
     doc: str = described("What the stream is for, for people.")
     rate: Amount | None = described("Fixed rate, such as 1 Hz.", default=None)
     parameter: str | None = described("Parameter that sets the rate in Hz; 0 switches the stream off.", default=None)
+    data_stream: str | None = described(
+        "Entry of MAV_DATA_STREAM by which REQUEST_DATA_STREAM asks for it.", default=None
+    )
+    fastest: Amount | None = described(
+        "Highest rate that a ground station can ask for; default: the parameter's maximum, or the fixed rate.",
+        default=None,
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
 
@@ -217,7 +215,9 @@ class PopulationSpec(Written):
     message: str = described("Name of the message in the dialect.")
     requirement: str = described("Requirement, or criterion of one, that asks for the message.")
     for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
-    stream: str = described("Stream that the message belongs to.")
+    stream: str | None = described(
+        "Stream that the message belongs to; without one it is sent when a ground station asks for it.", default=None
+    )
     fields: Mapping[str, FieldAnswer] = described("An answer for every field and element.")
 
 
@@ -278,6 +278,7 @@ class Spec:
     board: BoardSpec
     parameters: ParametersSpec
     streams: StreamsSpec
+    vehicle: VehicleSpec | None
     populations: tuple[PopulationSpec, ...]
     corrections: tuple[Correction, ...]
     requirements: tuple[Requirement, ...]

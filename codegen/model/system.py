@@ -5,166 +5,12 @@ Rules, targets, ``explain`` and the documents read this model; none of them look
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import Enum
 from fractions import Fraction
 
-from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
-from codegen.model.spec import (
-    AdcSpec,
-    ComponentSpec,
-    Criterion,
-    FieldAnswer,
-    ParameterSpec,
-    PopulationSpec,
-    QuantitySpec,
-    Requirement,
-    Rounding,
-    Spec,
-    StreamSpec,
-)
-from codegen.model.unit import Unit
-
-SMALL_INT_MAX = 2**30 - 1
-"""Largest integer that MicroPython keeps without allocating on 32-bit ports: they have 31 bits, with the sign."""
-
-
-@dataclass(frozen=True, slots=True)
-class Citation:
-    """A requirement, or one criterion of it, that a part of the system answers to."""
-
-    requirement: Requirement
-    criterion: Criterion | None
-
-    def __str__(self) -> str:
-        """``FR-00068`` or ``FR-00068.3``."""
-        return self.requirement.id if self.criterion is None else f"{self.requirement.id}.{self.criterion.number}"
-
-
-@dataclass(frozen=True, slots=True)
-class Cited:
-    """Something that criteria ask for: ``citation`` for the whole of it, ``aspects`` for single ones."""
-
-    citation: Citation | None
-    aspects: Mapping[str, Citation]
-
-    def cited(self, aspect: str) -> str:
-        """The criterion that asks for one aspect, or the one for the whole, or nothing."""
-        return str(self.aspects.get(aspect, self.citation or ""))
-
-
-@dataclass(frozen=True, slots=True)
-class AdcChannel(Cited):
-    """An ADC channel: ``full_scale`` is the largest count, ``reference`` the volts that it stands for.
-
-    ``read_limit_us`` is the longest time for one mean in microseconds, or None.
-    """
-
-    name: str
-    gpio: int
-    bits: int
-    full_scale: int
-    reference: Fraction
-    samples: int
-    read_limit_us: int | None
-    spec: AdcSpec
-
-
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """A parameter; the firmware keeps ``default``, ``minimum`` and ``maximum`` as whole ``steps``.
-
-    ``step`` is the value of one step in ``unit``.
-    """
-
-    name: str
-    unit: Unit
-    step: Fraction
-    default: int
-    minimum: int
-    maximum: int
-    spec: ParameterSpec
-    citation: Citation | None
-
-    @property
-    def path(self) -> str:
-        """How tables and documents write it, as ``Quantity.path``: its name."""
-        return self.name
-
-
-class QuantityKind(Enum):
-    """What a quantity of the vehicle state holds."""
-
-    NUMBER = "number"
-    ENUM = "enum"
-    BOOLEAN = "boolean"
-
-
-@dataclass(frozen=True, slots=True)
-class Conversion:
-    """From an ADC count to stored steps: ``count * multiplier_steps * numerator / denominator``, rounded to nearest.
-
-    ``denominator`` and ``numerator`` have no common factor. Source: the formula of FR-00069.
-    """
-
-    channel: AdcChannel
-    multiplier: Parameter
-    numerator: int
-    denominator: int
-
-
-@dataclass(frozen=True, slots=True)
-class Quantity(Cited):
-    """A quantity of the vehicle state, kept as an integer of ``stored`` units.
-
-    ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored
-    units; without a limit in the table they are what a small integer holds. ``initial`` is None where the quantity
-    starts unknown and may become unknown again; else the value that stands in for unknown. ``while_known`` names
-    the quantity of the same component that a boolean follows: it cannot be set then.
-    """
-
-    component: str
-    name: str
-    attribute: str
-    kind: QuantityKind
-    unit: Unit
-    stored: Unit
-    steps: Fraction
-    minimum: int
-    maximum: int
-    initial: int | None
-    while_known: str | None
-    enum: EnumDefinition | None
-    conversion: Conversion | None
-    warn_above: int | None
-    stale_after_ms: int | None
-    spec: QuantitySpec
-
-    @property
-    def path(self) -> str:
-        """``battery.voltage``, as the tables write it."""
-        return f"{self.component}.{self.name}"
-
-
-@dataclass(frozen=True, slots=True)
-class Component(Cited):
-    """A part of the vehicle state; ``period_ms`` is the time between two updates, or None."""
-
-    name: str
-    instances: int
-    period_ms: int | None
-    quantities: Mapping[str, Quantity]
-    spec: ComponentSpec
-
-
-@dataclass(frozen=True, slots=True)
-class Stream:
-    """A stream with either a fixed ``rate`` in Hz or the ``parameter`` that sets it."""
-
-    name: str
-    rate: Fraction | None
-    parameter: Parameter | None
-    spec: StreamSpec
-    citation: Citation | None
+from codegen.model.dialect import Dialect, WireField, WireMessage
+from codegen.model.program import BoardLink, Program
+from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement, Rounding, Spec
+from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,11 +120,12 @@ class PopulatedMessage:
     """A message with a binding for every element; ``bindings`` are in the order of their offsets.
 
     ``component`` is the component that each instance of the message belongs to, or None for a single message.
+    Without a ``stream`` it is sent when a ground station asks for it.
     """
 
     wire: WireMessage
     bindings: tuple[Binding, ...]
-    stream: Stream
+    stream: Stream | None
     component: Component | None
     citation: Citation
     population: PopulationSpec
@@ -307,19 +154,37 @@ class PopulatedMessage:
 class System:
     """Everything that is generated from, resolved. ``messages`` are in the order of their ids.
 
-    ``requirements`` has every document under its id and under each of its aliases.
+    ``requirements`` has every document under its id and under each of its aliases. ``system_parameter`` sets the
+    system id where the project says so; ``system_id`` is then its default.
     """
 
     spec: Spec
     dialect: Dialect
     system_id: int
+    system_parameter: Parameter | None
     component_id: int
     channels: Mapping[str, AdcChannel]
     parameters: Mapping[str, Parameter]
     components: Mapping[str, Component]
     streams: Mapping[str, Stream]
     messages: tuple[PopulatedMessage, ...]
+    links: tuple[BoardLink, ...]
+    program: Program | None
     requirements: Mapping[str, Requirement]
+
+    @property
+    def wires(self) -> tuple[WireMessage, ...]:
+        """The messages that the firmware knows, in the order of their ids: populated ones and those of the services."""
+        services = self.program.services if self.program else ()
+        known = {wire.id: wire for wire in (*services, *(message.wire for message in self.messages))}
+        return tuple(known[number] for number in sorted(known))
+
+    @property
+    def sent(self) -> tuple[WireMessage, ...]:
+        """The messages that the firmware sends whole, in the order of their ids."""
+        services = self.program.sent if self.program else ()
+        names = {*services, *(message.name for message in self.messages)}
+        return tuple(wire for wire in self.wires if wire.name in names)
 
     def quantity(self, path: str) -> Quantity | None:
         """The quantity written as ``component.name``, or None."""

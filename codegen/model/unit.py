@@ -28,6 +28,7 @@ NUMBER = Unit("", "number", Fraction(1))
 # dimension: {unit: how many of it make one base unit}
 _DIMENSIONS: dict[str, dict[str, str]] = {
     "voltage": {"V": "1", "dV": "10", "cV": "100", "mV": "1000", "uV": "1000000"},
+    "voltage per time": {"V/s": "1", "mV/s": "1000"},
     "current": {"A": "1", "dA": "10", "cA": "100", "mA": "1000"},
     "charge": {"Ah": "1", "mAh": "1000", "C": "3600"},
     "energy": {"J": "1", "hJ": "1/100", "kJ": "1/1000", "Wh": "1/3600", "mWh": "1/3.6"},

@@ -3,8 +3,9 @@
 from collections.abc import Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import AdcSpec, ComponentSpec, QuantitySpec, Requirement
-from codegen.model.system import Citation
+from codegen.model.board_spec import AdcSpec
+from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement
+from codegen.model.vehicle import Citation
 from codegen.source import Place
 
 UNKNOWN_REQUIREMENT = Rule(

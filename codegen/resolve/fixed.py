@@ -3,10 +3,12 @@
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.board_spec import BoardSpec
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
-from codegen.model.spec import BoardSpec, StateSpec
-from codegen.model.system import Component, Elements, FixedBinding, FlagsBinding, Quantity, QuantityKind
+from codegen.model.spec import StateSpec
+from codegen.model.system import Elements, FixedBinding, FlagsBinding
 from codegen.model.unit import read_measure
+from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.resolve.constant import bind_constant, fits
 from codegen.resolve.state import UNKNOWN_ENTRY, UNKNOWN_ENUM, UNKNOWN_QUANTITY
 from codegen.source import Place

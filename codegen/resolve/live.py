@@ -4,16 +4,9 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import Kind
-from codegen.model.system import (
-    Elements,
-    InstanceBinding,
-    LiveBinding,
-    Parameter,
-    Quantity,
-    QuantityKind,
-    SplitBinding,
-)
+from codegen.model.system import Elements, InstanceBinding, LiveBinding, SplitBinding
 from codegen.model.unit import Unit
+from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 from codegen.resolve.constant import field_unit
 from codegen.resolve.fixed import NO_SENTINEL, NOT_AN_ENUM_FIELD
 from codegen.resolve.limits import Bounds, check_reach, dialect_bounds, limits_of, written_bounds

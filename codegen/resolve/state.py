@@ -8,19 +8,12 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
 from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, Spec
-from codegen.model.system import (
-    SMALL_INT_MAX,
-    AdcChannel,
-    Component,
-    Conversion,
-    Parameter,
-    Quantity,
-    QuantityKind,
-)
 from codegen.model.unit import NUMBER, UNITS, Unit
+from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Component, Conversion, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.derived import check_derived, resolve_estimate, resolve_trend
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
-from codegen.resolve.vehicle import UNKNOWN_PARAMETER
+from codegen.resolve.vehicle import find_parameter
 
 BAD_QUANTITY = Rule(
     "bad-quantity",
@@ -35,7 +28,7 @@ UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum
 
 _IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
 # Names that the generated code uses itself, beside Python's own.
-_RESERVED_QUANTITIES = {"instance", "failures", "expires_ms", "is_high", "expire", "set_count"}
+_RESERVED_QUANTITIES = {"instance", "failures", "expires_ms", "warned_ms", "expire", "set_count", "forget", "keep"}
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 _CONVERSIONS = {"limited", "spill", *Rounding}
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
@@ -60,7 +53,7 @@ def resolve_components(
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
             resolver = _QuantityResolver(name, quantity_name, quantity_spec, spec, report)
-            quantity = resolver.resolve(dialect, channels, parameters, index)
+            quantity = resolver.resolve(dialect, channels, parameters, index, period)
             if quantity is not None:
                 quantities[quantity_name] = quantity
         _check_quantities(written, quantities, report)
@@ -106,6 +99,7 @@ def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], r
             if owner is not quantity:
                 related = [(owner.spec.place, f"{owner.name} takes the name {name} in the firmware")]
                 report.add(BAD_QUANTITY, quantity.spec.place, f"{quantity.name} needs the name {name}", None, related)
+    check_derived(spec, quantities, report)
     measured = [quantity for quantity in quantities.values() if quantity.conversion is not None]
     for second in measured[1:]:
         report.add(
@@ -137,6 +131,7 @@ class _QuantityResolver:
         channels: Mapping[str, AdcChannel],
         parameters: Mapping[str, Parameter],
         index: Mapping[str, Requirement],
+        period_ms: int | None,
     ) -> Quantity | None:
         spec = self.spec
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, self.report)
@@ -163,9 +158,9 @@ class _QuantityResolver:
         if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
             self._bad("invalid_after", f"invalid_after of {self.name} is {spec.invalid_after}, not 1 to 1000")
         warn_above = None if spec.warn_above is None else self._in_steps("warn_above", spec.warn_above, steps)
-        stale_after = None
-        if spec.stale_after is not None:
-            stale_after = read_time(spec.stale_after, UNITS["ms"], spec.at("stale_after"), self.report)
+        stale_after, warn_every = self._time("stale_after", spec.stale_after), self._time("warn_every", spec.warn_every)
+        trend = resolve_trend(spec, stored, period_ms, self.whole.state.components[self.component], self.report)
+        estimate = resolve_estimate(spec, self.component, self.whole, dialect, self.report)
         if self.failed:
             return None
         return Quantity(
@@ -180,14 +175,27 @@ class _QuantityResolver:
             maximum=maximum,
             initial=initial,
             while_known=spec.while_known,
+            enabled_by=self._enabled_by(parameters),
+            trend=trend,
+            estimate=estimate,
             enum=enum,
             conversion=conversion,
             warn_above=warn_above,
+            warn_every_ms=warn_every,
             stale_after_ms=stale_after,
             spec=spec,
             citation=citation,
             aspects=cite_aspects(spec, index, self.report),
         )
+
+    def _time(self, key: str, written: str | None) -> int | None:
+        return None if written is None else read_time(written, UNITS["ms"], self.spec.at(key), self.report)
+
+    def _enabled_by(self, parameters: Mapping[str, Parameter]) -> Parameter | None:
+        spec = self.spec
+        if spec.enabled_by is None:
+            return None
+        return find_parameter(spec.enabled_by, spec.at("enabled_by"), self.whole.parameters, parameters, self.report)
 
     def _kind(self) -> QuantityKind:
         spec = self.spec
@@ -200,8 +208,11 @@ class _QuantityResolver:
             for key in ("unit", "stored", "min", "max", "adc", "multiplier", "warn_above"):
                 if getattr(spec, key) is not None:
                     self._bad(key, f"{self.name} is a {kind.value} quantity and cannot have {key}")
-        if spec.while_known is not None and (not spec.boolean or spec.initial is not None):
-            self._bad("while_known", f"{self.name} follows {spec.while_known}: it is a boolean without initial")
+        for key, followed in (("while_known", spec.while_known), ("enabled_by", spec.enabled_by)):
+            if followed is not None and (not spec.boolean or spec.initial is not None):
+                self._bad(key, f"{self.name} follows {followed}: it is a boolean without initial")
+        if spec.while_known is not None and spec.enabled_by is not None:
+            self._bad("enabled_by", f"{self.name} follows either a quantity or a parameter")
         if spec.boolean and spec.enum is not None:
             self._bad("enum", f"{self.name} cannot be both a boolean and an enum")
         return kind
@@ -234,7 +245,7 @@ class _QuantityResolver:
     def _initial(self, kind: QuantityKind, enum: EnumDefinition | None, steps: Fraction) -> int | None:
         written = self.spec.initial
         if kind is QuantityKind.BOOLEAN:
-            if self.spec.while_known is None and not isinstance(written, bool):
+            if self.spec.while_known is None and self.spec.enabled_by is None and not isinstance(written, bool):
                 self._bad("initial", f"the boolean {self.name} needs initial: true or false")
             return int(written is True)
         if written is None:
@@ -256,7 +267,7 @@ class _QuantityResolver:
     ) -> Conversion | None:
         spec = self.spec
         if spec.adc is None and spec.multiplier is None:
-            for key in ("warn_above", "invalid_after", "stale_after"):
+            for key in ("warn_above", "warn_every", "invalid_after", "stale_after"):
                 if getattr(spec, key) is not None:
                     self._bad(key, f"{self.name} has no adc, so {key} says nothing")
             return None
@@ -264,13 +275,11 @@ class _QuantityResolver:
             self._bad("adc" if spec.adc else "multiplier", f"{self.name} needs both adc and multiplier, or neither")
             return None
         channel = channels.get(spec.adc)
-        multiplier = parameters.get(spec.multiplier)
         if channel is None and spec.adc not in self.whole.board.adc:
             hint = did_you_mean(spec.adc, channels)
             self._bad("adc", f"board.yaml has no ADC channel {spec.adc}", UNKNOWN_ADC, hint)
-        if multiplier is None and spec.multiplier not in self.whole.parameters.parameters:
-            hint = did_you_mean(spec.multiplier, parameters)
-            self._bad("multiplier", f"there is no parameter {spec.multiplier}", UNKNOWN_PARAMETER, hint)
+        place, written = spec.at("multiplier"), self.whole.parameters
+        multiplier = find_parameter(spec.multiplier, place, written, parameters, self.report)
         factor = UNITS["V"].to(stored)
         if factor is None:
             self._bad("adc", f"an ADC measures a voltage, {self.name} is a {stored.dimension}", UNIT_MISMATCH)

@@ -6,22 +6,16 @@ from collections.abc import Mapping
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
 from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement, Spec
-from codegen.model.system import (
-    Binding,
-    Component,
-    Elements,
-    Parameter,
-    PopulatedMessage,
-    Stream,
-    System,
-)
+from codegen.model.system import Binding, Elements, PopulatedMessage, System
+from codegen.model.vehicle import Component, Parameter, Stream
 from codegen.resolve.citation import cite, index_requirements
 from codegen.resolve.constant import bind_constant
 from codegen.resolve.elements import answered_elements
 from codegen.resolve.fixed import bind_entry, bind_fact, bind_flags, bind_unknown, bind_version, find_quantity
 from codegen.resolve.live import bind_instance, bind_live
+from codegen.resolve.program import resolve_links, resolve_program
 from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
-from codegen.resolve.vehicle import UNKNOWN_PARAMETER, resolve_channels, resolve_parameters, resolve_streams
+from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
 
 BAD_PROJECT = Rule(
     "bad-project",
@@ -45,9 +39,9 @@ BAD_INSTANCE = Rule(
 def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     """Everything linked; what could not be resolved is left out and reported."""
     index = index_requirements(spec.requirements)
-    channels = resolve_channels(spec.board, index, report)
     parameters = resolve_parameters(spec.parameters, index, report)
-    streams = resolve_streams(spec, parameters, index, report)
+    channels = resolve_channels(spec.board, spec.parameters, parameters, index, report)
+    streams = resolve_streams(spec, dialect, parameters, index, report)
     components = resolve_components(spec, dialect, channels, parameters, index, report)
     binder = _Binder(spec, dialect, components, parameters, report)
     messages = [
@@ -55,31 +49,56 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         for population in spec.populations
         if (message := _resolve_message(population, binder, streams, index)) is not None
     ]
+    _check_output(spec, report)
+    system_id, system_parameter = _system_id(spec, parameters, report)
+    program = None
+    if spec.vehicle is not None:
+        program = resolve_program(spec.vehicle, spec.parameters, parameters, components, dialect, index, report)
     return System(
         spec=spec,
         dialect=dialect,
-        system_id=_checked_system_id(spec, report),
+        system_id=system_id,
+        system_parameter=system_parameter,
         component_id=_component_id(spec, dialect, report),
         channels=channels,
         parameters=parameters,
         components=components,
         streams=streams,
         messages=tuple(sorted(messages, key=lambda message: message.wire.id)),
+        links=resolve_links(spec.board, index, report),
+        program=program,
         requirements=index,
     )
 
 
-def _checked_system_id(spec: Spec, report: Report) -> int:
+def _check_output(spec: Spec, report: Report) -> None:
     project = spec.project
     output = os.path.normpath(os.path.join(spec.folder, project.output))
     if os.path.commonpath([output, spec.folder]) == output:
         message = f"the output folder {project.output} is, or contains, the folder of the specification"
         report.add(BAD_PROJECT, project.at("output"), message, "give the output a folder of its own: ../generated")
-    if not 1 <= project.system_id <= 255:
-        report.add(BAD_PROJECT, project.at("system_id"), f"system id {project.system_id} is not 1 to 255")
     if project.protocol not in (1, 2):
         report.add(BAD_PROJECT, project.at("protocol"), f"protocol {project.protocol} is not 1 or 2")
-    return project.system_id
+
+
+def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) -> tuple[int, Parameter | None]:
+    """The system id, and the parameter that sets it, of which it is the default."""
+    written = spec.project.system_id
+    if not 1 <= written <= 255:
+        report.add(BAD_PROJECT, spec.project.at("system_id"), f"system id {written} is not 1 to 255")
+    if spec.vehicle is None or spec.vehicle.system_id is None:
+        return written, None
+    place = spec.vehicle.at("system_id")
+    if "system_id" in spec.project.places:
+        message = "the system id is stated here, and vehicle.yaml has a parameter for it"
+        report.add(BAD_PROJECT, spec.project.at("system_id"), message, related=[(place, "the parameter is named here")])
+    parameter = find_parameter(spec.vehicle.system_id, place, spec.parameters, parameters, report)
+    if parameter is None:
+        return 1, None
+    if parameter.step != 1 or parameter.minimum < 1 or parameter.maximum > 255:
+        related = [(parameter.spec.at("max"), f"{parameter.name} is declared here")]
+        report.add(BAD_PROJECT, place, f"{parameter.name} is not a system id from 1 to 255", related=related)
+    return parameter.default, parameter
 
 
 def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int:
@@ -109,10 +128,13 @@ def _resolve_message(
         place = population.at("message")
         report.add(UNKNOWN_MESSAGE, place, f"{binder.dialect.name} has no message {population.message}", hint)
     citation = cite(population.requirement, population.at("requirement"), index, report)
-    stream = streams.get(population.stream)
-    if stream is None and population.stream not in binder.spec.streams.streams:
+    stream = streams.get(population.stream or "")
+    if population.stream is not None and stream is None and population.stream not in binder.spec.streams.streams:
         hint = did_you_mean(population.stream, streams)
         report.add(UNKNOWN_STREAM, population.at("stream"), f"there is no stream {population.stream}", hint)
+    if population.stream is None and binder.spec.vehicle is None:
+        message = f"{population.message} belongs to no stream, and nothing answers requests"
+        report.add(UNKNOWN_STREAM, population.place, message, "name a stream, or describe the program in vehicle.yaml")
     component = None
     if population.for_each is not None:
         component = binder.components.get(population.for_each)
@@ -124,7 +146,7 @@ def _resolve_message(
         return None
     elements = answered_elements(population, wire, citation, index, report)
     bindings = [binding for covers in elements if (binding := binder.bind(covers, component)) is not None]
-    if stream is None:
+    if stream is None and population.stream is not None:
         return None
     return PopulatedMessage(wire, tuple(bindings), stream, component, citation, population)
 
@@ -185,10 +207,8 @@ class _Binder:
         return None if quantity is None else bind_live(covers, quantity, "state", self.report)
 
     def _bind_parameter(self, covers: Elements, name: str) -> Binding | None:
-        parameter = self.parameters.get(name)
+        place = covers.answer.at("parameter")
+        parameter = find_parameter(name, place, self.spec.parameters, self.parameters, self.report)
         if parameter is None:
-            if name not in self.spec.parameters.parameters:
-                hint = did_you_mean(name, self.parameters)
-                self.report.add(UNKNOWN_PARAMETER, covers.answer.at("parameter"), f"there is no parameter {name}", hint)
             return None
         return bind_live(covers, parameter, "parameter", self.report)

@@ -5,30 +5,41 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import BoardSpec, ParameterSpec, ParametersSpec, Requirement, Spec, StreamSpec
-from codegen.model.system import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
-from codegen.model.unit import UNITS
+from codegen.model.board_spec import AdcSpec, BoardSpec
+from codegen.model.dialect import Dialect
+from codegen.model.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
+from codegen.model.unit import UNITS, decimal
+from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.measure import DAY_S, find_unit, read_amount, read_rate, read_time
+from codegen.source import Place
 
 BAD_ADC = Rule(
     "bad-adc",
     "An ADC channel cannot be built: the RP2040 and RP2350 have ADC inputs on GPIO 26 to 29, "
-    "a count has 8 to 12 bits, and a mean needs 1 to 64 samples.",
+    "a count has 8 to 12 bits, and a mean needs 1 to 64 samples. A parameter that has the pin stays within them.",
 )
 BAD_PARAMETER = Rule(
     "bad-parameter",
     "A parameter contradicts itself: names have at most 16 characters of A-Z, 0-9 and _; min <= default <= max; "
-    "all three are whole multiples of step and, in steps, fit a small integer of MicroPython.",
+    "all three are whole multiples of step and, in steps, fit a small integer of MicroPython. A whole type has a whole "
+    "step and carries min and max; single values lie within them, and the default is one of them.",
 )
 BAD_STREAM = Rule(
     "bad-stream",
-    "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000.",
+    "A stream has exactly one of rate and parameter; the parameter is in Hz, from 0 (off) to at most 1000. Its "
+    "data_stream is an entry of MAV_DATA_STREAM, and fastest is at most 1000 Hz.",
 )
 UNKNOWN_PARAMETER = Rule("unknown-parameter", "A table names a parameter that parameters.yaml does not have.")
 
 
-def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report: Report) -> dict[str, AdcChannel]:
+def resolve_channels(
+    board: BoardSpec,
+    written: ParametersSpec,
+    parameters: Mapping[str, Parameter],
+    index: Mapping[str, Requirement],
+    report: Report,
+) -> dict[str, AdcChannel]:
     """The ADC channels by name."""
     channels = {}
     for name, spec in board.adc.items():
@@ -37,9 +48,10 @@ def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report:
         limit = None
         if spec.read_limit is not None:
             limit = read_time(spec.read_limit, UNITS["us"], spec.at("read_limit"), report)
-        sane = True
+        pin = None if spec.pin is None else find_parameter(spec.pin, spec.at("pin"), written, parameters, report)
+        gpio = _gpio(name, spec, pin, report)
+        sane = gpio is not None
         for key, value, low, high in (
-            ("gpio", spec.gpio, 26, 29),
             ("bits", spec.bits, 8, 12),
             ("samples", spec.samples, 1, 64),
         ):
@@ -49,11 +61,12 @@ def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report:
         if reference is not None and reference <= 0:
             report.add(BAD_ADC, spec.at("reference"), f"the reference of {name} is not above 0 V")
             sane = False
-        if reference is None or not sane:
+        if reference is None or gpio is None or not sane:
             continue
         channels[name] = AdcChannel(
             name=name,
-            gpio=spec.gpio,
+            gpio=gpio,
+            pin=pin,
             bits=spec.bits,
             full_scale=(1 << spec.bits) - 1,
             reference=reference,
@@ -64,6 +77,33 @@ def resolve_channels(board: BoardSpec, index: Mapping[str, Requirement], report:
             aspects=cite_aspects(spec, index, report),
         )
     return channels
+
+
+def _gpio(name: str, spec: AdcSpec, pin: Parameter | None, report: Report) -> int | None:
+    """The GPIO of a channel, at first; None where it is wrong, or where the parameter that has it is."""
+    if spec.gpio is not None:
+        if 26 <= spec.gpio <= 29:
+            return spec.gpio
+        report.add(BAD_ADC, spec.at("gpio"), f"gpio of {name} is {spec.gpio}, not 26 to 29")
+        return None
+    if pin is None:
+        return None
+    if pin.step != 1 or pin.minimum < 26 or pin.maximum > 29:
+        message = f"{pin.name} is not a GPIO number from 26 to 29"
+        related = [(pin.spec.at("max"), f"{pin.name} is declared here")]
+        report.add(BAD_ADC, spec.at("pin"), message, related=related)
+        return None
+    return pin.default
+
+
+def find_parameter(
+    name: str, place: Place, written: ParametersSpec, parameters: Mapping[str, Parameter], report: Report
+) -> Parameter | None:
+    """The parameter called so; one that is written but broken has been reported already."""
+    parameter = parameters.get(name)
+    if parameter is None and name not in written.parameters:
+        report.add(UNKNOWN_PARAMETER, place, f"there is no parameter {name}", did_you_mean(name, parameters))
+    return parameter
 
 
 def resolve_parameters(spec: ParametersSpec, index: Mapping[str, Requirement], report: Report) -> dict[str, Parameter]:
@@ -94,6 +134,8 @@ def _resolve_parameter(name: str, spec: ParameterSpec, citation: Citation | None
         problems.append(("max", f"max of {name} is below its min"))
     elif not spec.min <= spec.default <= spec.max:
         problems.append(("default", f"default of {name} is not between its min and max"))
+    problems += _type_problems(name, spec)
+    choices = _choices(name, spec, problems)
     for key, message in problems:
         report.add(BAD_PARAMETER, spec.at(key), message)
     unit = find_unit(spec.unit, spec.at("unit"), report)
@@ -106,9 +148,39 @@ def _resolve_parameter(name: str, spec: ParameterSpec, citation: Citation | None
         default=_in_steps(spec.default, spec.step),
         minimum=_in_steps(spec.min, spec.step),
         maximum=_in_steps(spec.max, spec.step),
+        choices={_in_steps(value, spec.step): meaning for value, meaning in choices.items()},
         spec=spec,
         citation=citation,
     )
+
+
+def _type_problems(name: str, spec: ParameterSpec) -> list[tuple[str, str]]:
+    """Whether a whole type carries every value; a float carries 24 bits exactly, which is enough for all others."""
+    if spec.type is ParameterType.REAL32:
+        return []
+    if spec.step.denominator != 1:
+        return [("type", f"{name} has a step of {decimal(spec.step)}, which {spec.type} does not carry")]
+    bits = int(spec.type.lstrip("uint"))
+    low, high = (0, 2**bits - 1) if spec.type.startswith("u") else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
+    if spec.min < low or spec.max > high:
+        return [("type", f"{name} has values that {spec.type} does not carry: it is {low} to {high}")]
+    return []
+
+
+def _choices(name: str, spec: ParameterSpec, problems: list[tuple[str, str]]) -> dict[Fraction, str]:
+    choices = {}
+    for written, meaning in spec.values.items():
+        try:
+            value = Fraction(written)
+        except (ValueError, ZeroDivisionError):
+            problems.append((f"values.{written}", f"{written!r} is not a number"))
+            continue
+        if not spec.min <= value <= spec.max or spec.step <= 0 or (value / spec.step).denominator != 1:
+            problems.append((f"values.{written}", f"{written} is not a value that {name} can have"))
+        choices[value] = meaning
+    if choices and spec.default not in choices:
+        problems.append(("default", f"default of {name} is none of its values"))
+    return choices
 
 
 def _in_steps(value: Fraction, step: Fraction) -> int:
@@ -116,20 +188,39 @@ def _in_steps(value: Fraction, step: Fraction) -> int:
 
 
 def resolve_streams(
-    spec: Spec, parameters: Mapping[str, Parameter], index: Mapping[str, Requirement], report: Report
+    spec: Spec,
+    dialect: Dialect,
+    parameters: Mapping[str, Parameter],
+    index: Mapping[str, Requirement],
+    report: Report,
 ) -> dict[str, Stream]:
     """The streams by name."""
     streams = {}
     for name, written in spec.streams.streams.items():
-        stream = _resolve_stream(name, written, spec.parameters, parameters, index, report)
+        number = _data_stream(written, dialect, report)
+        stream = _resolve_stream(name, written, number, spec.parameters, parameters, index, report)
         if stream is not None:
             streams[name] = stream
     return streams
 
 
+def _data_stream(spec: StreamSpec, dialect: Dialect, report: Report) -> int | None:
+    name, enum = spec.data_stream, dialect.enums.get("MAV_DATA_STREAM")
+    if name is None:
+        return None
+    entry = enum.entry(name) if enum else None
+    if entry is None or entry.value == 0:  # 0 stands for all of them
+        names = [entry.name for entry in enum.entries if entry.value] if enum else []
+        message = f"{name} is no single stream of MAV_DATA_STREAM"
+        report.add(BAD_STREAM, spec.at("data_stream"), message, did_you_mean(name, names))
+        return None
+    return entry.value
+
+
 def _resolve_stream(
     name: str,
     spec: StreamSpec,
+    number: int | None,
     written: ParametersSpec,
     parameters: Mapping[str, Parameter],
     index: Mapping[str, Requirement],
@@ -141,15 +232,13 @@ def _resolve_stream(
     if (spec.rate is None) == (spec.parameter is None):
         report.add(BAD_STREAM, spec.place, f"stream {name} needs exactly one of rate and parameter")
         return None
+    fastest = None if spec.fastest is None else read_rate(spec.fastest, spec.at("fastest"), report)
     if spec.rate is not None:
         rate = read_rate(spec.rate, spec.at("rate"), report)
-        return None if rate is None else Stream(name, rate, None, spec, citation)
+        return None if rate is None else Stream(name, rate, None, number, max(rate, fastest or rate), spec, citation)
     assert spec.parameter is not None
-    parameter = parameters.get(spec.parameter)
+    parameter = find_parameter(spec.parameter, spec.at("parameter"), written, parameters, report)
     if parameter is None:
-        if spec.parameter not in written.parameters:
-            hint = did_you_mean(spec.parameter, parameters)
-            report.add(UNKNOWN_PARAMETER, spec.at("parameter"), f"there is no parameter {spec.parameter}", hint)
         return None
     largest = parameter.maximum * parameter.step
     if parameter.unit.name != "Hz" or parameter.minimum < 0 or largest > 1000 or parameter.step * DAY_S < 1:
@@ -160,4 +249,4 @@ def _resolve_stream(
             related=[(parameter.spec.at("unit"), f"{parameter.name} is declared here")],
         )
         return None
-    return Stream(name, None, parameter, spec, citation)
+    return Stream(name, None, parameter, number, fastest or largest, spec, citation)

@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.system import SMALL_INT_MAX, LiveBinding, Quantity, SplitBinding, System
+from codegen.model.system import LiveBinding, SplitBinding, System
+from codegen.model.vehicle import SMALL_INT_MAX, Quantity
 
 RULE = Rule(
     "allocating-arithmetic",

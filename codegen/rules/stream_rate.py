@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.system import LiveBinding, PopulatedMessage, Quantity, SplitBinding, System
+from codegen.model.system import LiveBinding, PopulatedMessage, SplitBinding, System
+from codegen.model.vehicle import Quantity, Stream
 
 RULE = Rule(
     "rate-above-update",
@@ -16,7 +17,9 @@ RULE = Rule(
 def check(system: System) -> Iterator[Diagnostic]:
     """Every populated message with the slowest component that it reports."""
     for message in system.messages:
-        rate = message.stream.rate if message.stream.rate is not None else _default_rate(message)
+        if message.stream is None:
+            continue
+        rate = message.stream.rate if message.stream.rate is not None else _default_rate(message.stream)
         for name in sorted(_components(message)):
             period = system.components[name].period_ms
             if period is not None and rate * period > 1000:
@@ -28,8 +31,8 @@ def check(system: System) -> Iterator[Diagnostic]:
                 )
 
 
-def _default_rate(message: PopulatedMessage) -> int:
-    return message.stream.parameter.default if message.stream.parameter else 0
+def _default_rate(stream: Stream) -> int:
+    return stream.parameter.default if stream.parameter else 0
 
 
 def _components(message: PopulatedMessage) -> set[str]:

@@ -8,18 +8,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from heapq import nsmallest
 
-from codegen.model.system import (
-    SMALL_INT_MAX,
-    Component,
-    FlagsBinding,
-    LiveBinding,
-    PopulatedMessage,
-    Quantity,
-    QuantityKind,
-    SplitBinding,
-    System,
-    read_quantities,
-)
+from codegen.model.system import FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding, System, read_quantities
+from codegen.model.vehicle import SMALL_INT_MAX, Component, Quantity, QuantityKind
 from codegen.targets.expected import (
     Known,
     Wire,
@@ -121,7 +111,7 @@ def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase
                 values = (1, 0) if is_settable(quantity) else (nominal(used[path]), None)
                 for name, value in zip(("set", "clear"), values, strict=True):
                     known = {**base, path: value}
-                    yield _case(message, f"{flag}-{name}", criterion, known, 0, used)
+                    yield _case(message, f"{binding.covers.label}-{flag}-{name}", criterion, known, 0, used)
 
 
 def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:

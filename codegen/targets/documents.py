@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 
-from codegen.model.system import Citation, Parameter, PopulatedMessage, Quantity, System
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
+from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.render import render_template
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.table import FieldRow, field_rows
@@ -88,33 +89,43 @@ def render_documents(system: System) -> dict[str, str]:
 
 
 def _message(message: PopulatedMessage, system: System) -> MessageDocument:
-    stream = message.stream
-    if stream.parameter is not None:
-        rate = f"{stream.parameter.name}, {stream.parameter.default} Hz by default"
-    else:
-        assert stream.rate is not None
-        rate = f"{decimal(stream.rate)} Hz"
     return MessageDocument(
         name=message.name,
         id=message.wire.id,
         crc_extra=message.wire.crc_extra,
         base_length=message.wire.base_length,
         length=message.wire.length,
-        rate=f"stream {stream.name}: {rate}",
+        rate=_rate(message.stream),
         citation=str(message.citation),
         table=source_name(system, message.population.place.file),
         rows=field_rows(message),
     )
 
 
+def _rate(stream: Stream | None) -> str:
+    if stream is None:
+        return "on request"
+    if stream.parameter is not None:
+        return f"stream {stream.name}: {stream.parameter.name}, {stream.parameter.default} Hz by default"
+    assert stream.rate is not None
+    return f"stream {stream.name}: {decimal(stream.rate)} Hz"
+
+
 def _quantity(quantity: Quantity) -> QuantityRow:
     conversion = quantity.conversion
-    source = (
-        f"while {quantity.component}.{quantity.while_known} is known" if quantity.while_known else "set by the vehicle"
-    )
+    source = "set by the vehicle"
+    if quantity.while_known:
+        source = f"while {quantity.component}.{quantity.while_known} is known"
+    elif quantity.enabled_by:
+        source = f"while {quantity.enabled_by.name} is not 0"
+    elif quantity.trend:
+        source = f"change of {quantity.component}.{quantity.trend.quantity} over {quantity.trend.readings} readings"
+    elif quantity.estimate:
+        source = f"discharge curve by {quantity.component}.{quantity.estimate.quantity}"
     if conversion is not None:
         channel = conversion.channel
-        source = f"GPIO {channel.gpio}: count / {channel.full_scale} * {decimal(channel.reference)} V"
+        gpio = channel.pin.name if channel.pin else channel.gpio
+        source = f"GPIO {gpio}: count / {channel.full_scale} * {decimal(channel.reference)} V"
         source += f" * {conversion.multiplier.name}"
     return QuantityRow(
         path=quantity.path,

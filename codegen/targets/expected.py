@@ -15,13 +15,11 @@ from codegen.model.system import (
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
-    Parameter,
     PopulatedMessage,
-    Quantity,
-    QuantityKind,
     SplitBinding,
 )
 from codegen.model.unit import UNITS, Measure
+from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 Known = Mapping[str, int | None]
 """Stored integers by ``component.quantity`` or name of a parameter; None is unknown, a boolean is 0 or 1."""

@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from codegen.model.system import Component, PopulatedMessage
+    from codegen.model.system import PopulatedMessage
+    from codegen.model.vehicle import Component
 
 
 def class_name(message: str) -> str:

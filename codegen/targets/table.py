@@ -12,10 +12,10 @@ from codegen.model.system import (
     InstanceBinding,
     LiveBinding,
     PopulatedMessage,
-    Quantity,
     SplitBinding,
 )
 from codegen.model.unit import decimal
+from codegen.model.vehicle import Quantity
 from codegen.source import Place
 
 

@@ -1,26 +1,53 @@
-# Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 05ae6130ed76699b
+# Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
+# Inputs: 37973edbb1f64d50
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time
 
 import machine
 from guard import Guard
+from parameters import Parameters
+from serial_port import open_uart
+from udp_port import UdpPort
 
 
 class Board:
     """The board; a part that cannot be set up is warned about and reads as failed, the vehicle goes on."""
 
-    def __init__(self, log=print):
+    def __init__(self, log=print, parameters=None):
         self._log = log
+        parameters = parameters or Parameters()  # a pin that is changed counts from the next start
         self._guard = Guard()
         self.battery_failures = 0  # failed readings in a row
         self._battery_count = None
         self._battery_adc = None
+        gpio = parameters.batt_volt_pin
         try:
-            self._battery_adc = machine.ADC(machine.Pin(26))
+            self._battery_adc = machine.ADC(machine.Pin(gpio))
         except Exception as error:
-            log("warning: no ADC for the battery on GPIO 26:", error)
+            log("warning: no ADC for the battery on GPIO", gpio, ":", error)
+
+    def open_ports(self):
+        """Return the ports to ground stations; one that cannot be opened says so and takes nothing."""
+        return [
+            UdpPort(
+                "wifi",
+                "255.255.255.255",
+                14550,
+                local_port=0,
+                credentials="wifi.json",
+                retry_ms=5000,
+                log=self._log,
+            ),  # FR-00070.10
+            open_uart(
+                "radio",
+                0,
+                tx=0,
+                rx=1,
+                baud=57600,
+                size=1024,
+            ),  # FR-00070.10
+        ]
 
     def read_battery_adc(self):
         """Return the mean of 5 samples as a count, 0 to 4095, FR-00066.2.

@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: b0abaee3f421bf72
+# Inputs: d0edd4bd141e9e01
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -20,15 +20,20 @@ def layout(message):
     """
     cls = type(message)
     if cls.__dict__.get("_layout") is None:
-        cls._layout = {}
-        offset = 0
-        for word in cls.FIELDS.split():
-            name, form = word.split(":", 1)
-            form, _, unknown = form.partition("=")
-            count = int(form[:-1] or 0)
-            cls._layout[name] = (form[-1], offset, count, _sentinels(unknown, count, form[-1] in "fd"))
-            offset += (count or 1) * struct.calcsize("<" + form[-1])
+        cls._layout = _laid_out(cls.FIELDS)
     return cls._layout
+
+
+def _laid_out(fields):
+    found = {}
+    offset = 0
+    for word in fields.split():
+        name, form = word.split(":", 1)
+        form, _, unknown = form.partition("=")
+        count = int(form[:-1] or 0)
+        found[name] = (form[-1], offset, count, _sentinels(unknown, count, form[-1] in "fd"))
+        offset += (count or 1) * struct.calcsize("<" + form[-1])
+    return found
 
 
 def names(message):
@@ -138,9 +143,10 @@ def places(message, names):
     A place is offset * 8, + 4 if the element is signed, + half its bytes, rounded down.
     """
     found = []
+    fields = _laid_out(message.FIELDS)  # not kept: most messages with live fields never need it again
     for part in names:
         name, _, element = part.partition("[")
-        code, offset, count, _ = layout(message)[name]
+        code, offset, count, _ = fields[name]
         if code not in "BHIbhi":
             raise ValueError(f"{message.NAME}.{name} is no whole number of up to 32 bits")
         size = struct.calcsize("<" + code)

@@ -1,28 +1,215 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: 740f6ca613b06785
+# Inputs: cc7771edda41eaf5
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
+
+import struct
 
 from conversion import to_steps
 
-# name: (attribute, smallest, largest, numerator, denominator); steps * numerator / denominator is the value
+NAMES = (
+    "BATT_ARM_VOLT",
+    "BATT_CAPACITY",
+    "BATT_CRT_VOLT",
+    "BATT_FS_CRT_ACT",
+    "BATT_FS_LOW_ACT",
+    "BATT_LOW_TIMER",
+    "BATT_LOW_VOLT",
+    "BATT_MONITOR",
+    "BATT_VOLT_MULT",
+    "BATT_VOLT_PIN",
+    "SR0_EXTRA1",
+    "SR0_EXT_STAT",
+    "SYSID_THISMAV",
+)
+
+# name: (attribute, default, smallest, largest, numerator, denominator, type, used after a restart only, choices)
+# A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
 _TABLE = {
-    "BATT_VOLT_MULT": ("batt_volt_mult", 10000, 100000, 1, 10000),
-    "SR0_EXTRA1": ("sr0_extra1", 0, 50, 1, 1),
+    "BATT_ARM_VOLT": (
+        "batt_arm_volt",
+        0,
+        0,
+        100000,
+        1,
+        1000,
+        9,  # real32
+        False,
+        (),
+    ),
+    "BATT_CAPACITY": (
+        "batt_capacity",
+        3300,
+        0,
+        1000000,
+        1,
+        1,
+        6,  # int32
+        False,
+        (),
+    ),
+    "BATT_CRT_VOLT": (
+        "batt_crt_volt",
+        9900,
+        0,
+        100000,
+        1,
+        1000,
+        9,  # real32
+        False,
+        (),
+    ),
+    "BATT_FS_CRT_ACT": (
+        "batt_fs_crt_act",
+        2,
+        0,
+        5,
+        1,
+        1,
+        2,  # int8
+        False,
+        (0, 1, 2, 3, 4, 5),
+    ),
+    "BATT_FS_LOW_ACT": (
+        "batt_fs_low_act",
+        2,
+        0,
+        5,
+        1,
+        1,
+        2,  # int8
+        False,
+        (0, 1, 2, 3, 4, 5),
+    ),
+    "BATT_LOW_TIMER": (
+        "batt_low_timer",
+        10,
+        0,
+        120,
+        1,
+        1,
+        2,  # int8
+        False,
+        (),
+    ),
+    "BATT_LOW_VOLT": (
+        "batt_low_volt",
+        10500,
+        0,
+        100000,
+        1,
+        1000,
+        9,  # real32
+        False,
+        (),
+    ),
+    "BATT_MONITOR": (
+        "batt_monitor",
+        3,
+        0,
+        3,
+        1,
+        1,
+        2,  # int8
+        True,
+        (0, 3),
+    ),
+    "BATT_VOLT_MULT": (
+        "batt_volt_mult",
+        39500,
+        10000,
+        100000,
+        1,
+        10000,
+        9,  # real32
+        True,
+        (),
+    ),
+    "BATT_VOLT_PIN": (
+        "batt_volt_pin",
+        26,
+        26,
+        28,
+        1,
+        1,
+        2,  # int8
+        True,
+        (),
+    ),
+    "SR0_EXTRA1": (
+        "sr0_extra1",
+        2,
+        0,
+        50,
+        1,
+        1,
+        4,  # int16
+        False,
+        (),
+    ),
+    "SR0_EXT_STAT": (
+        "sr0_ext_stat",
+        1,
+        0,
+        50,
+        1,
+        1,
+        4,  # int16
+        False,
+        (),
+    ),
+    "SYSID_THISMAV": (
+        "sysid_thismav",
+        1,
+        1,
+        255,
+        1,
+        1,
+        4,  # int16
+        True,
+        (),
+    ),
 }
 
 
 class Parameters:
-    """The parameters, at first with their defaults."""
+    """The parameters, at first with their defaults.
+
+    An attribute has the steps of each; set() checks, an attribute that is written does not. `changes` counts what set()
+    has changed.
+    """
 
     def __init__(self):
+        self.changes = 0
+        # Least voltage to arm with; 0 switches the check off.
+        self.batt_arm_volt = 0  # 0 V, in steps of 0.001 V
+        # Charge of the full pack.
+        self.batt_capacity = 3300  # 3300 mAh
+        # Voltage below which the second failsafe acts; 0 switches it off.
+        self.batt_crt_volt = 9900  # 9.9 V, in steps of 0.001 V
+        # What the second failsafe does.
+        self.batt_fs_crt_act = 2  # 2: Hold
+        # What the first failsafe does.
+        self.batt_fs_low_act = 2  # 2: Hold
+        # Time that the voltage stays below a threshold before its failsafe acts; 0 switches both failsafes off.
+        self.batt_low_timer = 10  # 10 s
+        # Voltage below which the first failsafe acts; 0 switches it off.
+        self.batt_low_volt = 10500  # 10.5 V, in steps of 0.001 V
+        # How the battery is measured; 0 leaves it out of measurements, checks and telemetry.
+        self.batt_monitor = 3  # 3: Analog Voltage Only
         # Pack voltage over the voltage at the ADC pin, set by the divider and calibrated against a meter.
         self.batt_volt_mult = 39500  # 3.95, in steps of 0.0001
+        # GPIO number of the pin that the divided battery voltage is connected to.
+        self.batt_volt_pin = 26  # 26
         # Rate of the EXTRA1 stream; 0 switches it off.
         self.sr0_extra1 = 2  # 2 Hz
+        # Rate of the EXTENDED_STATUS stream; 0 switches it off.
+        self.sr0_ext_stat = 1  # 1 Hz
+        # MAVLink system id of the vehicle.
+        self.sysid_thismav = 1  # 1
 
     def names(self):
-        """Return the names in their order."""
-        return sorted(_TABLE)
+        """Return the names in their order; a name's place is the parameter's index."""
+        return list(NAMES)
 
     def get(self, name):
         """Return the value of a parameter. KeyError: there is no such parameter."""
@@ -30,18 +217,71 @@ class Parameters:
 
     def value(self, name, steps):
         """Return what so many steps of a parameter are worth."""
-        return steps * _TABLE[name][3] / _TABLE[name][4]
+        return steps * _TABLE[name][4] / _TABLE[name][5]
+
+    def limits(self, name):
+        """Return the smallest and the largest value of a parameter."""
+        return self.value(name, _TABLE[name][2]), self.value(name, _TABLE[name][3])
+
+    def type_of(self, name):
+        """Return the MAV_PARAM_TYPE that a parameter goes out as."""
+        return _TABLE[name][6]
+
+    def is_after_reboot(self, name):
+        """Return whether a new value is used only after the next start."""
+        return _TABLE[name][7]
 
     def set(self, name, value):
         """Take a value over, rounded to the nearest step; return whether it was accepted.
 
         Unknown names, NaN and values outside the limits change nothing.
         """
-        if name not in _TABLE:
+        steps = self._steps(name, value)
+        if steps is None:
             return False
-        attribute, smallest, largest, numerator, denominator = _TABLE[name]
-        steps = to_steps(value, denominator, numerator)
-        if steps is None or not smallest <= steps <= largest:
-            return False
-        setattr(self, attribute, steps)
+        attribute = _TABLE[name][0]
+        if getattr(self, attribute) != steps:
+            setattr(self, attribute, steps)
+            self.changes += 1
         return True
+
+    def _steps(self, name, value):
+        """Return the steps of an acceptable value, else None."""
+        if name not in _TABLE:
+            return None
+        _, _, smallest, largest, numerator, denominator, _, _, choices = _TABLE[name]
+        steps = to_steps(value, denominator, numerator)
+        if steps is None or not smallest <= steps <= largest or (choices and steps not in choices):
+            return None
+        return steps
+
+    def dump(self):
+        """Return what differs from the defaults, for the storage.
+
+        Each is the length of its name in a byte, its name and its value as a float of 32 bits: a later firmware with
+        other steps still understands it.
+        """
+        records = []
+        for name in NAMES:
+            if getattr(self, _TABLE[name][0]) != _TABLE[name][1]:
+                records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
+        return b"".join(records)
+
+    def restore(self, data):
+        """Take over what dump() returned, perhaps of another firmware; return what could not be, as texts."""
+        problems = []
+        at = 0
+        while at < len(data):
+            end = at + 1 + data[at]
+            if end + 4 > len(data):
+                problems.append("the stored parameters end within one")
+                break
+            name = "".join([chr(byte) for byte in data[at + 1 : end]])
+            value = struct.unpack("<f", data[end : end + 4])[0]
+            steps = self._steps(name, value)
+            if steps is None:
+                problems.append(f"stored {name} = {value} is not accepted")
+            else:
+                setattr(self, _TABLE[name][0], steps)
+            at = end + 4
+        return problems

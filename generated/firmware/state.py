@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 4a91608687bba80d
+# Inputs: 37973edbb1f64d50
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -10,6 +10,7 @@ import time
 from conversion import product, to_steps
 from guard import Guard
 from parameters import Parameters
+from trend import Trend
 
 
 class BatteryState:
@@ -24,13 +25,20 @@ class BatteryState:
         self.consumed_mah = None
         # Energy drawn since the pack was full [hJ]
         self.energy_hj = None
-        # Charge that is left, of a full pack [%]
+        # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
         self.remaining_pct = None
         # Temperature of the pack. The rover has no sensor for it [cdegC]
         self.temperature_cdegc = None
+        # Change of the pack's voltage per second, positive while it rises [mV/s]
+        self.trend_mv_s = None
+        # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
+        self.health_number = 2
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
-        self.is_high = False
+        self.warned_ms = None  # when it was last warned about
+        self._readings = Trend(20, 1, 40)
+        # Whether the pack is measured at all: whether BATT_MONITOR is not 0
+        self.monitored = True
 
     @property
     def voltage(self):
@@ -93,6 +101,22 @@ class BatteryState:
         self.temperature_cdegc = to_steps(value, 100)
 
     @property
+    def trend(self):
+        """V/s, or None while it is unknown; FR-00021.1."""
+        if self.trend_mv_s is None:
+            return None
+        return self.trend_mv_s / 1000
+
+    @property
+    def health(self):
+        """Number, or None while it is unknown; FR-00021.3."""
+        return self.health_number
+
+    @health.setter
+    def health(self, value):
+        self.health_number = to_steps(value, 1)
+
+    @property
     def healthy(self):
         """Whether the pack's voltage is known, FR-00067.3."""
         return self.voltage_mv is not None
@@ -108,10 +132,21 @@ class BatteryState:
         The same formula as voltage_from_adc() in whole numbers: nothing is lost and nothing allocated.
         """
         self.voltage_mv = product(count, multiplier, 11, 136500)
+        self.trend_mv_s = self._readings.after(self.voltage_mv)
+
+    def keep(self):
+        """Count the last value once more: a reading has failed, and the trend takes readings at equal intervals."""
+        self.trend_mv_s = self._readings.after(self.voltage_mv)
+
+    def forget(self):
+        """Make everything that is measured unknown."""
+        self.voltage_mv = None
+        self.trend_mv_s = None
+        self._readings.forget()
 
     def expire(self):
         """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
-        self.voltage_mv = None
+        self.forget()
         self.expires_ms = None
 
 
@@ -121,6 +156,8 @@ class VehicleState:
     def __init__(self):
         # Whether the motors may turn
         self.armed = False
+        # Whether the checks before arming pass
+        self.ready = False
         # Drive mode, a number of the autopilot's own
         self.mode_number = 0
         # What the vehicle is doing (MAV_STATE)
@@ -157,8 +194,10 @@ class SystemState:
         self._log = log
         self._guard = Guard()
         self.battery = BatteryState()
+        self.battery.monitored = self.parameters.batt_monitor != 0
         self._batt_volt_mult = self.parameters.batt_volt_mult  # a new one counts from the next start
         self.vehicle = VehicleState()
+        self._battery_is_logged = False
 
     def update_battery(self, board):
         """Take one reading; call it every 100 ms, FR-00067.1.
@@ -166,19 +205,30 @@ class SystemState:
         It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
         """
         battery = self.battery
+        if not battery.monitored:
+            return
         count = self._read_battery(board)
         if not self._is_good_battery(board, count):
             battery.failures += 1
             if battery.failures >= 5:
-                battery.voltage_mv = None
+                battery.forget()
+            if battery.voltage_mv is not None:
+                battery.keep()
             return
         battery.failures = 0
         battery.set_count(count, self._batt_volt_mult)
         battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
-        is_high = battery.voltage_mv > 13000
-        if is_high and not battery.is_high:
+        if not self._battery_is_logged:
+            self._battery_is_logged = True
+            self._log(f"battery: voltage {battery.voltage:.2f} V")
+        if battery.voltage_mv > 13000:
+            self._warn_battery(battery, time.ticks_ms())
+
+    def _warn_battery(self, battery, now_ms):
+        last_ms = battery.warned_ms
+        if last_ms is None or time.ticks_diff(now_ms, last_ms) >= 10000:
+            battery.warned_ms = now_ms
             self._log("warning: the battery's voltage is above 13 V:", battery.voltage)
-        battery.is_high = is_high
 
     def _read_battery(self, board):
         with self._guard:

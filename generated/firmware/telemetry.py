@@ -1,7 +1,8 @@
-# Generated from specs/board.yaml, specs/codegen.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/sys_status.yaml, specs/parameters.yaml,
-#   specs/state.yaml, dialect common: do not edit.
-# Inputs: 2cc039dcd905eab5
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
+# Inputs: 6cab07c5eaf4135c
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -72,8 +73,8 @@ def _new_sys_status():
         unknown=False,
     )
     wire = message.wire
-    pack_into("<I", wire, 0, 33554432)  # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY
-    pack_into("<I", wire, 4, 33554432)  # onboard_control_sensors_enabled: MAV_SYS_STATUS_SENSOR_BATTERY
+    pack_into("<I", wire, 0, 268435456)  # onboard_control_sensors_present: MAV_SYS_STATUS_PREARM_CHECK
+    pack_into("<I", wire, 4, 268435456)  # onboard_control_sensors_enabled: MAV_SYS_STATUS_PREARM_CHECK
     # onboard_control_sensors_health: no flag, 0
     # drop_rate_comm: 0
     # errors_comm: 0
@@ -97,14 +98,23 @@ def build_sys_status(state):
     live = message.live
     wire = message.wire
     battery = state.battery
+    vehicle = state.vehicle
     if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
         battery.expire()
 
-    # onboard_control_sensors_health: MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy (FR-00067.3)
-    wire[11] = 0x02 if battery.healthy else 0
+    # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
+    wire[3] = 0x10 | (0x02 if battery.monitored else 0)
+
+    # onboard_control_sensors_enabled: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
+    wire[7] = 0x10 | (0x02 if battery.monitored else 0)
+
+    # onboard_control_sensors_health: (FR-00067.3)
+    #   MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy
+    #   MAV_SYS_STATUS_PREARM_CHECK if vehicle.ready
+    wire[11] = (0x02 if battery.healthy else 0) | (0x10 if vehicle.ready else 0)
 
     # load [d%]: vehicle.load (FR-00068.9)
-    value = state.vehicle.load_dpct
+    value = vehicle.load_dpct
     if value is None:
         value = 0  # until it is set
     elif value < 0:
@@ -252,3 +262,52 @@ def _spill_battery_status_voltages(live, value):
     if value is not None and value < 0:
         value = 0
     spill(live, 3, 10, value, 65534, 65535)
+
+
+def _new_autopilot_version():
+    message = messages.AutopilotVersion(unknown=False)
+    wire = message.wire
+    # capabilities: MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT | MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST |
+    # MAV_PROTOCOL_CAPABILITY_MAVLINK2 | MAV_PROTOCOL_CAPABILITY_COMMAND_INT
+    pack_into("<Q", wire, 0, 139274)
+    # uid: 0
+    pack_into("<I", wire, 16, 16777216)  # flight_sw_version: 16777216
+    # middleware_sw_version: 0
+    # os_sw_version: 0
+    # board_version: 0
+    # vendor_id: 0
+    # product_id: 0
+    # flight_custom_version: 0
+    # middleware_custom_version: 0
+    # os_custom_version: 0
+    # uid2: 0
+    return message
+
+
+_autopilot_version = _new_autopilot_version()
+
+
+@micropython.native
+def build_autopilot_version(_state):
+    """Return AUTOPILOT_VERSION (148), FR-00070.2."""
+    return _autopilot_version
+
+
+def _new_protocol_version():
+    message = messages.ProtocolVersion(unknown=False)
+    wire = message.wire
+    pack_into("<H", wire, 0, 200)  # version: 200
+    pack_into("<H", wire, 2, 100)  # min_version: 100
+    pack_into("<H", wire, 4, 200)  # max_version: 200
+    # spec_version_hash: 0
+    # library_version_hash: 0
+    return message
+
+
+_protocol_version = _new_protocol_version()
+
+
+@micropython.native
+def build_protocol_version(_state):
+    """Return PROTOCOL_VERSION (300), FR-00070.2."""
+    return _protocol_version

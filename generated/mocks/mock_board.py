@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 05ae6130ed76699b
+# Inputs: f037d80ea1142a6d
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

@@ -1,8 +1,10 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_v2.xml,
-#   specs/dialects/corrections.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/sys_status.yaml, specs/parameters.yaml,
-#   specs/state.yaml, specs/streams.yaml, dialect common: do not edit.
-# Inputs: db0965e098fde33c
+#   specs/dialects/corrections.yaml, specs/dialects/protocol_version.xml,
+#   specs/messages/autopilot_version.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
+#   specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: 81a4b10a417487a0
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -137,3 +137,122 @@ class ADC:
         """Take a reading of 0 to 65535: the 12 bits at the top and their first four again below, as RP2 does."""
         count = self._input.read_count()
         return (count << 4) | (count >> 8)
+
+
+class SerialLine:
+    """What happens at one UART.
+
+    `room` is how many bytes the UART still takes, None for no limit; `parts` is a list of how many bytes the next
+    writes take at most, one each, where 0 is a full buffer. `failures` is how many of the next reads and writes fail,
+    `absent` makes UART() fail. `sent` is everything that was written, `settings` what UART() was given.
+    """
+
+    def __init__(self):
+        self.reset()
+
+    def reset(self):
+        """Take everything, send nothing."""
+        self.room = None
+        self.parts = []
+        self.failures = 0
+        self.absent = False
+        self.sent = bytearray()
+        self.settings = {}
+        self._arrived = bytearray()
+
+    def arrives(self, data):
+        """Let bytes arrive, to be read later."""
+        self._arrived.extend(data)
+
+    def waiting(self):
+        """Return how many bytes can be read."""
+        return len(self._arrived)
+
+    def take(self, data):
+        """Write as much as there is room for; return how many bytes, None for none."""
+        self._fail()
+        count = len(data) if self.room is None else min(len(data), self.room)
+        if self.parts:
+            count = min(count, self.parts.pop(0))
+        if self.room is not None:
+            self.room -= count
+        self.sent.extend(bytes(data)[:count])
+        return count or None
+
+    def read_into(self, buffer):
+        """Read what fits; return how many bytes, None for none."""
+        self._fail()
+        count = min(len(buffer), len(self._arrived))
+        buffer[:count] = self._arrived[:count]
+        self._arrived = self._arrived[count:]
+        return count or None
+
+    def _fail(self):
+        if self.failures > 0:
+            self.failures -= 1
+            raise OSError(_EIO)
+
+
+_lines = {}
+
+
+def serial(id):  # noqa: A002 - the board's own argument name
+    """Return the script of the UART of this number, 0 or 1."""
+    if id not in _lines:
+        if id not in (0, 1):
+            raise ValueError(f"there is no UART {id}")
+        _lines[id] = SerialLine()
+    return _lines[id]
+
+
+def reset_serial():
+    """Reset the script of every UART."""
+    for line in _lines.values():
+        line.reset()
+
+
+class UART:
+    """A UART with timeout 0: it takes and gives what it can at once."""
+
+    def __init__(self, id, baudrate=115200, **settings):  # noqa: A002 - the board's own argument name
+        self._line = serial(id)
+        self.init(baudrate, **settings)
+
+    def init(self, baudrate=115200, **settings):
+        """Set the line up again."""
+        if self._line.absent:
+            raise OSError(_ENODEV)
+        settings["baudrate"] = baudrate
+        self._line.settings = settings
+
+    def any(self):
+        """Return how many bytes can be read."""
+        return self._line.waiting()
+
+    def readinto(self, buffer):
+        """Read into a buffer; return how many bytes, None for none."""
+        return self._line.read_into(buffer)
+
+    def read(self, size=-1):
+        """Return up to `size` bytes, None for none."""
+        data = bytearray(self.any() if size < 0 else size)
+        count = self.readinto(data)
+        return None if count is None else bytes(data[:count])
+
+    def write(self, data):
+        """Write bytes; return how many, None for none."""
+        return self._line.take(data)
+
+
+class Reset(SystemExit):
+    """The board starts again: no part of the firmware may hold this up."""
+
+
+def reset():
+    """Start the board again: Reset, which ends a program that does not expect it."""
+    raise Reset
+
+
+def unique_id():
+    """Return the 8 bytes that no other board has."""
+    return b"\xe6\x61\x38\x52\x83\x1b\x2c\x21"

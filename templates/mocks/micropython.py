@@ -7,3 +7,7 @@ MicroPython has its own and never reads this file.
 def native(function):
     """Make no machine code."""
     return function
+
+
+def kbd_intr(_character):
+    """Leave the keyboard of the host as it is."""

@@ -32,8 +32,12 @@ MAY_IMPORT: dict[str, set[str]] = {
     "pipeline": {*READING, "targets", "render", "emit", "mpy", "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
     "stamp": {"emit", "manifest", "template_files"},
+    "sim": {"render", "model", *GROUND},
     "explain": {"catalogue", "targets", "model", *GROUND},
-    "cli": {"pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "model", *GROUND},
+    "cli": {
+        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim"),
+        *("decode", "resolve", "model", *GROUND),
+    },
     "__main__": {"cli"},
 }
 """Part of the package (a folder or a module of its own) -> the other parts that it may import."""

@@ -3,10 +3,12 @@
 import importlib
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from firmware_runs import FOLDERS, MODULES, Exercise
+from service_runs import Services, prepare
 
 
 @pytest.fixture
@@ -31,3 +33,17 @@ def firmware() -> Iterator[SimpleNamespace]:
 def exercise(request: pytest.FixtureRequest) -> Exercise:
     """One operation of exercise.py, on each interpreter."""
     return Exercise(request.param)
+
+
+@pytest.fixture(scope="session")
+def service_folders(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ...]:
+    """Where the services and what they stand on are imported from."""
+    return prepare(tmp_path_factory.mktemp("services"))
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def services(request: pytest.FixtureRequest, service_folders: tuple[Path, ...]) -> Iterator[Services]:
+    """The services, on each interpreter."""
+    running = Services(request.param, service_folders)
+    yield running
+    running.close()

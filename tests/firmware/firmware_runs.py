@@ -11,8 +11,9 @@ from typing import Any
 ROOT = Path(__file__).parents[2]
 CODEC = ROOT / "templates" / "codec"
 FIRMWARE = ROOT / "templates" / "firmware"
+PROGRAM = FIRMWARE / "program"
 MOCKS = ROOT / "templates" / "mocks"
-FOLDERS = (CODEC, FIRMWARE, MOCKS)
+FOLDERS = (CODEC, FIRMWARE, PROGRAM, MOCKS)
 TOOLS = Path(sys.executable).parent
 EXERCISE = Path(__file__).with_name("exercise.py")
 MODULES = (
@@ -48,7 +49,7 @@ def interpret(interpreter: str, script: str, stdin: str = "", folders: tuple[Pat
     done = subprocess.run(
         command,
         input=stdin,
-        env=os.environ | {"MICROPYPATH": path, "PYTHONPATH": path},
+        env=os.environ | {"MICROPYPATH": f"{path}{os.pathsep}.frozen", "PYTHONPATH": path},  # asyncio is in .frozen
         capture_output=True,
         text=True,
         check=False,
@@ -72,6 +73,14 @@ class Exercise:
         """What an operation answers."""
         asked = json.dumps({"operation": operation} | arguments)
         return json.loads(interpret(self.interpreter, str(EXERCISE), asked, folders))
+
+
+def failed_checks(interpreter: str, script: str, stdin: str = "") -> str:
+    """What went wrong in the checks of a script of this folder; there are some that did not fail."""
+    here = Path(__file__).parent
+    outcomes = json.loads(interpret(interpreter, str(here / script), stdin, (*FOLDERS, here / "stand_in")))
+    assert outcomes
+    return "\n".join(f"{name}: {problem}" for name, problem in outcomes if problem is not None)
 
 
 def as_json(value: Any) -> Any:

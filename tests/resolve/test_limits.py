@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from codegen.diagnostics import Report
 from codegen.model.dialect import FieldDefinition, WireField
 from codegen.model.spec import FieldAnswer, Rounding
-from codegen.model.system import Citation, Elements, LiveBinding, Parameter
+from codegen.model.system import Elements, LiveBinding
 from codegen.model.unit import NUMBER
+from codegen.model.vehicle import Citation, Parameter
 from codegen.model.wire_types import WIRE_TYPES
 from codegen.resolve.limits import EMPTY_LIMITS, Bounds, limits_of
 from codegen.source import Place
@@ -43,7 +44,7 @@ def test_no_stored_value_reaches_the_sentinel_or_wraps(type_name, low, high, dat
     found, _ = limits(type_name, sentinel, low, high)
     assume(found is not None)
     covers = Elements(field_of(type_name), 0, 1, FieldAnswer(place=PLACE, parameter="P"), Citation(None, None))
-    parameter = Parameter("P", NUMBER, Fraction(1), stored, 0, 0, None, None)
+    parameter = Parameter("P", NUMBER, Fraction(1), stored, 0, 0, {}, None, None)
     binding = LiveBinding(
         covers, parameter, factor, rounding, found.low, found.high, sentinel, found.hole, found.beside
     )

@@ -16,7 +16,7 @@ from mock_board import MockBoard
 import mock_time
 board = MockBoard()
 board.set_adc_value(3000)
-state = SystemState()
+state = SystemState(log=lambda *words: None)
 mock_time.set_ticks_us(5_000_000_000)
 state.update_battery(board)
 print(telemetry.build_battery_status(state).raw("voltages")[0])

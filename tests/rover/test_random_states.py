@@ -74,6 +74,7 @@ def random_states() -> list[dict]:
             "battery": {name: value(edges) for name, edges in QUANTITIES.items()},
             "vehicle": {
                 "armed": chance.random() < 0.5,
+                "ready": chance.random() < 0.5,
                 "mode": chance.randint(0, 1000000),
                 "status": chance.randint(0, 8),
                 "load_dpct": chance.randint(-5, 1005),
@@ -108,7 +109,7 @@ def cells(millivolts):
 def expected_frames(state) -> list[str]:
     """The six frames of a state by pymavlink: three messages, each in MAVLink 2 and MAVLink 1."""
     battery, vehicle = state["battery"], state["vehicle"]
-    voltage, sensor = battery["voltage_mv"], 1 << 25
+    voltage, sensor, prearm = battery["voltage_mv"], 1 << 25, 1 << 28
     current = limited(battery["current_ca"], -32768, 32767, -1)
     remaining = -1 if battery["remaining_pct"] is None else min(max(battery["remaining_pct"], 0), 100)
     frames = []
@@ -119,9 +120,9 @@ def expected_frames(state) -> list[str]:
     for dialect in (v20, v10):
         frames.append(
             dialect.MAVLink_sys_status_message(
-                sensor,
-                sensor,
-                0 if voltage is None else sensor,
+                sensor | prearm,
+                sensor | prearm,
+                (0 if voltage is None else sensor) | (prearm if vehicle["ready"] else 0),
                 min(max(vehicle["load_dpct"], 0), 1000),
                 65535 if voltage is None else min(max(voltage, 0), 65534),
                 current,

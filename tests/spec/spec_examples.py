@@ -23,6 +23,11 @@ GOOD = {
         "corrections:\n  - message: M\n    field: f\n    set: {invalid: 0xFFFF, units: mV, instance: true}\n"
         "    reason: r\n    source: s\n"
     ),
+    "scenarios": (
+        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 12 V, noise: 1 mV, divider: 4}}\n"
+        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    battery: {voltage: [[0 s, 12 V], [5 s, 11 V]]}\n"
+        "    events: [{at: 1 s, arm: false}, {at: 2 s, adc: slow, delay: 1 ms, for: 1 s}, {at: 3 s, reboot: true}]\n"
+    ),
 }
 
 
@@ -102,4 +107,25 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
         True,
     ),
     ("corrections", "corrections: {message: M}\n", [("wrong-type", 1, 14)], False),
+    (
+        "scenarios",
+        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: [0 s, [12 V, 3]]}}\n",
+        [("wrong-type", 2, 50), ("wrong-type", 2, 62)],
+        True,
+    ),
+    (
+        "scenarios",
+        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: {at: 1 s}}}\n",
+        [("wrong-type", 2, 49)],
+        True,
+    ),
+    (
+        "scenarios",
+        (
+            "scenarios:\n  a: {doc: d, duration: 5, battery: {voltage: 12 V},\n"
+            "    events: [{at: 1 s, arm: true, reboot: true}]}\n"
+        ),
+        [("one-of-keys", 3, 35), ("wrong-type", 2, 25)],
+        True,
+    ),
 ]

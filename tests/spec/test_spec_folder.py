@@ -152,7 +152,6 @@ def test_mistakes_of_all_files_are_reported_in_one_run(folder: Path) -> None:
         ("wrong-type", "codegen.yaml", 1, 10),
         ("missing-key", "messages/a.yaml", 1, 1),
         ("missing-key", "messages/a.yaml", 1, 1),
-        ("missing-key", "messages/a.yaml", 1, 1),
         ("yaml-duplicate-key", "messages/a.yaml", 2, 1),
         ("unknown-key", "messages/b.yaml", 11, 1),
         ("requirement-title", "requirements/FR-1.md", 1, 1),

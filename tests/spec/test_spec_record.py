@@ -12,6 +12,7 @@ from spec_examples import BROKEN, GOOD, field
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
+from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.spec import (
     BoardSpec,
     CorrectionsSpec,
@@ -28,6 +29,7 @@ from codegen.source import Place, Written
 
 FILE = "/specs/a.yaml"
 MODELS: dict[str, type[Written]] = {
+    "scenarios": ScenariosSpec,
     "codegen": Project,
     "state": StateSpec,
     "board": BoardSpec,

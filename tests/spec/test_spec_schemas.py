@@ -18,7 +18,7 @@ from codegen.schemas import SCHEMA_MODELS, schema_texts
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
 SHIPPED = [
-    *((name, SPECS / f"{name}.yaml") for name in ("codegen", "state", "board", "parameters", "streams")),
+    *((name, SPECS / f"{name}.yaml") for name in ("codegen", "state", "board", "parameters", "streams", "scenarios")),
     *(("message", path) for path in sorted((SPECS / "messages").glob("*.yaml"))),
     *(("corrections", path) for path in sorted((SPECS / "dialects").glob("*.yaml"))),
 ]

@@ -1,38 +1,63 @@
 """The MicroPython firmware: what the specification decides is rendered, the rest is copied as it is."""
 
+from codegen.model.dialect import WireMessage
 from codegen.model.system import System
 from codegen.render import render_template
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.parameters import parameter_views
+from codegen.targets.firmware.program import dialect_text, program_view
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 
+_PROGRAM = "firmware/program"
+
 
 def render_firmware(system: System) -> dict[str, str]:
-    """The files below ``firmware/``."""
+    """The files below ``firmware/``: the telemetry, and the program around it where there is one."""
     board, state = specification_file(system, "board.yaml"), specification_file(system, "state.yaml")
     parameters = specification_file(system, "parameters.yaml")
     project = system.spec.project.place.file
     streams = specification_file(system, "streams.yaml")
     tables = [message.population.place.file for message in system.messages]
     wires = [message.wire for message in system.messages]
-    rendered = {
-        "board.py": (board_view(system), [board, state], []),
+    view = state_view(system)
+    rendered: dict[str, tuple[object, list[str], list[WireMessage]]] = {
+        "board.py": (board_view(system), [board, state, parameters], []),
         "parameters.py": (parameter_views(system), [parameters], []),
-        "state.py": (state_view(system), [state, board, parameters], []),
+        "state.py": (view, [state, board, parameters], []),
         "streams.py": (streams_view(system), [project, streams, parameters, *tables], []),
         "telemetry.py": (telemetry_view(system), [project, *tables, state, board, parameters], wires),
     }
     accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
+    for name, is_used in (("trend", view.has_trend), ("discharge", view.has_estimate)):
+        if not is_used:
+            del files[f"firmware/{name}.py"]
     files["firmware/messages.py"] = headed(
-        messages_text(wires, system.dialect.version), origin_of(system, tables, wires)
+        messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
     )
-    for name, (view, paths, messages) in rendered.items():
-        text = render_template(f"firmware/{name}.j2", view)
+    for name, (shown, paths, messages) in rendered.items():
+        text = render_template(f"firmware/{name}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
+    return files | _program_files(system)
+
+
+def _program_files(system: System) -> dict[str, str]:
+    program = system.program
+    if program is None:
+        return {}
+    files = {path.replace(_PROGRAM, "firmware"): text for path, text in copied_files(_PROGRAM).items()}
+    paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
+    paths.append(system.spec.project.place.file)
+    view = program_view(system, program)
+    names = ["vehicle.py", *(["failsafe.py"] if program.failsafes else [])]
+    for name in names:
+        text = render_template(f"{_PROGRAM}/{name}.j2", view)
+        files[f"firmware/{name}"] = headed(text, origin_of(system, paths))
+    origin = origin_of(system, [specification_file(system, "vehicle.yaml")], program.services)
+    files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files

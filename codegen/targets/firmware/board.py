@@ -3,20 +3,24 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from codegen.model.spec import AdcSpec
-from codegen.model.system import AdcChannel, System
-from codegen.targets.naming import prose
+from codegen.model.board_spec import AdcSpec
+from codegen.model.program import BoardLink, LinkKind
+from codegen.model.system import System
+from codegen.model.vehicle import AdcChannel
+from codegen.targets.naming import parameter_attribute, prose, quoted
 
 
 @dataclass(frozen=True, slots=True)
 class ReaderView:
     """The ADC channel of one component: ``shift`` turns the 16 bits of read_u16() into counts.
 
-    ``spare_bits`` are the bits of the 12 bit converter that a count leaves out.
+    ``spare_bits`` are the bits of the 12 bit converter that a count leaves out, ``pin`` is the attribute of the
+    parameter that has the pin.
     """
 
     component: str
     gpio: int
+    pin: str | None
     shift: int
     spare_bits: int
     full_scale: int
@@ -28,13 +32,26 @@ class ReaderView:
 
 
 @dataclass(frozen=True, slots=True)
+class LinkView:
+    """A link: ``function`` of a module opens it with ``arguments``."""
+
+    module: str
+    function: str
+    arguments: tuple[str, ...]
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class BoardView:
-    """The board and its readers."""
+    """The board, its readers and its links."""
 
     board: str
     mcu: str
     readers: tuple[ReaderView, ...]
+    links: tuple[LinkView, ...]
+    imports: tuple[tuple[str, tuple[str, ...]], ...]
     is_timed: bool
+    has_pins: bool
 
 
 def board_view(system: System) -> BoardView:
@@ -44,12 +61,16 @@ def board_view(system: System) -> BoardView:
         for component, quantity in system.measured()
         if quantity.conversion is not None
     ]
+    links = tuple(_link(link) for link in system.links)
     is_timed = any(reader.read_limit_us is not None for reader in readers)
     return BoardView(
         board=prose(system.spec.board.board),
         mcu=prose(system.spec.board.mcu),
         readers=tuple(readers),
+        links=links,
+        imports=_imports(links),
         is_timed=is_timed,
+        has_pins=any(reader.pin for reader in readers),
     )
 
 
@@ -57,6 +78,7 @@ def _reader(component: str, channel: AdcChannel) -> ReaderView:
     return ReaderView(
         component=component,
         gpio=channel.gpio,
+        pin=parameter_attribute(channel.pin.name) if channel.pin else None,
         shift=16 - channel.bits,
         spare_bits=12 - channel.bits,
         full_scale=channel.full_scale,
@@ -66,3 +88,32 @@ def _reader(component: str, channel: AdcChannel) -> ReaderView:
         citation=channel.cited("samples"),
         cited={aspect: channel.cited(aspect) for aspect in AdcSpec.ASPECTS},
     )
+
+
+def _imports(links: tuple[LinkView, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """What the module imports to open its links: the names of each module."""
+    modules = sorted({link.module for link in links})
+    return tuple(
+        (module, tuple(sorted({each.function for each in links if each.module == module}))) for module in modules
+    )
+
+
+def _link(link: BoardLink) -> LinkView:
+    spec = link.spec
+    name = quoted(link.name)
+    citation = str(link.citation or "")
+    if link.kind is LinkKind.UART:
+        arguments = (name, f"{spec.uart}", f"tx={spec.tx}", f"rx={spec.rx}", f"baud={spec.baud}", f"size={spec.buffer}")
+        return LinkView("serial_port", "open_uart", arguments, citation)
+    if link.kind is LinkKind.USB:
+        return LinkView("serial_port", "open_usb", (name, f"size={spec.buffer}"), citation)
+    udp = (
+        name,
+        quoted(spec.to or ""),
+        f"{spec.udp}",
+        f"local_port={spec.local_port}",
+        f"credentials={quoted(spec.credentials or '')}",
+        f"retry_ms={link.retry_ms}",
+        "log=self._log",
+    )
+    return LinkView("udp_port", "UdpPort", udp, citation)

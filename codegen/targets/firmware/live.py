@@ -8,15 +8,8 @@ from fractions import Fraction
 
 from codegen.model.dialect import Kind
 from codegen.model.spec import Rounding
-from codegen.model.system import (
-    Binding,
-    FlagsBinding,
-    LiveBinding,
-    Parameter,
-    PopulatedMessage,
-    Quantity,
-    SplitBinding,
-)
+from codegen.model.system import Binding, FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding
+from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.naming import number, parameter_attribute
 
 

@@ -2,14 +2,18 @@
 
 from dataclasses import dataclass
 
-from codegen.model.system import Parameter, System
+from codegen.model.system import System
 from codegen.model.unit import decimal
+from codegen.model.vehicle import Parameter
 from codegen.targets.naming import parameter_attribute, prose
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterView:
-    """One parameter; the value is ``steps * numerator / denominator`` in ``unit``."""
+    """One parameter; the value is ``steps * numerator / denominator`` in ``unit``.
+
+    ``type`` is the number of its MAV_PARAM_TYPE; ``choices`` are the only steps that are accepted, or nothing.
+    """
 
     name: str
     attribute: str
@@ -18,18 +22,25 @@ class ParameterView:
     maximum: int
     numerator: int
     denominator: int
+    type: int
+    type_name: str
+    after_restart: bool
+    choices: tuple[int, ...]
     comment: str
     doc: str
 
 
 def parameter_views(system: System) -> tuple[ParameterView, ...]:
     """The parameters in the order of their names."""
-    return tuple(_parameter(system.parameters[name]) for name in sorted(system.parameters))
+    enum = system.dialect.enums.get("MAV_PARAM_TYPE")
+    types = {entry.name.removeprefix("MAV_PARAM_TYPE_").lower(): entry.value for entry in enum.entries} if enum else {}
+    return tuple(_parameter(system.parameters[name], types) for name in sorted(system.parameters))
 
 
-def _parameter(parameter: Parameter) -> ParameterView:
+def _parameter(parameter: Parameter, types: dict[str, int]) -> ParameterView:
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     step = "" if parameter.step == 1 else f", in steps of {decimal(parameter.step)}{unit}"
+    meaning = parameter.choices.get(parameter.default)
     return ParameterView(
         name=parameter.name,
         attribute=parameter_attribute(parameter.name),
@@ -38,6 +49,10 @@ def _parameter(parameter: Parameter) -> ParameterView:
         maximum=parameter.maximum,
         numerator=parameter.step.numerator,
         denominator=parameter.step.denominator,
-        comment=f"{decimal(parameter.default * parameter.step)}{unit}{step}",
+        type=types.get(parameter.spec.type.value, 0),
+        type_name=parameter.spec.type.value,
+        after_restart=parameter.spec.reboot,
+        choices=tuple(sorted(parameter.choices)),
+        comment=f"{decimal(parameter.default * parameter.step)}{unit}{step}{f': {prose(meaning)}' if meaning else ''}",
         doc=prose(parameter.spec.doc),
     )

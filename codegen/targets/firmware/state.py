@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.model.spec import ComponentSpec, QuantitySpec
-from codegen.model.system import Component, Quantity, QuantityKind, System
+from codegen.model.system import System
 from codegen.model.unit import decimal
+from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.naming import parameter_attribute, prose, state_class
 
 
@@ -21,7 +22,10 @@ class QuantityView:
     comment: str
     unit: str
     has_property: bool
+    read_only: bool
     follows: str | None
+    enabled_by: str | None
+    enabled_by_name: str
     numerator: int
     denominator: int
     citation: str
@@ -47,10 +51,33 @@ class MeasuredView:
     denominator: int
     warn_above: int | None
     warn_text: str
+    warn_every_ms: int | None
     warning_count: int | None
     invalid_after: int | None
     stale_after_ms: int | None
     cited: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class TrendView:
+    """The trend of what is measured: the sum of ``half`` of the readings is compared with that of the others.
+
+    The difference times ``numerator / denominator`` is the change per second.
+    """
+
+    attribute: str
+    half: int
+    numerator: int
+    denominator: int
+
+
+@dataclass(frozen=True, slots=True)
+class EstimateView:
+    """The charge that is estimated from what is measured; ``points`` are (stored steps, %), rising."""
+
+    attribute: str
+    name: str
+    points: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +91,9 @@ class ComponentView:
     first: str
     quantities: tuple[QuantityView, ...]
     measured: MeasuredView | None
+    trend: TrendView | None
+    estimate: EstimateView | None
+    enabled: str | None
     period_ms: int | None
     citation: str
     cited: Mapping[str, str]
@@ -77,6 +107,8 @@ class StateView:
     conversions: tuple[str, ...]
     is_measured: bool
     uses_clock: bool
+    has_trend: bool
+    has_estimate: bool
 
 
 def state_view(system: System) -> StateView:
@@ -88,8 +120,14 @@ def state_view(system: System) -> StateView:
     if any(quantity.has_property for component in components for quantity in component.quantities):
         used |= {"to_steps"}
     measured = [component.measured for component in components if component.measured]
-    expires = any(reading.stale_after_ms is not None for reading in measured)
-    return StateView(components, tuple(sorted(used)), is_measured=bool(measured), uses_clock=expires)
+    return StateView(
+        components,
+        tuple(sorted(used)),
+        is_measured=bool(measured),
+        uses_clock=any(reading.stale_after_ms is not None or reading.warn_every_ms for reading in measured),
+        has_trend=any(component.trend for component in components),
+        has_estimate=any(component.estimate for component in components),
+    )
 
 
 def _component(component: Component) -> ComponentView:
@@ -102,6 +140,9 @@ def _component(component: Component) -> ComponentView:
         first=component.name if component.instances == 1 else f"{component.name}[0]",
         quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
         measured=measured[0] if measured else None,
+        trend=next(filter(None, (_trend(quantity, component) for quantity in component.quantities.values())), None),
+        estimate=next(filter(None, (_estimate(quantity) for quantity in component.quantities.values())), None),
+        enabled=component.enabled.name if component.enabled else None,
         period_ms=component.period_ms,
         citation=str(component.citation or ""),
         cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
@@ -124,11 +165,27 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         comment=f"{prose(quantity.spec.doc).rstrip('.')}{stored}{enum}",
         unit=quantity.unit.name or "Number",
         has_property=quantity.attribute != quantity.name,
+        read_only=bool(quantity.trend),
         follows=component.quantities[follows].attribute if follows else None,
+        enabled_by=parameter_attribute(quantity.enabled_by.name) if quantity.enabled_by else None,
+        enabled_by_name=quantity.enabled_by.name if quantity.enabled_by else "",
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation) if quantity.citation else "",
     )
+
+
+def _trend(quantity: Quantity, component: Component) -> TrendView | None:
+    if quantity.trend is None or component.period_ms is None:
+        return None
+    half = quantity.trend.readings // 2
+    scale = Fraction(1000, half * half * component.period_ms)
+    return TrendView(quantity.attribute, half, scale.numerator, scale.denominator)
+
+
+def _estimate(quantity: Quantity) -> EstimateView | None:
+    estimate = quantity.estimate
+    return None if estimate is None else EstimateView(quantity.attribute, quantity.name, estimate.points)
 
 
 def _measured(quantity: Quantity) -> MeasuredView:
@@ -152,6 +209,7 @@ def _measured(quantity: Quantity) -> MeasuredView:
         denominator=conversion.denominator,
         warn_above=quantity.warn_above,
         warn_text=warn_text,
+        warn_every_ms=quantity.warn_every_ms,
         warning_count=_warning_count(quantity),
         invalid_after=quantity.spec.invalid_after,
         stale_after_ms=quantity.stale_after_ms,

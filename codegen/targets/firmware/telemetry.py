@@ -2,10 +2,10 @@
 
 from collections import Counter
 from dataclasses import dataclass
+from textwrap import wrap
 
 from codegen.model.dialect import Kind, WireField
 from codegen.model.system import (
-    Component,
     Elements,
     FixedBinding,
     FlagsBinding,
@@ -16,16 +16,26 @@ from codegen.model.system import (
     System,
     read_quantities,
 )
+from codegen.model.vehicle import Component
 from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, View, live_names, live_views, packs
 from codegen.targets.naming import builder_name, class_names, instance_expression, number, quoted
 
 
 @dataclass(frozen=True, slots=True)
 class FixedView:
-    """A line of the prefilled payload: a statement with its comment, or only a comment where the bytes stay zero."""
+    """A line of the prefilled payload: a statement with its comment, or only a comment where the bytes stay zero.
+
+    What gets too long for one line has its comment in the lines ``above``.
+    """
 
     statement: str
     comment: str
+
+    @property
+    def above(self) -> tuple[str, ...]:
+        """The comment in lines of its own, or nothing."""
+        is_long = self.statement and len(self.statement) + len(self.comment) > 110
+        return tuple(wrap(self.comment, 110)) if is_long else ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +77,7 @@ LOCALS = 2
 
 def telemetry_view(system: System) -> TelemetryView:
     """The view of the whole module."""
-    classes = class_names(message.name for message in system.messages)
+    classes = class_names(wire.name for wire in system.wires)
     builders = tuple(_builder(message, classes[message.name], system) for message in system.messages)
     used: set[str] = set()
     for builder in builders:

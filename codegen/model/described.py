@@ -1,0 +1,21 @@
+"""How a record of the specification describes its keys.
+
+Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
+A class may further declare ``ONE_OF``, keys of which exactly one is written, and ``SHORT_FORMS``, words that stand
+for a whole record.
+"""
+
+from dataclasses import field
+from typing import Any, NewType
+
+Amount = NewType("Amount", str)
+"""A number with a unit, written as one string: ``3.3 V``, ``10 Hz``, ``2 ms``."""
+
+
+Verbatim = NewType("Verbatim", str)
+"""The text of a scalar as it is written, whether YAML takes it for text, a number or a boolean."""
+
+
+def described(doc: str, key: str | None = None, **rest: Any) -> Any:
+    """A dataclass field with the text that editors show for it, and its YAML key if that differs."""
+    return field(metadata={"doc": doc, "key": key}, **rest)

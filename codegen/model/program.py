@@ -1,0 +1,76 @@
+"""The program that the board runs around the telemetry, resolved."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+
+from codegen.model.board_spec import LinkSpec
+from codegen.model.dialect import WireMessage
+from codegen.model.program_spec import ActionSpec, FailsafeSpec, VehicleSpec
+from codegen.model.vehicle import Citation, Component, Parameter, Quantity
+
+
+class LinkKind(Enum):
+    """What a link to ground stations runs over."""
+
+    UART = "uart"
+    USB = "usb"
+    UDP = "udp"
+
+
+@dataclass(frozen=True, slots=True)
+class BoardLink:
+    """A link of the board; ``retry_ms`` is the time between two attempts to join the Wi-Fi, 0 for other links."""
+
+    name: str
+    kind: LinkKind
+    retry_ms: int
+    spec: LinkSpec
+    citation: Citation | None
+
+
+@dataclass(frozen=True, slots=True)
+class FailsafeLevel:
+    """One level of a failsafe: the parameters with its threshold and with its action."""
+
+    below: Parameter
+    action: Parameter
+    citation: Citation | None
+
+
+@dataclass(frozen=True, slots=True)
+class Failsafe:
+    """A failsafe of two levels that watches ``quantity`` of ``component``; see FailsafeSpec."""
+
+    component: Component
+    quantity: Quantity
+    low: FailsafeLevel
+    critical: FailsafeLevel
+    after: Parameter
+    minimum_to_arm: Parameter | None
+    health: Quantity | None
+    used: Quantity | None
+    spec: FailsafeSpec
+    citation: Citation
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """What the board runs: the main loop, the storage, arming, failsafes, services. Periods are in us and ms.
+
+    ``services`` are the messages of the dialect that the services receive and send, ``sent`` the names of those that
+    they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest
+    rate in Hz of messages without a stream.
+    """
+
+    control_us: int
+    report_ms: int
+    failsafes: tuple[Failsafe, ...]
+    actions: tuple[ActionSpec, ...]
+    services: tuple[WireMessage, ...]
+    sent: tuple[str, ...]
+    constants: Mapping[str, int]
+    fastest: Fraction
+    cited: Mapping[str, Citation]
+    spec: VehicleSpec

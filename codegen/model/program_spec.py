@@ -1,0 +1,94 @@
+"""``vehicle.yaml``: the program that the board runs, around the telemetry."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from codegen.model.described import Amount, described
+from codegen.source import Written
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlSpec(Written):
+    """The main loop."""
+
+    rate: Amount = described("How often the control slot runs, such as 400 Hz.")
+    report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StorageSpec(Written):
+    """Where the board keeps the parameters."""
+
+    files: tuple[str, ...] = described("Names of two files in the board's flash; saves take turns between them.")
+    chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ArmingSpec(Written):
+    """How the vehicle is armed."""
+
+    force: int = described("Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks.")
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FailsafeLevelSpec(Written):
+    """One level of a failsafe."""
+
+    below: str = described("Parameter with the threshold; 0 switches the level off.")
+    action: str = described("Parameter with the action, a value of one of the actions.")
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FailsafeSpec(Written):
+    """A failsafe of two levels that watches one quantity of a component while the vehicle is armed."""
+
+    quantity: str = described("Quantity of the component that is compared with the thresholds.")
+    low: FailsafeLevelSpec = described("The first level.")
+    critical: FailsafeLevelSpec = described("The second level.")
+    after: str = described("Parameter with the seconds below a threshold; 0 switches both levels off.")
+    minimum_to_arm: str | None = described("Parameter with the least value to arm with; 0 is off.", default=None)
+    health: str | None = described(
+        "Quantity of the component that is 0 while healthy, 1 below the first threshold, 2 below the second or while "
+        "the watched quantity is unknown.",
+        default=None,
+    )
+    used: str | None = described("Quantity of the component that texts give as used, in mAh.", default=None)
+    requirement: str = described("Requirement that asks for it; its criteria are those of the tests.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActionSpec(Written):
+    """What a failsafe does: a call of the vehicle that the user's code overrides."""
+
+    value: int = described("Value of the parameter that chooses this action.")
+    call: str = described("Name of the call.")
+    doc: str = described("What it is for, for people.")
+    mode: int | None = described("Drive mode that the vehicle then reports.", default=None)
+    disarm: bool = described("Whether the vehicle is disarmed.", default=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ServicesSpec(Written):
+    """What the vehicle answers to ground stations."""
+
+    fastest: Amount = described("Highest rate at which messages without a stream can be asked for, such as 10 Hz.")
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VehicleSpec(Written):
+    """``vehicle.yaml``: the program that the board runs. Without this file only the telemetry is generated."""
+
+    control: ControlSpec = described("The main loop.")
+    storage: StorageSpec = described("Where the board keeps the parameters.")
+    arming: ArmingSpec = described("How the vehicle is armed.")
+    services: ServicesSpec = described("What the vehicle answers to ground stations.")
+    system_id: str | None = described("Parameter that sets the MAVLink system id of the vehicle.", default=None)
+    failsafes: Mapping[str, FailsafeSpec] = described(
+        "Failsafes by the component that they watch.", default_factory=dict
+    )
+    actions: tuple[ActionSpec, ...] = described("What failsafes can do.", default=())

@@ -1,0 +1,189 @@
+"""The parts of the vehicle, resolved: ADC channels, parameters, the state with its quantities, streams."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+
+from codegen.model.board_spec import AdcSpec
+from codegen.model.dialect import EnumDefinition
+from codegen.model.spec import ComponentSpec, Criterion, ParameterSpec, QuantitySpec, Requirement, StreamSpec
+from codegen.model.unit import Unit
+
+SMALL_INT_MAX = 2**30 - 1
+"""Largest integer that MicroPython keeps without allocating on 32-bit ports: they have 31 bits, with the sign."""
+
+
+@dataclass(frozen=True, slots=True)
+class Citation:
+    """A requirement, or one criterion of it, that a part of the system answers to."""
+
+    requirement: Requirement
+    criterion: Criterion | None
+
+    def __str__(self) -> str:
+        """``FR-00068`` or ``FR-00068.3``."""
+        return self.requirement.id if self.criterion is None else f"{self.requirement.id}.{self.criterion.number}"
+
+
+@dataclass(frozen=True, slots=True)
+class Cited:
+    """Something that criteria ask for: ``citation`` for the whole of it, ``aspects`` for single ones."""
+
+    citation: Citation | None
+    aspects: Mapping[str, Citation]
+
+    def cited(self, aspect: str) -> str:
+        """The criterion that asks for one aspect, or the one for the whole, or nothing."""
+        return str(self.aspects.get(aspect, self.citation or ""))
+
+
+@dataclass(frozen=True, slots=True)
+class AdcChannel(Cited):
+    """An ADC channel: ``full_scale`` is the largest count, ``reference`` the volts that it stands for.
+
+    ``read_limit_us`` is the longest time for one mean in microseconds, or None. ``pin`` is the parameter that has the
+    GPIO number, or None; ``gpio`` is then its default.
+    """
+
+    name: str
+    gpio: int
+    pin: "Parameter | None"
+    bits: int
+    full_scale: int
+    reference: Fraction
+    samples: int
+    read_limit_us: int | None
+    spec: AdcSpec
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A parameter; the firmware keeps ``default``, ``minimum`` and ``maximum`` as whole ``steps``.
+
+    ``step`` is the value of one step in ``unit``. ``choices`` are the only steps that are accepted, with what each
+    means; without any, every one within the limits is.
+    """
+
+    name: str
+    unit: Unit
+    step: Fraction
+    default: int
+    minimum: int
+    maximum: int
+    choices: Mapping[int, str]
+    spec: ParameterSpec
+    citation: Citation | None
+
+    @property
+    def path(self) -> str:
+        """How tables and documents write it, as ``Quantity.path``: its name."""
+        return self.name
+
+
+class QuantityKind(Enum):
+    """What a quantity of the vehicle state holds."""
+
+    NUMBER = "number"
+    ENUM = "enum"
+    BOOLEAN = "boolean"
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """From an ADC count to stored steps: ``count * multiplier_steps * numerator / denominator``, rounded to nearest.
+
+    ``denominator`` and ``numerator`` have no common factor. Source: the formula of FR-00069.
+    """
+
+    channel: AdcChannel
+    multiplier: Parameter
+    numerator: int
+    denominator: int
+
+
+@dataclass(frozen=True, slots=True)
+class Trend:
+    """The change per second of ``quantity``, over ``readings`` of the component, an even number."""
+
+    quantity: str
+    readings: int
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """Percent of charge by pack voltage: ``points`` are (stored steps of ``quantity``, %), rising."""
+
+    quantity: str
+    points: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity(Cited):
+    """A quantity of the vehicle state, kept as an integer of ``stored`` units.
+
+    ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored
+    units; without a limit in the table they are what a small integer holds. ``initial`` is None where the quantity
+    starts unknown and may become unknown again; else the value that stands in for unknown. ``while_known`` names
+    the quantity of the same component that a boolean follows, ``enabled_by`` the parameter that it follows: it
+    cannot be set then.
+    """
+
+    component: str
+    name: str
+    attribute: str
+    kind: QuantityKind
+    unit: Unit
+    stored: Unit
+    steps: Fraction
+    minimum: int
+    maximum: int
+    initial: int | None
+    while_known: str | None
+    enabled_by: Parameter | None
+    trend: Trend | None
+    estimate: Estimate | None
+    enum: EnumDefinition | None
+    conversion: Conversion | None
+    warn_above: int | None
+    warn_every_ms: int | None
+    stale_after_ms: int | None
+    spec: QuantitySpec
+
+    @property
+    def path(self) -> str:
+        """``battery.voltage``, as the tables write it."""
+        return f"{self.component}.{self.name}"
+
+
+@dataclass(frozen=True, slots=True)
+class Component(Cited):
+    """A part of the vehicle state; ``period_ms`` is the time between two updates, or None."""
+
+    name: str
+    instances: int
+    period_ms: int | None
+    quantities: Mapping[str, Quantity]
+    spec: ComponentSpec
+
+    @property
+    def enabled(self) -> Quantity | None:
+        """The boolean that says whether the component is measured and reported; None where it always is."""
+        return next((quantity for quantity in self.quantities.values() if quantity.enabled_by), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Stream:
+    """A stream with either a fixed ``rate`` in Hz or the ``parameter`` that sets it.
+
+    ``data_stream`` is the number by which REQUEST_DATA_STREAM asks for it, or None; ``fastest`` the highest rate in Hz
+    that a ground station can ask for.
+    """
+
+    name: str
+    rate: Fraction | None
+    parameter: Parameter | None
+    data_stream: int | None
+    fastest: Fraction
+    spec: StreamSpec
+    citation: Citation | None

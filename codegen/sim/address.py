@@ -1,0 +1,42 @@
+"""Where the simulated vehicle sends to: ``udp:HOST:PORT``."""
+
+import socket
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """An IPv4 address in dotted form and a UDP port; ``written`` is what the user wrote."""
+
+    host: str
+    port: int
+    written: str
+
+
+class AddressError(ValueError):
+    """That an address cannot be used, and why, in words for the user."""
+
+
+def parse_address(text: str) -> Address:
+    """``udp:HOST:PORT`` as an address, the host's name looked up. AddressError: it cannot be used."""
+    scheme, _, rest = text.partition(":")
+    host, _, port = rest.rpartition(":")
+    if scheme not in ("udp", "udpout") or not host:
+        raise AddressError(f"{text!r} is not an address; write udp:HOST:PORT, such as udp:127.0.0.1:14550")
+    if not (port.isascii() and port.isdigit() and 1 <= int(port) <= 65535):
+        raise AddressError(f"{port!r} is not a port from 1 to 65535")
+    if ":" in host:
+        raise AddressError("the vehicle speaks IPv4 only; write udp:HOST:PORT, such as udp:127.0.0.1:14550")
+    try:
+        found = socket.getaddrinfo(host, int(port), socket.AF_INET, socket.SOCK_DGRAM)
+    except (OSError, UnicodeError):
+        raise AddressError(f"the host {host!r} is not known") from None
+    return Address(str(found[0][4][0]), int(port), text)
+
+
+def free_port() -> int:
+    """A UDP port of this host that nobody uses at the moment."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("", 0))
+        port: int = probe.getsockname()[1]
+        return port

@@ -1,0 +1,64 @@
+"""The board's file system: a folder that the firmware finds as its working directory."""
+
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from codegen.sim.address import Address
+
+CREDENTIALS = "wifi.json"
+_KEPT = CREDENTIALS + ".kept"
+
+
+@contextmanager
+def flash_folder(given: str | None, to: Address, local_port: int) -> Iterator[str]:
+    """The absolute path of the flash folder, with the Wi-Fi settings of the simulation in it while the block runs.
+
+    ``given`` is a folder that stays (made if it is not there; its own wifi.json is put aside and back again); without
+    it the folder is temporary. OSError: the folder cannot be used.
+    """
+    if given is None:
+        with tempfile.TemporaryDirectory(prefix="codegen-sim-") as folder:
+            _write_credentials(folder, to, local_port)
+            yield folder
+        return
+    folder = os.path.abspath(given)
+    os.makedirs(folder, exist_ok=True)
+    credentials, kept = os.path.join(folder, CREDENTIALS), os.path.join(folder, _KEPT)
+    if os.path.exists(credentials) and not os.path.exists(kept):  # else it was kept by a run that could not end
+        os.replace(credentials, kept)
+    try:
+        _write_credentials(folder, to, local_port)
+        yield folder
+    finally:
+        with suppress(FileNotFoundError):
+            os.remove(credentials)
+        with suppress(FileNotFoundError):
+            os.replace(kept, credentials)
+
+
+def _write_credentials(folder: str, to: Address, local_port: int) -> None:
+    settings = {"ssid": "sim", "password": "", "host": to.host, "port": to.port, "local_port": local_port}
+    with open(os.path.join(folder, CREDENTIALS), "w", encoding="utf-8") as file:
+        json.dump(settings, file)
+
+
+@contextmanager
+def rover_folder(rover: str | None) -> Iterator[tuple[str, ...]]:
+    """The folders that the path of the interpreter needs for the user's program; a file of another name is copied.
+
+    OSError: the file cannot be read.
+    """
+    if rover is None:
+        yield ()
+        return
+    folder = os.path.dirname(os.path.abspath(rover))
+    if os.path.basename(rover) == "rover.py":
+        yield (folder,)
+        return
+    with tempfile.TemporaryDirectory(prefix="codegen-rover-") as copy:
+        shutil.copyfile(rover, os.path.join(copy, "rover.py"))
+        yield (copy, folder)

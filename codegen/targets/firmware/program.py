@@ -1,0 +1,86 @@
+"""View of vehicle.py, and of the modules around it: the main loop, the storage and what failsafes do."""
+
+from dataclasses import dataclass
+
+from codegen.model.program import Program
+from codegen.model.program_spec import ActionSpec
+from codegen.model.system import System
+from codegen.targets.firmware.failsafe import FailsafeView, failsafe_views
+from codegen.targets.naming import parameter_attribute, prose
+
+
+@dataclass(frozen=True, slots=True)
+class ActionView:
+    """A call of the vehicle that a failsafe makes."""
+
+    value: int
+    call: str
+    doc: str
+    mode: int | None
+    disarm: bool
+
+
+@dataclass(frozen=True, slots=True)
+class JobView:
+    """A component that is measured, in which period, with its failsafe, if it has one."""
+
+    component: str
+    period_us: int
+    citation: str
+    failsafe: FailsafeView | None
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramView:
+    """What the templates of the program need to know. Periods are in us or ms as their names say."""
+
+    control_us: int
+    control_hz: str
+    report_ms: int
+    files: tuple[str, ...]
+    chunk: int
+    force: int
+    system_parameter: str | None
+    failsafes: tuple[FailsafeView, ...]
+    actions: tuple[ActionView, ...]
+    jobs: tuple[JobView, ...]
+    has_ports: bool
+    cited: dict[str, str]
+
+
+def program_view(system: System, program: Program) -> ProgramView:
+    """The view of the whole program."""
+    failsafes = failsafe_views(program)
+    watched = {failsafe.component: failsafe for failsafe in failsafes}
+    return ProgramView(
+        control_us=program.control_us,
+        control_hz=program.spec.control.rate,
+        report_ms=program.report_ms,
+        files=program.spec.storage.files,
+        chunk=program.spec.storage.chunk,
+        force=program.spec.arming.force,
+        system_parameter=parameter_attribute(system.system_parameter.name) if system.system_parameter else None,
+        failsafes=failsafes,
+        actions=tuple(_action(action) for action in program.actions),
+        jobs=tuple(
+            JobView(
+                component=name,
+                period_us=(system.components[name].period_ms or 100) * 1000,
+                citation=str(system.components[name].citation or ""),
+                failsafe=watched.get(name),
+            )
+            for name, _ in system.measured()
+        ),
+        has_ports=bool(system.links),
+        cited={name: str(citation) for name, citation in program.cited.items()},
+    )
+
+
+def _action(action: ActionSpec) -> ActionView:
+    return ActionView(action.value, action.call, prose(action.doc), action.mode, action.disarm)
+
+
+def dialect_text(program: Program) -> str:
+    """The module dialect.py: the numbers of the dialect that the program uses."""
+    lines = [f"{name} = {value}" for name, value in program.constants.items()]
+    return '"""Numbers of the dialect that the program uses."""\n\n' + "\n".join(lines) + "\n"

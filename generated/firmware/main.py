@@ -1,0 +1,31 @@
+# Generated from templates/firmware/program/main.py: do not edit.
+# Inputs: 24ec0f4c8958f208
+"""The program: what the board starts."""
+
+import asyncio
+
+vehicle = None
+
+
+def vehicle_class():
+    """Return the class Rover of the user's module rover, or Vehicle where there is no such module."""
+    from vehicle import Vehicle  # noqa: PLC0415
+
+    try:
+        import rover  # noqa: PLC0415
+    except ImportError as error:
+        if "rover" not in str(error):  # it is there, but something that it imports is not
+            raise
+        return Vehicle
+    return rover.Rover
+
+
+def main():
+    """Make the vehicle and run it until the board starts again."""
+    global vehicle  # noqa: PLW0603 - there is one, and who looks at the board from outside finds it here
+    vehicle = vehicle_class()()
+    asyncio.run(vehicle.run())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,230 @@
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
+#   specs/vehicle.yaml: do not edit.
+# Inputs: e39a482e9ee750c4
+"""The vehicle: all that the program consists of, and the calls that the user's code overrides."""
+
+import asyncio
+import gc
+import time
+
+import dialect
+import machine
+from board import Board
+from connection import Connection
+from failsafe import BatteryFailsafe
+from parameters import Parameters
+from scheduler import Scheduler
+from services import receivable
+from state import SystemState
+from storage import Storage
+from streams import Streams, open_link
+from texts import Texts
+
+CONTROL_US = 2500  # 400 Hz (FR-00071.1)
+REPORT_US = 10000000  # between two texts about missed slots
+
+_SAVE_MS = 100  # how often it is looked whether there is something to save
+_FAREWELL_MS = 500  # what is on its way to ground stations leaves before a restart
+
+
+class Vehicle:
+    """The rover. Code of its own derives a class Rover from this one, in a module rover, and overrides the calls.
+
+    `texts` is what everything logs to, `connections` are the links to ground stations. A board or ports that are given
+    are used in place of the real ones.
+    """
+
+    FORCE_ARM = 21196  # in the command to arm: passes over the checks
+
+    def __init__(self, board=None, ports=None, texts=None):
+        self.texts = Texts() if texts is None else texts
+        self.parameters = Parameters()
+        self.storage = Storage(("parameters.0", "parameters.1"), 64)
+        self._load_parameters()
+        self._saved = self.parameters.changes
+        self._is_told = False
+        self.board = Board(self.texts, self.parameters) if board is None else board
+        self.state = SystemState(self.parameters, self.texts)
+        self.battery_failsafe = BatteryFailsafe(self.state, self.texts)
+        self._restart_ms = None
+        self._reported = 0
+        # The order within a pass (FR-00071.1): control, readings with their failsafes, arming checks, links.
+        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
+        self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
+        self.scheduler.every(CONTROL_US, self._communicate, "links")
+        self.scheduler.every(REPORT_US, self._report, "report")
+        ports = self.board.open_ports() if ports is None else ports
+        self.connections = [self._connect(port) for port in ports]
+
+    # What the user's code overrides.
+
+    def control(self):
+        """Drive: called at 400 Hz. What takes long makes the vehicle miss slots."""
+
+    def check_arming(self):
+        """Return why the vehicle must not be armed, as a text, or None."""
+
+    def on_arm(self):
+        """The vehicle is about to be armed; an exception keeps it disarmed."""
+
+    def on_disarm(self):
+        """The vehicle was disarmed."""
+
+    def return_to_launch(self):
+        """Drive back to where the vehicle was armed."""
+
+    def hold(self):
+        """Stop and stay."""
+
+    def smart_return(self):
+        """Drive back along the way that the vehicle came."""
+
+    def smart_return_or_hold(self):
+        """Drive back along the way that the vehicle came, or stop."""
+
+    def terminate(self):
+        """Stop the motors for good."""
+
+    # What ground stations and the user's code ask for.
+
+    @property
+    def is_armed(self):
+        """Whether the motors may turn."""
+        return self.state.vehicle.armed
+
+    def arming_problem(self):
+        """Return the first reason not to arm, as a text, or None; FR-00020.10."""
+        problem = self.battery_failsafe.problem() if self.state.battery.monitored else None
+        if problem is not None:
+            return problem
+        return self.check_arming()
+
+    def arm(self, force=False):
+        """Let the motors turn, unless a check says no; `force` passes over the checks. Return why not, or None."""
+        if self.is_armed:
+            return None
+        problem = None if force else self.arming_problem()
+        if problem is not None:
+            return "PreArm: " + problem
+        self.on_arm()
+        self.state.vehicle.armed = True
+        self._set_status()
+        self.texts("Armed")
+        return None
+
+    def disarm(self, force=False):  # noqa: ARG002  a rover can stop at any time
+        """Stop the motors; nothing keeps it from that, so that it returns None."""
+        if self.is_armed:
+            self.state.vehicle.armed = False
+            self._set_status()
+            self.texts("Disarmed")
+            self.on_disarm()
+
+    def reboot(self, force=False):
+        """Save the parameters and start again soon; not while armed, but for `force`. Return why not, or None."""
+        if self.is_armed and not force:
+            return "the vehicle is armed"
+        if self._restart_ms is None:
+            self._restart_ms = time.ticks_ms()
+        return None
+
+    def run_pass(self):
+        """Do what is due now; return the microseconds until the next pass."""
+        return self.scheduler.run_pass()
+
+    async def run(self):
+        """Run until somebody asks for a restart."""
+        gc.collect()
+        loop = asyncio.create_task(self.scheduler.run())
+        await self._keep_parameters()
+        loop.cancel()
+        machine.reset()
+
+    # Jobs of the main loop.
+
+    def _watch_battery(self):
+        self.state.update_battery(self.board)
+        if self.state.battery.monitored and self.battery_failsafe.update(time.ticks_ms()):
+            self._set_status()
+            self._act(self.battery_failsafe.action())
+        self.state.vehicle.ready = self.arming_problem() is None
+        self.state.vehicle.load_dpct = self.scheduler.load
+
+    def _communicate(self):
+        now_ms = time.ticks_ms()
+        for connection in self.connections:
+            connection.run(now_ms)
+
+    def _report(self):
+        missed = self.scheduler.overruns
+        if missed != self._reported:
+            self.texts("warning: missed control slots:", missed - self._reported)
+            self._reported = missed
+
+    def _set_status(self):
+        vehicle = self.state.vehicle
+        vehicle.status = dialect.MAV_STATE_ACTIVE if vehicle.armed else dialect.MAV_STATE_STANDBY
+        if self.battery_failsafe.level:
+            vehicle.status = dialect.MAV_STATE_CRITICAL
+
+    def _act(self, action):
+        if action == 1:
+            self.state.vehicle.mode_number = 11
+            self.return_to_launch()
+        elif action == 2:
+            self.state.vehicle.mode_number = 4
+            self.hold()
+        elif action == 3:
+            self.state.vehicle.mode_number = 12
+            self.smart_return()
+        elif action == 4:
+            self.state.vehicle.mode_number = 12
+            self.smart_return_or_hold()
+        elif action == 5:
+            self.terminate()
+            self.disarm(force=True)
+
+    # Links and parameters.
+
+    def _connect(self, port):
+        link = open_link(port, receivable(), self.parameters.sysid_thismav)
+        return Connection(self, port, link, Streams(self.state, link))
+
+    def _load_parameters(self):
+        stored = self.storage.load()
+        if stored is None and self.storage.problem is not None:  # beside a whole one it is what a power cut leaves
+            self.texts("warning: parameters have their defaults:", self.storage.problem)
+        for problem in self.parameters.restore(stored or b""):
+            self.texts("warning:", problem)
+
+    async def _keep_parameters(self):
+        """Save what changes, a step at a time, until a restart is due.
+
+        Flash stands still for tens of milliseconds where it is erased: while the vehicle is armed, saving waits.
+        """
+        while not self._is_leaving():
+            await asyncio.sleep_ms(_SAVE_MS)
+            if self.parameters.changes != self._saved and self._may_save():
+                self._saved = self.parameters.changes
+                self.storage.begin(self.parameters.dump())
+                while self.storage.step():
+                    await asyncio.sleep_ms(1)
+                if self.storage.problem is not None:
+                    self.texts("error: parameters are not saved:", self.storage.problem)
+
+    def _may_save(self):
+        if not self.is_armed or self._restart_ms is not None:
+            self._is_told = False
+            return True
+        if not self._is_told:
+            self._is_told = True
+            self.texts("notice: parameters are saved after disarming")
+        return False
+
+    def _is_leaving(self):
+        restart_ms = self._restart_ms
+        return (
+            restart_ms is not None
+            and self.parameters.changes == self._saved
+            and time.ticks_diff(time.ticks_ms(), restart_ms) >= _FAREWELL_MS
+        )

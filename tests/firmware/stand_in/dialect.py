@@ -1,0 +1,9 @@
+"""The constants of a rendered dialect that the plain firmware files need."""
+
+MAV_SEVERITY_EMERGENCY = 0
+MAV_SEVERITY_CRITICAL = 2
+MAV_SEVERITY_ERROR = 3
+MAV_SEVERITY_WARNING = 4
+MAV_SEVERITY_NOTICE = 5
+MAV_SEVERITY_INFO = 6
+MAV_SEVERITY_DEBUG = 7
