@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 37973edbb1f64d50
+# Inputs: d70da1227e13df2f
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time
@@ -7,7 +7,6 @@ import time
 import machine
 from guard import Guard
 from parameters import Parameters
-from serial_port import open_uart
 from udp_port import UdpPort
 
 
@@ -38,14 +37,6 @@ class Board:
                 credentials="wifi.json",
                 retry_ms=5000,
                 log=self._log,
-            ),  # FR-00070.10
-            open_uart(
-                "radio",
-                0,
-                tx=0,
-                rx=1,
-                baud=57600,
-                size=1024,
             ),  # FR-00070.10
         ]
 

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: e39a482e9ee750c4
+# Inputs: ad58a113429c968a
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 37973edbb1f64d50
+# Inputs: d70da1227e13df2f
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.

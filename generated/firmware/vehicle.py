@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: e39a482e9ee750c4
+# Inputs: ad58a113429c968a
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

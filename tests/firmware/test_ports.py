@@ -1,4 +1,4 @@
-"""templates/firmware/program/serial_port.py and udp_port.py under both interpreters: the checks of ports_checks.py, over true sockets."""
+"""serial_port.py and udp_port.py of templates/firmware/program under both interpreters: ports_checks.py, over true sockets."""
 
 import socket
 import threading
