@@ -1,4 +1,4 @@
-"""serial_port.py and udp_port.py of templates/firmware/program under both interpreters: ports_checks.py, over true sockets."""
+"""The ports of templates/firmware/program under both interpreters: the checks of ports_checks.py, over true sockets."""
 
 import socket
 import threading
