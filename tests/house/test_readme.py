@@ -2,6 +2,7 @@
 
 import os
 import re
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -96,3 +97,30 @@ def test_codec_examples_run(tmp_path):
             printed = subprocess.run(run, cwd=tmp_path, env=paths, capture_output=True, text=True, check=False)
             assert printed.returncode == 0, printed.stderr
             assert "1 BATTERY_STATUS" in printed.stdout or "system 1 is there" in printed.stdout
+
+
+def simulate(*arguments):
+    """Run `codegen sim` in the project, towards a port that nobody else has."""
+    with socket.socket(type=socket.SOCK_DGRAM) as station:
+        station.bind(("127.0.0.1", 0))
+        out = f"udp:127.0.0.1:{station.getsockname()[1]}"
+        command = [str(BIN / "codegen"), "sim", *arguments, "--out", out]
+        return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+
+
+def test_simulation_ends_as_the_readme_shows():
+    """The scenario's result is the README's, whatever the version of MicroPython."""
+    shown = block("text", "$ codegen sim")
+    command, _, expected = shown.partition("\n")
+    done = simulate(*command.split()[3:])
+    version = re.compile(r"MicroPython [\d.]+")
+    assert version.sub("MicroPython", done.stdout) == version.sub("MicroPython", expected)
+
+
+def test_code_of_the_user_runs_in_the_simulation(tmp_path):
+    """The class in docs/rover.md is taken for the vehicle, and its calls are made."""
+    page = (ROOT / "docs" / "rover.md").read_text()
+    example = re.search(r"```python\n(.*?)```", page, re.DOTALL)
+    (tmp_path / "rover.py").write_text(example[1])
+    done = simulate("low", "--speed", "max", "--rover", str(tmp_path / "rover.py"))
+    assert "stopping, the battery is low" in done.stdout
