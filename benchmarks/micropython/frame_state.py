@@ -27,7 +27,7 @@ class Board:
 
 board = Board()
 link = open_link(None)
-state = SystemState(log=lambda *words: None)  # standard output has the answer
+state = SystemState(log=lambda *_words: None)  # standard output has the answer
 state.battery.temperature_cdegc = 2345
 state.battery.current_ca = 1520
 state.battery.energy_hj = 4567

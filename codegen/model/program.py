@@ -65,6 +65,7 @@ class Program:
     """
 
     control_us: int
+    links_us: int
     report_ms: int
     failsafes: tuple[Failsafe, ...]
     actions: tuple[ActionSpec, ...]

@@ -12,6 +12,7 @@ class ControlSpec(Written):
     """The main loop."""
 
     rate: Amount = described("How often the control slot runs, such as 400 Hz.")
+    links: Amount = described("How often links are served: what arrives is answered, what is due is sent.")
     report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 

@@ -130,6 +130,7 @@ def resolve_program(
 ) -> Program | None:
     """The program of vehicle.yaml; None, with findings, where it cannot be built."""
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
+    links = read_rate(spec.control.links, spec.control.at("links"), report)
     report_ms = read_time(spec.control.report_every, UNITS["ms"], spec.control.at("report_every"), report)
     for place, message in _program_problems(spec, components):
         report.add(BAD_PROGRAM, place, message)
@@ -147,10 +148,14 @@ def resolve_program(
         if citation is not None:
             cited[name] = citation
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
-    if control is None or report_ms is None or fastest is None:
+    if control is None or links is None or report_ms is None or fastest is None:
         return None
+    if links > control:
+        message = f"links are served in a pass of the main loop, and that runs at {spec.control.rate} only"
+        report.add(BAD_PROGRAM, spec.control.at("links"), message)
     return Program(
         control_us=round(Fraction(1000000) / control),
+        links_us=round(Fraction(1000000) / links),
         report_ms=report_ms,
         failsafes=tuple(failsafe for failsafe in failsafes if failsafe is not None),
         actions=spec.actions,

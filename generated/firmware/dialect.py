@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: ca1d2b0747735b97
+# Inputs: 741b4b86f3019f5d
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_GET_MESSAGE_INTERVAL = 510

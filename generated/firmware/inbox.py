@@ -1,12 +1,12 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: edd5879412756a8d
+# Inputs: 13dcf21cccd254a4
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
 import time
 
 _BUFFER = 512  # bytes that one readinto() takes; of UDP it has to be a whole datagram, or its end is lost
 _PIECE = 32  # bytes that are searched for frames at once
-_PIECES = 8  # in a pass: more than 921600 baud bring within one of 2.5 ms
+_PIECES = 8  # in a pass
 _BUDGET_US = 500  # no more pieces in a pass from here on: bytes that look like frames take long to be searched
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 2068d9a24cc26e3f
+# Inputs: 79ba67990369687e
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -57,6 +57,8 @@ class Scheduler:
         self._guard = Guard()
         self._control = _Slot(period_us, control, "control")
         self._jobs = []
+        self._shortest_us = LONGEST_PERIOD_US  # of their periods
+        self._next_us = 0  # when the first of them is due
         self._is_started = False
         self._busy_us = 0
         self._window_us = 0  # when the second began that `load` is measured over
@@ -67,7 +69,8 @@ class Scheduler:
         `name` is what the job is called where it fails.
         """
         slot = _Slot(period_us, job, name or f"job {len(self._jobs) + 1}")
-        slot.due_us = self._control.due_us
+        slot.due_us = self._next_us = self._control.due_us
+        self._shortest_us = min(self._shortest_us, period_us)
         self._jobs.append(slot)
 
     def run_pass(self):
@@ -79,9 +82,9 @@ class Scheduler:
         if missed >= 0:
             self.overruns += missed
             self._call(self._control)
-            for job in self._jobs:
-                if job.take(now_us) >= 0:
-                    self._call(job)
+            ahead_us = time.ticks_diff(self._next_us, now_us)
+            if ahead_us <= 0 or ahead_us > self._shortest_us:  # too far ahead: the ticks went half round meanwhile
+                self._run_jobs(now_us)
             self._measure(now_us)
         return self._wait_us()
 
@@ -94,9 +97,21 @@ class Scheduler:
             if wait_us < 1000:  # else it woke up early, and the next pass finds nothing to do
                 time.sleep_us(wait_us)
 
+    def _run_jobs(self, now_us):
+        """Run the jobs that are due, and find out when the next one is."""
+        self._next_us = time.ticks_add(now_us, self._shortest_us)
+        for job in self._jobs:
+            self._serve(job, now_us)
+
+    def _serve(self, job, now_us):
+        if job.take(now_us) >= 0:
+            self._call(job)
+        if time.ticks_diff(job.due_us, self._next_us) < 0:
+            self._next_us = job.due_us
+
     def _start(self, now_us):
         self._is_started = True
-        self._window_us = self._control.due_us = now_us
+        self._window_us = self._control.due_us = self._next_us = now_us
         for job in self._jobs:
             job.due_us = now_us
 

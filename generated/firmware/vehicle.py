@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: ad58a113429c968a
+# Inputs: 899322f9f8ba9fa0
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -21,6 +21,7 @@ from streams import Streams, open_link
 from texts import Texts
 
 CONTROL_US = 2500  # 400 Hz (FR-00071.1)
+LINKS_US = 10000  # 100 Hz
 REPORT_US = 10000000  # between two texts about missed slots
 
 _SAVE_MS = 100  # how often it is looked whether there is something to save
@@ -51,7 +52,7 @@ class Vehicle:
         # The order within a pass (FR-00071.1): control, readings with their failsafes, arming checks, links.
         self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
-        self.scheduler.every(CONTROL_US, self._communicate, "links")
+        self.scheduler.every(LINKS_US, self._communicate, "links")
         self.scheduler.every(REPORT_US, self._report, "report")
         ports = self.board.open_ports() if ports is None else ports
         self.connections = [self._connect(port) for port in ports]

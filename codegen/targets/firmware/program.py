@@ -36,6 +36,8 @@ class ProgramView:
 
     control_us: int
     control_hz: str
+    links_us: int
+    links_hz: str
     report_ms: int
     files: tuple[str, ...]
     chunk: int
@@ -55,6 +57,8 @@ def program_view(system: System, program: Program) -> ProgramView:
     return ProgramView(
         control_us=program.control_us,
         control_hz=program.spec.control.rate,
+        links_us=program.links_us,
+        links_hz=program.spec.control.links,
         report_ms=program.report_ms,
         files=program.spec.storage.files,
         chunk=program.spec.storage.chunk,
