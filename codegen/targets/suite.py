@@ -10,6 +10,7 @@ from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.origin import copied_files, headed, origin_of
+from codegen.targets.program_suite import render_program_suite
 
 RENDERED = ("behaviour.py", "test_frames.py")
 
@@ -51,7 +52,7 @@ def render_suite(system: System) -> dict[str, str]:
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)
-    return files
+    return files if system.program is None else files | render_program_suite(system, system.program)
 
 
 def _readers(component: str, system: System) -> tuple[str, ...]:

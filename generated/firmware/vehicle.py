@@ -148,6 +148,7 @@ class Vehicle:
         if self.state.battery.monitored and self.battery_failsafe.update(time.ticks_ms()):
             self._set_status()
             self._act(self.battery_failsafe.action())
+        self.state.vehicle.ready = False  # a check that fails does not leave an old answer
         self.state.vehicle.ready = self.arming_problem() is None
         self.state.vehicle.load_dpct = self.scheduler.load
 
@@ -182,8 +183,10 @@ class Vehicle:
             self.state.vehicle.mode_number = 12
             self.smart_return_or_hold()
         elif action == 5:
-            self.terminate()
-            self.disarm(force=True)
+            try:
+                self.terminate()
+            finally:  # a fault in the user's code does not keep the motors turning
+                self.disarm(force=True)
 
     # Links and parameters.
 

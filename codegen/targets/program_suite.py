@@ -1,0 +1,70 @@
+"""The generated tests of the program: facts of the specification in one module, checks that read them, and a runner."""
+
+from dataclasses import dataclass
+
+from codegen.model.program import Program
+from codegen.model.system import System
+from codegen.render import render_template
+from codegen.targets.firmware.board import ReaderView, board_view
+from codegen.targets.firmware.parameters import ParameterView, parameter_views
+from codegen.targets.firmware.program import ProgramView, program_view
+from codegen.targets.firmware.state import ComponentView, state_view
+from codegen.targets.firmware.streams import StreamsView, streams_view
+from codegen.targets.origin import copied_files, headed, origin_of
+
+_PROGRAM = "tests/program"
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramSuiteView:
+    """What the checks of the program compare with; ``requirements`` are the documents of each topic of the checks."""
+
+    program: ProgramView
+    components: tuple[ComponentView, ...]
+    readers: tuple[ReaderView, ...]
+    parameters: tuple[ParameterView, ...]
+    streams: StreamsView
+    requirements: dict[str, str]
+
+
+def render_program_suite(system: System, program: Program) -> dict[str, str]:
+    """The files below ``tests/`` that are about the program."""
+    files = {path.replace(_PROGRAM, "tests"): text for path, text in copied_files(_PROGRAM).items()}
+    view = ProgramSuiteView(
+        program=program_view(system, program),
+        components=tuple(component for component in state_view(system).components if component.measured),
+        readers=board_view(system).readers,
+        parameters=parameter_views(system),
+        streams=streams_view(system),
+        requirements=_requirements(system, program),
+    )
+    origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
+    text = render_template(f"{_PROGRAM}/program_facts.py.j2", view)
+    files["tests/program_facts.py"] = headed(text, origin)
+    return files
+
+
+def _requirements(system: System, program: Program) -> dict[str, str]:
+    """The id of the document for each topic, or "" where nothing is cited: criteria are numbered within it."""
+    cited = {name: citation.requirement.id for name, citation in program.cited.items()}
+    failsafe = next(iter(program.failsafes), None)
+    measured = next((quantity for _, quantity in system.measured()), None)
+    component = system.components[measured.component] if measured else None
+    stream = next((stream for stream in system.streams.values() if stream.citation and stream.parameter), None)
+    return {
+        "failsafe": failsafe.citation.requirement.id if failsafe else "",
+        "health": _document(failsafe.health.citation if failsafe and failsafe.health else None),
+        "reading": _document(measured.conversion.channel.citation if measured and measured.conversion else None),
+        "update": _document(component.citation if component else None),
+        "telemetry": _document(stream.citation if stream else None),
+        "conversion": _document(measured.citation if measured else None),
+        "services": cited.get("services", ""),
+        "loop": cited.get("control", ""),
+        "storage": cited.get("storage", ""),
+        "steady": _document(component.aspects.get("steady") if component else None),
+        "scenarios": _document(component.aspects.get("scenarios") if component else None),
+    }
+
+
+def _document(citation: object) -> str:
+    return str(citation).partition(".")[0] if citation is not None else ""
