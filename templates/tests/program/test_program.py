@@ -14,7 +14,7 @@ from program_facts import REQUIREMENTS
 
 HEAP = "128wk"  # what the program has to do with, in words of the board (w), which are half of a host's; FR-00071.4
 LONG = ("day", "heap")  # simulated days: they take longer than all others together
-ONLY_MICROPYTHON = ("heap",)
+ONLY_MICROPYTHON = ("heap", "steady")  # what they measure, CPython does not have
 
 
 def _checks(script):
