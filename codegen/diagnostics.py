@@ -87,9 +87,15 @@ def did_you_mean(written: str, candidates: Iterable[str]) -> str | None:
         return f"did you mean {_listed(near)}?"
     if not names:
         return None
+    return f"known: {shortened_list(names)}"
+
+
+def shortened_list(names: Iterable[str]) -> str:
+    """The names in one line, at most eight of them, with the number of the others."""
+    names = list(names)
     shown = names[:8]
     more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
-    return f"known: {', '.join(shown)}{more}"
+    return f"{', '.join(shown)}{more}"
 
 
 def _listed(names: list[str]) -> str:

@@ -10,6 +10,7 @@ from codegen.model.dialect import WireMessage
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
+from codegen.targets.parameter_uses import uses
 from codegen.targets.table import FieldRow, field_rows
 
 UNKNOWN_TOPIC = Rule(
@@ -178,13 +179,9 @@ def _unpopulated(wire: WireMessage) -> str:
 
 def _parameter(parameter: Parameter, system: System) -> str:
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
-    streams = [stream.name for stream in system.streams.values() if stream.parameter is parameter]
-    measured = [
-        quantity.path
-        for _, quantity in system.measured()
-        if quantity.conversion and quantity.conversion.multiplier is parameter
-    ]
+    meanings = [f"{decimal(steps * parameter.step)} {meaning}" for steps, meaning in sorted(parameter.choices.items())]
     facts = [
+        ("type", f"{parameter.spec.type}"),
         ("default", f"{decimal(parameter.default * parameter.step)}{unit}"),
         (
             "range",
@@ -192,14 +189,11 @@ def _parameter(parameter: Parameter, system: System) -> str:
         ),
         ("step", f"{decimal(parameter.step)}{unit}; kept as {parameter.minimum}..{parameter.maximum} steps"),
         ("used", "from the next start" if parameter.spec.reboot else "at once"),
+        ("values", ", ".join(meanings)),
         (
             "sets",
-            ", ".join(
-                [
-                    *(f"the rate of stream {name}" for name in streams),
-                    *(f"the multiplier of {path}" for path in measured),
-                ]
-            ),
+            ", ".join(uses(parameter, system))
+            or "nothing in the firmware: ground stations and the user's code read it",
         ),
         ("criterion", _cited(parameter.citation)),
         ("declared at", parameter.spec.place.shown()),
@@ -227,7 +221,8 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("measured", measured),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
         ("unknown", _becomes_unknown(quantity)),
-        ("warning", "" if quantity.warn_above is None else f"above {quantity.warn_above} {quantity.stored.name}"),
+        ("follows", _followed(quantity)),
+        ("warning", _warning(quantity)),
         ("sent in", ", ".join(fields)),
         ("criterion", _cited(quantity.citation)),
         ("declared at", quantity.spec.place.shown()),
@@ -267,6 +262,26 @@ def _stream(stream: Stream, system: System) -> str:
         ("declared at", stream.spec.place.shown()),
     ]
     return "\n".join([stream.name, stream.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+
+
+def _followed(quantity: Quantity) -> str:
+    """What a quantity is computed from."""
+    if quantity.trend is not None:
+        return (
+            f"the change of {quantity.trend.quantity} over {quantity.spec.window}, {quantity.trend.readings} readings"
+        )
+    if quantity.estimate is not None:
+        return f"{quantity.estimate.quantity}, by the discharge curve of {len(quantity.estimate.points)} points"
+    if quantity.enabled_by is not None:
+        return f"true while {quantity.enabled_by.name} is not 0"
+    return f"true while {quantity.while_known} is known" if quantity.while_known else ""
+
+
+def _warning(quantity: Quantity) -> str:
+    if quantity.warn_above is None:
+        return ""
+    pause = "" if quantity.warn_every_ms is None else f", every {quantity.warn_every_ms} ms at most"
+    return f"above {quantity.warn_above} {quantity.stored.name}{pause}"
 
 
 def _becomes_unknown(quantity: Quantity) -> str:

@@ -3,17 +3,21 @@
 import os
 from collections.abc import Mapping
 from dataclasses import replace
+from fractions import Fraction
 
 from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report, Rule
 from codegen.load.shipped import dialect_path
 from codegen.load.text import read_bytes
 from codegen.model.dialect import Dialect
+from codegen.model.scenario import Scenario
 from codegen.model.spec import Spec
 from codegen.model.system import System
 from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
+from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import RULES
 from codegen.targets.firmware import render_firmware
@@ -38,6 +42,30 @@ def read_system(project_file: str, report: Report) -> System | None:
     for check in RULES:
         report.extend(check(system))
     return system
+
+
+def read_scenarios(path: str, system: System | None, report: Report) -> dict[str, Scenario] | None:
+    """The scenarios of a file, those with errors left out; None if it cannot be read. Without a system they are only
+    checked."""
+    written = decode_scenarios(path, report)
+    if written is None:
+        return None
+    measured = system.measured() if system else ()
+    multipliers = [quantity.conversion.multiplier for _, quantity in measured if quantity.conversion]
+    divider = multipliers[0].default * multipliers[0].step if multipliers else Fraction(1)
+    return resolve_scenarios(written, divider, report)
+
+
+def check_scenarios(project_file: str, system: System | None, report: Report) -> None:
+    """What is wrong with the scenarios beside a project file, which may have none."""
+    path = scenarios_path(project_file)
+    if os.path.lexists(path):
+        read_scenarios(path, system, report)
+
+
+def scenarios_path(project_file: str) -> str:
+    """The absolute path of the scenarios that belong to a project file."""
+    return os.path.join(os.path.dirname(os.path.abspath(project_file)), SCENARIOS)
 
 
 def read_dialect(spec: Spec, report: Report) -> Dialect | None:
@@ -90,8 +118,9 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def files_read(system: System) -> set[str]:
-    """The absolute paths of every file that the system was read from: specification, documents, dialect."""
-    return {*system.spec.files, *system.dialect.files}
+    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios."""
+    scenarios = os.path.join(system.spec.folder, SCENARIOS)
+    return {*system.spec.files, *system.dialect.files, *([scenarios] if os.path.lexists(scenarios) else [])}
 
 
 def output_folder(system: System) -> str:

@@ -53,6 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     report = Report()
     system = pipeline.read_system(project, report)
+    pipeline.check_scenarios(project, system, report)
     if system is None or report.has_errors:
         return emit(None, "", arguments, report)
     rendered = pipeline.render_system(system)

@@ -28,7 +28,8 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen import pipeline
 
     report = Report()
-    pipeline.read_system(project, report)
+    system = pipeline.read_system(project, report)
+    pipeline.check_scenarios(project, system, report)
     if arguments.format == "json":
         print(findings_json(report))
     else:

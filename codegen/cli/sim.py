@@ -166,18 +166,10 @@ def _duration_ms(text: str) -> int:
 
 def _scenarios(arguments: argparse.Namespace, system: "System", report: "Report") -> "dict[str, Scenario] | None":
     """The scenarios of the project, or of the file that the user names; None after findings."""
-    from fractions import Fraction
-
-    from codegen.decode.scenario import decode_scenarios
-    from codegen.resolve.scenario import resolve_scenarios
+    from codegen import pipeline
 
     path, _ = _file_and_name(arguments.scenario)
-    written = decode_scenarios(path or os.path.join(system.spec.folder, "scenarios.yaml"), report)
-    if written is None:
-        return None
-    multipliers = [quantity.conversion.multiplier for _, quantity in system.measured() if quantity.conversion]
-    divider = multipliers[0].default * multipliers[0].step if multipliers else Fraction(1)
-    scenarios = resolve_scenarios(written, divider, report)
+    scenarios = pipeline.read_scenarios(path or pipeline.scenarios_path(system.spec.project.place.file), system, report)
     return None if report.has_errors else scenarios
 
 

@@ -8,6 +8,9 @@ from codegen.load.text import decode_text, read_bytes
 from codegen.load.yaml_tree import parse_yaml
 from codegen.model.scenario_spec import ScenariosSpec
 
+SCENARIOS = "scenarios.yaml"
+"""The scenarios of a project, beside its project file."""
+
 
 def decode_scenarios(path: str, report: Report) -> ScenariosSpec | None:
     """The scenarios of a YAML file; None if it cannot be read. What is wrong with it is reported with its place.

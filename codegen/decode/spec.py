@@ -6,6 +6,7 @@ from typing import TypeVar
 
 from codegen.decode.record import decode_record
 from codegen.decode.requirement import check_unique, decode_requirement
+from codegen.decode.scenario import SCENARIOS
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text, read_bytes
@@ -43,10 +44,11 @@ UNREAD_FILE = Rule(
 
 FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
-OPTIONAL_FILES = ("vehicle.yaml",)
+PROGRAM_FILE = "vehicle.yaml"
+OPTIONAL_FILES = (PROGRAM_FILE,)
 """Files beside it that only a project with a whole program has."""
-READ_BY_OTHERS = ("scenarios.yaml",)
-"""Files beside the project file that belong to other commands than ``build``."""
+READ_BY_OTHERS = (SCENARIOS,)
+"""Files beside the project file that are no part of the specification."""
 
 _Record = TypeVar("_Record", bound=Written)
 
@@ -54,9 +56,9 @@ _Record = TypeVar("_Record", bound=Written)
 def decode_spec(project_file: str, report: Report) -> Spec | None:
     """The specification of a project file and of the files beside it.
 
-    Everything that is wrong in any of the files is reported. The result is None where the project file or one of
-    the four fixed files could not be decoded at all; otherwise it lacks the records that could not be, so what later
-    stages say about a missing record may follow from an error that was reported here.
+    Everything that is wrong in any of the files is reported. The result is None where the project file, one of the
+    four fixed files, or vehicle.yaml where there is one, could not be decoded at all; otherwise it lacks the records
+    that could not be, so what later stages say about a missing record may follow from an error that was reported here.
     """
     return _SpecReader(os.path.abspath(project_file), report).read()
 
@@ -80,7 +82,7 @@ class _SpecReader:
         board = self._fixed("board.yaml", BoardSpec)
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
-        vehicle = self._optional("vehicle.yaml", VehicleSpec)
+        vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
         populations = self._populations()
         corrections = self._corrections(project)
         requirements = self._requirements()
@@ -89,6 +91,8 @@ class _SpecReader:
             self._report_unread()
         if project is None or state is None or board is None or parameters is None or streams is None:
             return None
+        if vehicle is None and self._path(PROGRAM_FILE) in self._hashes:
+            return None  # what is said about a project without a program would not hold
         return Spec(
             folder=self._folder,
             project=project,

@@ -9,7 +9,7 @@ from codegen.model.dialect import Dialect
 from codegen.model.spec import ComponentSpec, QuantitySpec, Spec
 from codegen.model.unit import NUMBER, UNITS, Unit, read_measure
 from codegen.model.vehicle import Estimate, Quantity, Trend
-from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_time
+from codegen.resolve.measure import UNIT_MISMATCH, read_time
 
 BAD_TREND = Rule(
     "bad-trend",
@@ -43,7 +43,7 @@ def resolve_trend(
         report.add(BAD_TREND, spec.at("window"), message, hint)
         return None
     followed = component.quantities.get(spec.trend_of)
-    if followed is not None and f"{followed.stored or followed.unit}/s" != stored.name:
+    if followed is not None and followed.adc is not None and f"{followed.stored or followed.unit}/s" != stored.name:
         message = f"the change of {spec.trend_of} is kept in {followed.stored or followed.unit}/s, not {stored.name}"
         report.add(BAD_TREND, spec.at("stored"), message)
     return Trend(spec.trend_of, int(readings))
@@ -73,10 +73,18 @@ def resolve_estimate(
     if spec.estimate_from is None:
         return None
     place = spec.at("estimate_from")
-    followed = whole.state.components[component].quantities.get(spec.estimate_from)
-    unit = find_unit(followed.stored or followed.unit, place, report) if followed else None
-    volts = UNITS["V"].to(unit or NUMBER)
-    if spec.unit != "%" or (spec.stored or "%") != "%" or (unit is not None and volts is None):
+    quantities = whole.state.components[component].quantities
+    followed = quantities.get(spec.estimate_from)
+    if followed is None:
+        hint = did_you_mean(spec.estimate_from, quantities)
+        report.add(BAD_ESTIMATE, place, f"there is no quantity {spec.estimate_from}", hint)
+        return None
+    name = followed.stored or followed.unit
+    unit = NUMBER if name is None else UNITS.get(name)
+    if unit is None:
+        return None  # the unit has been reported
+    volts = UNITS["V"].to(unit)
+    if spec.unit != "%" or (spec.stored or "%") != "%" or volts is None:
         report.add(UNIT_MISMATCH, place, "an estimate is a share in %, from a voltage")
         return None
     facts = whole.board.facts.get(component, {})
@@ -85,18 +93,29 @@ def resolve_estimate(
         message = f"board.yaml does not state the chemistry and the cells of {component}"
         report.add(BAD_ESTIMATE, place, message, f"facts: {{{component}: {{chemistry: ..., cells: 3}}}}")
         return None
-    curve = whole.board.discharge_curves.get(chemistry)
-    if curve is None:
+    enum = dialect.enums.get("MAV_BATTERY_TYPE")
+    if enum is not None and enum.entry(chemistry) is None:
+        _report_chemistry(chemistry, f"{component}.chemistry", [entry.name for entry in enum.entries], whole, report)
+        return None
+    if chemistry not in whole.board.discharge_curves:
         hint = did_you_mean(chemistry, whole.board.discharge_curves) or "write it under discharge_curves in board.yaml"
         report.add(BAD_ESTIMATE, place, f"there is no discharge curve of {chemistry}", hint)
         return None
-    points = _points(chemistry, whole, dialect, report)
-    if points is None or volts is None:
+    points = _points(chemistry, whole, report)
+    if points is None:
         return None
     return Estimate(spec.estimate_from, tuple((round(cell * cells * volts), percent) for cell, percent in points))
 
 
-def _points(chemistry: str, whole: Spec, dialect: Dialect, report: Report) -> list[tuple[Fraction, int]] | None:
+def _report_chemistry(chemistry: str, fact: str, names: list[str], whole: Spec, report: Report) -> None:
+    """An unknown chemistry; a message that sends it reports it, too, and better."""
+    answers = (answer for population in whole.populations for answer in population.fields.values())
+    if not any(answer.board == fact for answer in answers):
+        message = f"MAV_BATTERY_TYPE has no entry {chemistry}"
+        report.add(BAD_ESTIMATE, whole.board.at(f"facts.{fact}"), message, did_you_mean(chemistry, names))
+
+
+def _points(chemistry: str, whole: Spec, report: Report) -> list[tuple[Fraction, int]] | None:
     """Volts of one cell and percent, rising."""
     board = whole.board
     curve = board.discharge_curves[chemistry]
@@ -118,9 +137,4 @@ def _points(chemistry: str, whole: Spec, dialect: Dialect, report: Report) -> li
         message = f"the curve of {chemistry} does not go from 100 down to 0 % with the voltage"
         report.add(BAD_ESTIMATE, board.at(f"discharge_curves.{chemistry}"), message)
         return None
-    enum = dialect.enums.get("MAV_BATTERY_TYPE")
-    if enum is not None and enum.entry(chemistry) is None:
-        names = [entry.name for entry in enum.entries]
-        place = board.at(f"discharge_curves.{chemistry}")
-        report.add(BAD_ESTIMATE, place, f"MAV_BATTERY_TYPE has no entry {chemistry}", did_you_mean(chemistry, names))
     return points

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.diagnostics import Report, Rule, did_you_mean, shortened_list
 from codegen.model.board_spec import BoardSpec, LinkSpec
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.program import BoardLink, Failsafe, FailsafeLevel, LinkKind, Program
@@ -87,8 +87,10 @@ _CALLS = {"control", "check_arming", "on_arm", "on_disarm", "arm", "disarm", "re
 def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Report) -> tuple[BoardLink, ...]:
     """The links in the order of board.yaml."""
     links = []
+    taken: dict[str, tuple[str, Place]] = {}
     for name, spec in board.links.items():
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
+        _check_shared(name, spec, taken, report)
         kind = LinkKind.UART if spec.uart is not None else LinkKind.USB if spec.usb else LinkKind.UDP
         problems = list(_link_problems(name, kind, spec))
         for key, message in problems:
@@ -99,6 +101,19 @@ def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Re
         if not problems:
             links.append(BoardLink(name, kind, retry, spec, citation))
     return tuple(links)
+
+
+def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]], report: Report) -> None:
+    """Whether a link takes a port or a pin that an earlier one, or its own other end, takes already."""
+    for key, what in (("uart", "UART {}"), ("usb", "the USB port"), ("tx", "GPIO {}"), ("rx", "GPIO {}")):
+        value = getattr(spec, key)
+        if value is None:
+            continue
+        place = spec.at(key)
+        owner, first = taken.setdefault(what.format(value), (name, place))
+        if first != place:
+            message = f"{key} of {name} is {what.format(value)}, which {owner} takes already"
+            report.add(BAD_LINK, place, message, related=[(first, f"{owner} takes it here")])
 
 
 def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[tuple[str, str]]:
@@ -174,6 +189,8 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
         yield spec.place, "the state has no single component vehicle"
     for name, kind in VEHICLE_QUANTITIES.items() if vehicle else ():
         quantity = vehicle.quantities.get(name) if vehicle else None
+        if quantity is None and vehicle and name in vehicle.spec.quantities:
+            continue  # what is wrong with it has been reported
         if quantity is None or quantity.kind.value != kind or quantity.while_known or quantity.enabled_by:
             yield spec.place, f"the component vehicle of the state has no {kind} {name} that can be set"
     files = spec.storage.files
@@ -193,26 +210,25 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
 
 
 def _service_messages(spec: VehicleSpec, dialect: Dialect, report: Report) -> tuple[WireMessage, ...]:
-    found = []
-    for name in dict.fromkeys((*RECEIVED, *SENT)):
-        wire = dialect.messages.get(name)
-        if wire is None:
-            report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no message {name}")
-        else:
-            found.append(wire)
-    return tuple(found)
+    names = dict.fromkeys((*RECEIVED, *SENT))
+    missing = [name for name in names if name not in dialect.messages]
+    if missing:
+        report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no message {shortened_list(missing)}")
+    return tuple(dialect.messages[name] for name in names if name in dialect.messages)
 
 
 def _constants(spec: VehicleSpec, dialect: Dialect, report: Report) -> dict[str, int]:
-    found = {}
+    found, missing = {}, []
     for name, entries in SERVICE_ENTRIES.items():
         enum = dialect.enums.get(name)
         for suffix in entries.split():
             entry = enum.entry(f"{name}_{suffix}") or enum.entry(f"MAV_{suffix}") if enum else None
             if entry is None:
-                report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no {name}_{suffix}")
+                missing.append(f"{name}_{suffix}")
             else:
                 found[entry.name] = entry.value
+    if missing:
+        report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no enum entry {shortened_list(missing)}")
     return found
 
 
@@ -248,6 +264,7 @@ class _FailsafeResolver:
             return None
         if quantity.conversion is None:
             self.report.add(BAD_FAILSAFE, spec.at("quantity"), f"{quantity.path} is not measured by an ADC")
+            return None
         low = self._level(spec.low, quantity)
         critical = self._level(spec.critical, quantity)
         after = self._parameter(spec, "after", spec.after)
@@ -271,8 +288,11 @@ class _FailsafeResolver:
         if action is not None:
             known = {0, *(entry.value for entry in self.actions)}
             possible = set(action.choices) or set(range(action.minimum, action.maximum + 1))
-            for value in sorted(possible - known):
-                self.report.add(BAD_FAILSAFE, spec.at("action"), f"{value} of {action.name} is none of the actions")
+            lacking = sorted(possible - known)
+            if lacking and len(known) > len(self.actions):  # else one of them has the value of another
+                are = "is" if len(lacking) == 1 else "are"
+                message = f"{shortened_list(map(str, lacking))} of {action.name} {are} none of the actions"
+                self.report.add(BAD_FAILSAFE, spec.at("action"), message)
         return None if below is None or action is None else FailsafeLevel(below, action, citation)
 
     def _threshold(

@@ -275,7 +275,7 @@ class _QuantityResolver:
             self._bad("adc" if spec.adc else "multiplier", f"{self.name} needs both adc and multiplier, or neither")
             return None
         channel = channels.get(spec.adc)
-        if channel is None and spec.adc not in self.whole.board.adc:
+        if channel is None and f"adc.{spec.adc}" not in self.whole.board.places:
             hint = did_you_mean(spec.adc, channels)
             self._bad("adc", f"board.yaml has no ADC channel {spec.adc}", UNKNOWN_ADC, hint)
         place, written = spec.at("multiplier"), self.whole.parameters

@@ -84,9 +84,9 @@ def _check_output(spec: Spec, report: Report) -> None:
 def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) -> tuple[int, Parameter | None]:
     """The system id, and the parameter that sets it, of which it is the default."""
     written = spec.project.system_id
-    if not 1 <= written <= 255:
-        report.add(BAD_PROJECT, spec.project.at("system_id"), f"system id {written} is not 1 to 255")
     if spec.vehicle is None or spec.vehicle.system_id is None:
+        if not 1 <= written <= 255:
+            report.add(BAD_PROJECT, spec.project.at("system_id"), f"system id {written} is not 1 to 255")
         return written, None
     place = spec.vehicle.at("system_id")
     if "system_id" in spec.project.places:
@@ -129,7 +129,8 @@ def _resolve_message(
         report.add(UNKNOWN_MESSAGE, place, f"{binder.dialect.name} has no message {population.message}", hint)
     citation = cite(population.requirement, population.at("requirement"), index, report)
     stream = streams.get(population.stream or "")
-    if population.stream is not None and stream is None and population.stream not in binder.spec.streams.streams:
+    written = binder.spec.streams.places
+    if population.stream is not None and stream is None and f"streams.{population.stream}" not in written:
         hint = did_you_mean(population.stream, streams)
         report.add(UNKNOWN_STREAM, population.at("stream"), f"there is no stream {population.stream}", hint)
     if population.stream is None and binder.spec.vehicle is None:

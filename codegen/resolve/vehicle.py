@@ -101,7 +101,7 @@ def find_parameter(
 ) -> Parameter | None:
     """The parameter called so; one that is written but broken has been reported already."""
     parameter = parameters.get(name)
-    if parameter is None and name not in written.parameters:
+    if parameter is None and f"parameters.{name}" not in written.places:
         report.add(UNKNOWN_PARAMETER, place, f"there is no parameter {name}", did_you_mean(name, parameters))
     return parameter
 

@@ -1,5 +1,6 @@
 """The record of a simulation: what the firmware sent, said and did."""
 
+import re
 from collections import Counter, deque
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -15,6 +16,10 @@ STATES = ("uninit", "boot", "calibrating", "standby", "active", "critical", "eme
 _MOST_POINTS = 20_000
 _MOST_LINES = 500
 _MOST_TEXTS = 5_000
+
+
+FAILSAFE_TEXT = re.compile(r"[A-Z][\w ]* 1 is (low|critical) -?\d+\.\d")
+"""How a text of a failsafe begins; its group is the level."""
 
 
 class Kind(StrEnum):
@@ -248,5 +253,4 @@ def fault_text(fault: Fault) -> str:
 
 def _is_failsafe(text: str) -> bool:
     """Whether a text says that the failsafe fired, as ``Battery 1 is low 10.45V used 0 mAh``."""
-    words = text.split()
-    return words[:1] == ["Battery"] and words[2:3] == ["is"] and words[3:4] in (["low"], ["critical"])
+    return FAILSAFE_TEXT.match(text) is not None

@@ -1,6 +1,6 @@
 """What came of a simulation, in sentences."""
 
-from codegen.sim.record import Kind, Recording
+from codegen.sim.record import FAILSAFE_TEXT, Kind, Recording
 
 
 def seconds(milliseconds: float) -> str:
@@ -34,7 +34,8 @@ def _failsafe(recording: Recording) -> str:
 
 
 def _level(text: str) -> str:
-    return text.split()[3]
+    match = FAILSAFE_TEXT.match(text)
+    return match[1] if match else text
 
 
 def _faults(recording: Recording) -> list[str]:

@@ -7,7 +7,9 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.render import render_template
 from codegen.targets.origin import origin_of, source_name
-from codegen.targets.table import FieldRow, field_rows
+from codegen.targets.parameter_uses import uses
+from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
+from codegen.targets.table import FieldRow, field_rows, in_table
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +43,13 @@ class ParameterRow:
     """A parameter in its unit."""
 
     name: str
+    type: str
     default: str
     limits: str
     step: str
+    values: str
+    restart: str
+    sets: str
     criterion: str
 
 
@@ -65,6 +71,9 @@ class TelemetryDocument:
     messages: tuple[MessageDocument, ...]
     quantities: tuple[QuantityRow, ...]
     parameters: tuple[ParameterRow, ...]
+    streams: tuple[StreamRow, ...]
+    links: tuple[LinkRow, ...]
+    program: ProgramSection | None
     criteria: tuple[CitedCriterion, ...]
 
 
@@ -82,7 +91,10 @@ def render_documents(system: System) -> dict[str, str]:
             for component in system.components.values()
             for quantity in component.quantities.values()
         ),
-        parameters=tuple(_parameter(parameter) for parameter in system.parameters.values()),
+        parameters=tuple(_parameter(parameter, system) for parameter in system.parameters.values()),
+        streams=stream_rows(system),
+        links=link_rows(system),
+        program=program_section(system),
         criteria=tuple(_criteria(system)),
     )
     return {"docs/telemetry.md": render_template("docs/telemetry.md.j2", view)}
@@ -136,21 +148,22 @@ def _quantity(quantity: Quantity) -> QuantityRow:
     )
 
 
-def _parameter(parameter: Parameter) -> ParameterRow:
+def _parameter(parameter: Parameter, system: System) -> ParameterRow:
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     smallest, largest = (decimal(steps * parameter.step) for steps in (parameter.minimum, parameter.maximum))
     return ParameterRow(
         name=parameter.name,
+        type=parameter.spec.type.value,
         default=f"{decimal(parameter.default * parameter.step)}{unit}",
         limits=f"{smallest}..{largest}{unit}",
         step=f"{decimal(parameter.step)}{unit}",
+        values=in_table(
+            ", ".join(f"{decimal(steps * parameter.step)} {text}" for steps, text in sorted(parameter.choices.items()))
+        ),
+        restart="yes" if parameter.spec.reboot else "",
+        sets=", ".join(uses(parameter, system)),
         criterion=str(parameter.citation or ""),
     )
-
-
-def _in_table(text: str) -> str:
-    """Text for a cell of a Markdown table."""
-    return text.replace("|", "\\|")
 
 
 def _criteria(system: System) -> list[CitedCriterion]:
@@ -159,6 +172,6 @@ def _criteria(system: System) -> list[CitedCriterion]:
         for citation in (message.citation, *(binding.covers.citation for binding in message.bindings)):
             cited[str(citation)] = citation
     return [
-        CitedCriterion(name, _in_table(citation.criterion.text if citation.criterion else citation.requirement.title))
+        CitedCriterion(name, in_table(citation.criterion.text if citation.criterion else citation.requirement.title))
         for name, citation in sorted(cited.items())
     ]

@@ -119,3 +119,8 @@ def _shown(value: int | float | str) -> str:
     if isinstance(value, float) and math.isnan(value):
         return "NaN"
     return repr(value)
+
+
+def in_table(text: str) -> str:
+    """Text for a cell of a Markdown table: in one line, its bars marked as text."""
+    return " ".join(text.split()).replace("|", "\\|")

@@ -80,10 +80,12 @@ MUTATIONS = [
     ("time-limit", "board.py", "took > 2000", "took > 2010"),
 ]
 
+SHORT = "not day and not heap"  # what takes long protects nothing that is changed here
+
 
 def run_suite(folder: Path) -> subprocess.CompletedProcess[str]:
     """Run the generated suite of ``folder`` as a user does."""
-    options = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist"]
+    options = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-k", SHORT]
     command = [sys.executable, "-m", "pytest", *options, str(folder / "tests")]
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=environment, check=False)

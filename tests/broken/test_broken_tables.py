@@ -23,9 +23,17 @@ class Case:
     new: str
     says: str = ""
     exit_code: int = 1
+    at: str = ""
+    """The place, where it lies in another file than the change."""
+    is_alone: bool = True
+    """Whether nothing else is found: what is missing in the state is missed by each table that reads it."""
 
 
 BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status", "sys_status", "heartbeat"))
+RADIO = "  radio: {uart: 0, tx: 0, rx: 1, baud: 57600}\n"
+LINK = "  wifi:\n    udp: 14550\n"
+PROGRAM = "vehicle.yaml:3:1"
+CHARGE = '        unit: "%"\n        min: 0\n        max: 100\n        requirement: FR-00068.5\n'
 
 CASES = [
     # a value that contradicts the dialect
@@ -112,7 +120,12 @@ CASES = [
     Case("bad-source", HEARTBEAT, "custom_mode: {state: vehicle.mode}", "custom_mode: {state: §vehicle.armed}"),
     # elements
     Case(
-        "answered-twice", BATTERY, "  voltages: {state", "  voltages[3]: unknown\n  §voltages: {state", "answered twice"
+        "answered-twice",
+        BATTERY,
+        "  voltages: {state",
+        "  voltages[3]: unknown\n  §voltages: {state",
+        "answered twice",
+        is_alone=False,
     ),
     Case("unanswered-field", SYS, "  errors_comm: {constant: 0}\n", "", "errors_comm"),
     Case(
@@ -130,11 +143,11 @@ CASES = [
         "0 to 3",
     ),
     Case("unknown-element", SYS, "  load: {", "  §load[0]: {"),
-    Case("unknown-field", SYS, "  load: {", "  §laod: {", "did you mean load"),
+    Case("unknown-field", SYS, "  load: {", "  §laod: {", "did you mean load", is_alone=False),
     # references
     Case("unknown-message", SYS, "message: SYS_STATUS", "message: §SYS_STATS", "did you mean SYS_STATUS"),
     Case("unknown-stream", SYS, "stream: EXTENDED_STATUS", "stream: §EXTENDED_STATE"),
-    Case("unknown-component", BATTERY, "for_each: battery", "for_each: §batery"),
+    Case("unknown-component", BATTERY, "for_each: battery", "for_each: §batery", is_alone=False),
     Case("bad-instance", BATTERY, "for_each: battery\n", "", "for_each"),
     Case("unknown-quantity", SYS, "load: {state: vehicle.load}", "load: {state: §vehicle.laod}", "vehicle.load"),
     Case("unknown-parameter", "streams.yaml", "parameter: SR0_EXTRA1", "parameter: §SR0_EXTRA2", "SR0_EXTRA1"),
@@ -157,18 +170,18 @@ CASES = [
     Case("bad-time", "state.yaml", "stale_after: 1 s", "stale_after: §90000 s"),
     Case("bad-stream", "parameters.yaml", "max: 50", "max: 5000"),
     Case("unknown-aspect", "board.yaml", "samples: FR-00066.2", "sample: §FR-00066.2"),
-    Case("bad-quantity", "state.yaml", "max: 1000000", "max: §-1"),
+    Case("bad-quantity", "state.yaml", "max: 1000000", "max: §-1", is_alone=False),
     Case("bad-quantity", "state.yaml", "while_known: voltage", "while_known: voltage\n        initial: true"),
     Case("allocating-arithmetic", "parameters.yaml", "step: 0.0001", "step: 0.00001"),
     Case("bad-project", "codegen.yaml", "protocol: 2", "system_id: §0\nprotocol: 2"),
     Case("bad-project", "codegen.yaml", "protocol: 2", "protocol: §3"),
     Case("bad-project", "codegen.yaml", "output: ../generated", "output: §."),
     Case("bad-project", "codegen.yaml", "output: ../generated", "output: §.."),
-    Case("bad-component", "state.yaml", "  vehicle:\n", "  §payload:\n"),
-    Case("bad-quantity", "state.yaml", "      armed:\n", "      §lambda:\n"),
+    Case("bad-component", "state.yaml", "  vehicle:\n", "  §payload:\n", is_alone=False),
+    Case("bad-quantity", "state.yaml", "      armed:\n", "      §lambda:\n", is_alone=False),
     Case("bad-quantity", "state.yaml", "      energy:\n", "      §voltage_mv: {doc: d}\n      energy:\n"),
-    Case("bad-stream", "streams.yaml", "  EXTRA1:\n", "  §EXTRA-1:\n"),
-    Case("bad-parameter", "parameters.yaml", "  SR0_EXTRA1:\n", "  §sr0_extra1:\n"),
+    Case("bad-stream", "streams.yaml", "  EXTRA1:\n", "  §EXTRA-1:\n", is_alone=False),
+    Case("bad-parameter", "parameters.yaml", "  SR0_EXTRA1:\n", "  §sr0_extra1:\n", is_alone=False),
     Case("bad-quantity", "state.yaml", "invalid_after: 5", "invalid_after: §0"),
     Case("bad-quantity", "state.yaml", "while_known: voltage", "while_known: §healthy"),
     Case(
@@ -193,7 +206,7 @@ CASES = [
         "battery_remaining: {state: battery.remaining, min: §-1",
     ),
     Case("stale-before-update", "state.yaml", "stale_after: 1 s", "stale_after: §50 ms"),
-    Case("bad-component", "state.yaml", "  vehicle:\n", "  §update_battery:\n"),
+    Case("bad-component", "state.yaml", "  vehicle:\n", "  §update_battery:\n", is_alone=False),
     Case(
         "corrected-twice",
         "dialects/corrections.yaml",
@@ -203,12 +216,227 @@ CASES = [
         ),
     ),
     Case("unknown-dialect", "codegen.yaml", "dialect: common", "dialect: §comon", "did you mean common", 2),
+    # links
+    Case("bad-link", "board.yaml", "  wifi:\n", "  §Wi-Fi:\n", "cannot be the name of a link"),
+    Case("bad-link", "board.yaml", "  wifi:\n", "  §class:\n", "cannot be the name of a link"),
+    Case("bad-link", "board.yaml", "udp: 14550", "udp: §0", "1 to 65535"),
+    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:19:3"),
+    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:19:3"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:19:3"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    baud: §9600\n", "a link over udp"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    local_port: §65536\n", "0 to 65535"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    buffer: §279\n", "280 to 65536"),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: §2, tx: 0, rx: 1, baud: 57600}\n" + LINK, "0 to 1"),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: §30, rx: 1, baud: 57600}\n" + LINK, "0 to 29"),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: §-1, baud: 57600}\n" + LINK, "0 to 29"),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: 1, baud: §299}\n" + LINK, "300 to 3000000"),
+    Case("bad-link", "board.yaml", LINK, "  §radio: {uart: 0, tx: 0, rx: 1}\n" + LINK, "needs baud"),
+    Case("bad-link", "board.yaml", LINK, "  cable: {usb: true, tx: §0}\n" + LINK, "a link over usb"),
+    Case("bad-link", "board.yaml", LINK, "  cable: {usb: true, to: §255.255.255.255}\n" + LINK, "a link over usb"),
+    Case(
+        "bad-link", "board.yaml", LINK, RADIO + "  other: {uart: §0, tx: 4, rx: 5, baud: 9600}\n" + LINK, "radio takes"
+    ),
+    Case(
+        "bad-link", "board.yaml", LINK, RADIO + "  other: {uart: 1, tx: 4, rx: §1, baud: 9600}\n" + LINK, "radio takes"
+    ),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: §0, baud: 9600}\n" + LINK, "takes already"),
+    Case("bad-link", "board.yaml", LINK, "  a: {usb: true}\n  b: {usb: §true}\n" + LINK, "a takes already"),
+    Case("bad-time", "board.yaml", "retry: 5 s", "retry: §0 s"),
+    Case("wrong-type", "board.yaml", LINK, "  cable: {usb: §false}\n" + LINK),
+    Case("one-of-keys", "board.yaml", LINK, "  cable: {usb: true, §uart: 0, tx: 0, rx: 1, baud: 9600}\n" + LINK),
+    Case("one-of-keys", "board.yaml", LINK, "  §cable: {buffer: 1024}\n" + LINK),
+    # the program
+    Case(
+        "bad-program",
+        "state.yaml",
+        "      load:\n",
+        "      lead:\n",
+        "no number load that can be set",
+        at=PROGRAM,
+        is_alone=False,
+    ),
+    Case(
+        "bad-program",
+        "state.yaml",
+        "        initial: 0\n        min: 0\n        max: 1000000\n",
+        "        boolean: true\n        initial: false\n",
+        "no number mode",
+        at=PROGRAM,
+        is_alone=False,
+    ),
+    Case(
+        "bad-program",
+        "state.yaml",
+        "  vehicle:\n",
+        "  rover:\n",
+        "no single component vehicle",
+        at=PROGRAM,
+        is_alone=False,
+    ),
+    Case("bad-program", "state.yaml", "  vehicle:\n", "  vehicle:\n    instances: 2\n", "no single", at=PROGRAM),
+    Case("bad-program", "vehicle.yaml", "files: [parameters.0, parameters.1]", "files: §[parameters.0]"),
+    Case("bad-program", "vehicle.yaml", "files: [parameters.0, parameters.1]", "files: §[a, a]", "different names"),
+    Case("bad-program", "vehicle.yaml", "files: [parameters.0, parameters.1]", "files: §[a, b, c]"),
+    Case("bad-program", "vehicle.yaml", "chunk: 64", "chunk: §15", "16 to 256"),
+    Case("bad-program", "vehicle.yaml", "chunk: 64", "chunk: §257", "16 to 256"),
+    Case("bad-program", "vehicle.yaml", "call: hold", "call: §return_to_launch", "a call of its own"),
+    Case("bad-program", "vehicle.yaml", "call: hold", "call: §Hold", "a call of its own"),
+    Case("bad-program", "vehicle.yaml", "call: hold", "call: §control", "a call of its own"),
+    Case("bad-program", "vehicle.yaml", "call: hold", "call: §pass", "a call of its own"),
+    Case("bad-program", "vehicle.yaml", "value: 5, call: terminate", "value: §4, call: terminate", "another action"),
+    Case("bad-time", "vehicle.yaml", "rate: 400 Hz", "rate: §1200 Hz"),
+    Case("bad-time", "vehicle.yaml", "report_every: 10 s", "report_every: §0 s"),
+    Case("bad-time", "vehicle.yaml", "fastest: 10 Hz", "fastest: §2 kHz"),
+    Case("unit-mismatch", "vehicle.yaml", "rate: 400 Hz", "rate: §2500 us"),
+    Case("unknown-requirement", "vehicle.yaml", "requirement: FR-00071.1", "requirement: §FR-00071.99"),
+    Case("unknown-key", "vehicle.yaml", "control:\n", "§contrl:\n", "did you mean control"),
+    Case("unknown-key", "vehicle.yaml", "  chunk: 64", "  §chunks: 64", "did you mean chunk"),
+    Case("unknown-key", "vehicle.yaml", "  force: 21196", "  force: 21196\n  §forced: 1", "did you mean force"),
+    Case("unknown-key", "vehicle.yaml", "    health: health", "    §heath: health", "did you mean health"),
+    Case("unknown-key", "vehicle.yaml", "low: {below: ", "low: {§belo: ", "did you mean below"),
+    Case("unknown-key", "vehicle.yaml", "disarm: true", "§disarms: true", "did you mean disarm"),
+    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:20:3"),
+    # failsafes
+    Case("bad-failsafe", "vehicle.yaml", "  battery:\n", "  §batery:\n", "did you mean battery"),
+    Case("bad-failsafe", "vehicle.yaml", "quantity: voltage", "quantity: §current", "not measured"),
+    Case("unknown-quantity", "vehicle.yaml", "quantity: voltage", "quantity: §volts", "did you mean voltage"),
+    Case("unknown-quantity", "vehicle.yaml", "health: health", "health: §heath", "did you mean health"),
+    Case("unknown-quantity", "vehicle.yaml", "used: consumed", "used: §consumd", "did you mean consumed"),
+    Case("bad-failsafe", "vehicle.yaml", "low: {below: BATT_LOW_VOLT", "low: {below: §BATT_CAPACITY", "no threshold"),
+    Case("bad-failsafe", "vehicle.yaml", "critical: {below: BATT_CRT_VOLT", "critical: {below: §BATT_VOLT_MULT"),
+    Case("bad-failsafe", "vehicle.yaml", "minimum_to_arm: BATT_ARM_VOLT", "minimum_to_arm: §SR0_EXTRA1"),
+    Case("bad-failsafe", "vehicle.yaml", "action: BATT_FS_LOW_ACT", "action: §BATT_LOW_TIMER", "none of the actions"),
+    Case("bad-failsafe", "vehicle.yaml", "after: BATT_LOW_TIMER", "after: §BATT_LOW_VOLT", "whole seconds"),
+    Case("bad-failsafe", "vehicle.yaml", "health: health", "health: §trend", "initial value"),
+    Case("bad-failsafe", "vehicle.yaml", "used: consumed", "used: §energy", "not kept in mAh"),
+    Case("unknown-requirement", "vehicle.yaml", "    requirement: FR-00020\n", "    requirement: §FR-20\n"),
+    # the system id
+    Case("bad-project", "codegen.yaml", "protocol: 2", "system_id: §7\nprotocol: 2", "vehicle.yaml has a parameter"),
+    Case("bad-project", "vehicle.yaml", "system_id: SYSID_THISMAV", "system_id: §BATT_CAPACITY", "from 1 to 255"),
+    Case("bad-project", "vehicle.yaml", "system_id: SYSID_THISMAV", "system_id: §BATT_VOLT_MULT", "from 1 to 255"),
+    Case(
+        "bad-project",
+        "parameters.yaml",
+        "default: 1\n    min: 1\n    max: 255",
+        "default: 1\n    min: 0\n    max: 255",
+        "from 1 to 255",
+        at=PROGRAM.replace("3:1", "3:12"),
+    ),
+    # parameters
+    Case("bad-parameter", "parameters.yaml", "type: int32\n", "type: §int8\n", "int8 does not carry"),
+    Case("bad-parameter", "parameters.yaml", "type: int32\n", "type: §uint16\n", "uint16 does not carry"),
+    Case(
+        "bad-parameter",
+        "parameters.yaml",
+        "    default: 3.95\n",
+        "    type: §int16\n    default: 3.95\n",
+        "step of 0.0001",
+    ),
+    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "three: §Analog, 3: Voltage", "not a number"),
+    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 4: §Other", "a value that"),
+    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 1.5: §Other", "a value that"),
+    Case("bad-parameter", "parameters.yaml", "default: 3\n", "default: §1\n", "none of its values"),
+    Case("unknown-choice", "parameters.yaml", "type: int32", "type: §int64"),
+    # keys that name a parameter
+    Case("unknown-parameter", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_VOLTS_PIN", "did you mean BATT_VOLT_PIN"),
+    Case("unknown-parameter", "state.yaml", "enabled_by: BATT_MONITOR", "enabled_by: §BATT_MONITR", "BATT_MONITOR"),
+    Case("unknown-parameter", "state.yaml", "multiplier: BATT_VOLT_MULT", "multiplier: §BATT_VOLT_MUL"),
+    Case("unknown-parameter", "vehicle.yaml", "system_id: SYSID_THISMAV", "system_id: §SYSID_THISMAW", "SYSID_THISMAV"),
+    Case("unknown-parameter", "vehicle.yaml", "low: {below: BATT_LOW_VOLT", "low: {below: §BATT_LOW_VOLTS"),
+    Case("unknown-parameter", "vehicle.yaml", "action: BATT_FS_LOW_ACT", "action: §BATT_FS_LO_ACT", "BATT_FS_LOW_ACT"),
+    Case("unknown-parameter", "vehicle.yaml", "below: BATT_CRT_VOLT", "below: §BATT_CRIT_VOLT", "BATT_CRT_VOLT"),
+    Case("unknown-parameter", "vehicle.yaml", "action: BATT_FS_CRT_ACT", "action: §BATT_FS_ACT"),
+    Case("unknown-parameter", "vehicle.yaml", "after: BATT_LOW_TIMER", "after: §BATT_LOW_TIME", "BATT_LOW_TIMER"),
+    Case("unknown-parameter", "vehicle.yaml", "minimum_to_arm: BATT_ARM_VOLT", "minimum_to_arm: §BATT_ARM_VOLTS"),
+    # pins by parameter
+    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_CAPACITY", "not a GPIO number"),
+    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_VOLT_MULT", "not a GPIO number"),
+    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "gpio: §30", "26 to 29"),
+    Case("one-of-keys", "board.yaml", "pin: BATT_VOLT_PIN", "gpio: 26\n    §pin: BATT_VOLT_PIN"),
+    Case("one-of-keys", "board.yaml", "    pin: BATT_VOLT_PIN\n", "", "none is given", at="board.yaml:6:3"),
+    # streams
+    Case("bad-stream", "streams.yaml", "MAV_DATA_STREAM_EXTRA1", "§MAV_DATA_STREAM_EXTRA9", "MAV_DATA_STREAM_EXTRA1"),
+    Case("bad-stream", "streams.yaml", "data_stream: MAV_DATA_STREAM_EXTRA1", "data_stream: §MAV_DATA_STREAM_ALL"),
+    Case("bad-time", "streams.yaml", "fastest: 50 Hz", "fastest: §1001 Hz"),
+    Case("unit-mismatch", "streams.yaml", "fastest: 50 Hz", "fastest: §50 V"),
+    # quantities that are computed
+    Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
+    Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
+    Case(
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:56:17"
+    ),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:56:19"),
+    Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
+    Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
+    Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
+    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:56:17"),
+    Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
+    Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
+    Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
+    Case("bad-quantity", "state.yaml", "boolean: true\n        enabled_by: ", "enabled_by: §", "a boolean"),
+    # scenarios
+    Case("scenario-points", "scenarios.yaml", "[[0 s, 12.3 V], [60 s, 12.1 V]]", "[[60 s, 12.3 V], [§1 s, 12.1 V]]"),
+    Case("scenario-points", "scenarios.yaml", "[[0 s, 12.3 V], [60 s, 12.1 V]]", "[[0 s, 12.3 V], §[60 s]]", "12.6 V"),
+    Case("scenario-time", "scenarios.yaml", "duration: 60 s", "duration: §0 s", "from 1 ms to a day"),
+    Case("scenario-time", "scenarios.yaml", "at: 5 s, arm", "at: §61 s, arm", "after the end"),
+    Case("scenario-event", "scenarios.yaml", "adc: slow, delay: 3 ms", "adc: §slow", "needs a delay"),
+    Case("scenario-event", "scenarios.yaml", "at: 5 s, arm: true", "at: 5 s, arm: true, for: §1 s"),
+    Case("scenario-battery", "scenarios.yaml", "noise: 10 mV", "noise: §11 V"),
+    Case("unit-mismatch", "scenarios.yaml", "noise: 10 mV", "noise: §10 ms"),
+    Case("unknown-key", "scenarios.yaml", "noise: 10 mV", "§nois: 10 mV", "did you mean noise"),
+    Case("unknown-choice", "scenarios.yaml", "adc: slow", "adc: §slw", "did you mean slow"),
+    # an estimate
+    Case("bad-estimate", "state.yaml", CHARGE, CHARGE + "        estimate_from: §volts\n", "did you mean voltage"),
+    Case("unit-mismatch", "state.yaml", CHARGE, CHARGE + "        estimate_from: §current\n"),
+    Case("unit-mismatch", "state.yaml", "unit: hJ\n", "unit: hJ\n        estimate_from: §voltage\n", "in %"),
 ]
+
+ESTIMATE = "state.yaml:47:24"
+CHEMISTRY = "messages/battery_status.yaml:9:17"
+ESTIMATES = [
+    Case(
+        "bad-estimate",
+        "board.yaml",
+        "\n    {4.20 V: 100, 4.15 V: 95",
+        "\n    §{4.20 V: 100, 4.15 V: 85",
+        "100 down to 0",
+    ),
+    Case(
+        "bad-estimate",
+        "board.yaml",
+        "\n    {4.20 V: 100, 4.15 V: 95",
+        "\n    §{4.20 V: 99, 4.15 V: 95",
+        "100 down to 0",
+    ),
+    Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 V: §95.5", "whole number of %"),
+    Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 A: §95", "not a voltage of a cell"),
+    Case("bad-estimate", "board.yaml", "4.15 V: 95", "much: §95", "not a voltage of a cell"),
+    Case("bad-estimate", "board.yaml", "    cells: 3\n", "", "the chemistry and the cells", at=ESTIMATE),
+    Case("bad-estimate", "board.yaml", "cells: 3", "cells: 0", "the chemistry and the cells", at=ESTIMATE),
+    Case("bad-estimate", "board.yaml", "cells: 3", "cells: 2.5", "the chemistry and the cells", at=ESTIMATE),
+    Case(
+        "bad-estimate",
+        "board.yaml",
+        "  MAV_BATTERY_TYPE_LIPO:\n",
+        "  MAV_BATTERY_TYPE_LIP:\n",
+        "MAV_BATTERY_TYPE_LIP or",
+        at=ESTIMATE,
+    ),
+    Case(
+        "unknown-enum-entry",
+        "board.yaml",
+        "chemistry: MAV_BATTERY_TYPE_LIPO",
+        "chemistry: MAV_BATTERY_TYPE_LIP",
+        at=CHEMISTRY,
+    ),
+]
+"""With ``estimate_from: voltage`` in state.yaml."""
 
 
 def changed_copy(case: Case, folder: Path) -> tuple[Path, str | None]:
     """Copy the project with the change; return the changed file and the marked ``line:col``."""
-    shutil.copytree(ROOT / "specs", folder / "specs")
+    if not (folder / "specs").exists():
+        shutil.copytree(ROOT / "specs", folder / "specs")
     path = folder / "specs" / case.file
     text = path.read_text()
     assert text.count(case.old) >= 1, f"{case.old!r} is not in {case.file}"
@@ -220,22 +448,96 @@ def changed_copy(case: Case, folder: Path) -> tuple[Path, str | None]:
     return path, f"{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}"
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.rule}-{case.file.rpartition('/')[2]}")
-def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
-    """The rule, the place and the words are right, the exit code is not 0, and nothing is written."""
-    path, place = changed_copy(case, tmp_path)
-    (tmp_path / "generated").mkdir()
-    (tmp_path / "generated" / "keep.txt").write_text("as it was")
-    monkeypatch.chdir(tmp_path)
+def check_place(case: Case, folder: Path, monkeypatch, capsys) -> None:
+    """A build finds what the case says, at its place, and writes nothing. ``folder`` has the changed project."""
+    path, place = changed_copy(case, folder)
+    wanted = f"specs/{case.at}" if case.at else f"{path.relative_to(folder)}:{place}" if place else ""
+    (folder / "generated").mkdir()
+    (folder / "generated" / "keep.txt").write_text("as it was")
+    monkeypatch.chdir(folder)
     exit_code = main(["build"])
     out, err = capsys.readouterr()
-    found = [line for line in out.splitlines() if f" {case.rule}: " in line]
+    errors = [line for line in out.splitlines() if ": error " in line]
+    found = [line for line in errors if f" {case.rule}: " in line]
     assert found, out + err
-    if place is not None:
-        assert any(line.startswith(f"{path.relative_to(tmp_path)}:{place}: error ") for line in found), (place, found)
+    if wanted:
+        assert any(line.startswith(f"{wanted}: error ") for line in found), (wanted, found)
+    assert len(errors) == 1 or not case.is_alone, errors
     assert case.says in out
     assert exit_code == case.exit_code
-    assert [item.name for item in (tmp_path / "generated").iterdir()] == ["keep.txt"]
+    assert [item.name for item in (folder / "generated").iterdir()] == ["keep.txt"]
+
+
+def name_of(case: Case) -> str:
+    return f"{case.rule}-{case.file.rpartition('/')[2]}"
+
+
+@pytest.mark.parametrize("case", CASES, ids=name_of)
+def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
+    """The rule, the place and the words are right, the exit code is not 0, and nothing is written."""
+    check_place(case, tmp_path, monkeypatch, capsys)
+
+
+@pytest.mark.parametrize("case", ESTIMATES, ids=name_of)
+def test_an_estimate_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
+    """The same, where state.yaml asks for an estimate of the charge."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    state = tmp_path / "specs" / "state.yaml"
+    assert CHARGE in state.read_text()
+    state.write_text(state.read_text().replace(CHARGE, CHARGE + "        estimate_from: voltage\n"))
+    check_place(case, tmp_path, monkeypatch, capsys)
+
+
+def findings(capsys) -> list[str]:
+    """The errors of a check in the working directory."""
+    assert main(["check"]) == 1
+    return [line for line in capsys.readouterr().out.splitlines() if ": error " in line]
+
+
+def test_a_message_without_stream_needs_a_program(tmp_path, monkeypatch, capsys):
+    """Nothing sends it: one finding for each, at the top of its table."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    (tmp_path / "specs" / "vehicle.yaml").unlink()
+    monkeypatch.chdir(tmp_path)
+    found = findings(capsys)
+    assert [line.partition(": ")[0] for line in found] == [
+        f"specs/messages/{name}.yaml:2:1" for name in ("autopilot_version", "protocol_version")
+    ]
+    assert all(" error unknown-stream: " in line for line in found)
+
+
+def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
+    """What the program needs and the dialect lacks: one finding for the messages, one for the entries of enums."""
+    shutil.copytree(ROOT / "tests" / "projects" / "minimal" / "specs", tmp_path / "specs")
+    quantities = {
+        "armed": "boolean: true, initial: false",
+        "ready": "boolean: true, initial: false",
+        "mode": "initial: 0",
+        "load": "initial: 0",
+    }
+    with (tmp_path / "specs" / "state.yaml").open("a") as file:
+        file.writelines(f"      {name}: {{doc: d, {keys}}}\n" for name, keys in quantities.items())
+    (tmp_path / "specs" / "vehicle.yaml").write_text(
+        "control: {rate: 50 Hz, report_every: 1 s}\nstorage: {files: [a, b], chunk: 16}\narming: {force: 1}\n"
+        "services: {fastest: 1 Hz}\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    messages, entries = findings(capsys)
+    assert messages.startswith("specs/vehicle.yaml:1:1: error no-service-message: minimal has no enum entry MAV_CMD_")
+    assert entries.startswith("specs/vehicle.yaml:1:1: error no-service-message: minimal has no message PING, ")
+
+
+def test_scenarios_are_checked_though_the_rest_is_broken(tmp_path, monkeypatch, capsys):
+    """A specification that cannot be resolved does not hide what is wrong with the scenarios, and they may be absent."""
+    changed_copy(Case("", "scenarios.yaml", "noise: 10 mV", "noise: 11 V"), tmp_path)
+    streams = tmp_path / "specs" / "streams.yaml"
+    streams.write_text("streams: 3\n")
+    monkeypatch.chdir(tmp_path)
+    found = findings(capsys)
+    assert [line.split(" error ")[1].partition(":")[0] for line in found] == ["scenario-battery", "wrong-type"]
+    shutil.copy(ROOT / "specs" / "streams.yaml", streams)
+    (tmp_path / "specs" / "scenarios.yaml").unlink()
+    assert main(["check"]) == 0
 
 
 def test_everything_is_reported_in_one_run(tmp_path, monkeypatch, capsys):
@@ -255,6 +557,13 @@ def test_everything_is_reported_in_one_run(tmp_path, monkeypatch, capsys):
 
 
 FOLLOW_UPS = [
+    ("board.yaml", "    bits: 12\n", "", "missing-key"),
+    ("parameters.yaml", "    default: 1\n    min: 1\n", "    min: 1\n", "missing-key"),
+    ("parameters.yaml", "    default: 10.5\n", "    default: 1e9\n", "bad-parameter"),
+    ("streams.yaml", "    doc: Detailed battery telemetry.\n", "", "missing-key"),
+    ("state.yaml", "max: 1000000", "max: -1", "bad-quantity"),
+    ("vehicle.yaml", "  chunk: 64\n", "", "missing-key"),
+    ("vehicle.yaml", "rate: 400 Hz", "rate: 400", "wrong-type"),
     ("board.yaml", "samples: 5", "samples: 0", "bad-adc"),
     ("state.yaml", "invalid_after: 5", "invalid_after: -3", "bad-quantity"),
     (BATTERY, "  voltages_ext: {unknown: true, ", "  voltages_ext[0..12]: {unknown: true, ", "unknown-element"),

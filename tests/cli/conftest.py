@@ -33,6 +33,9 @@ class Pipeline:
             report.add(rule, Place(project_file, line), message)
         return SimpleNamespace() if self.is_readable else None
 
+    def check_scenarios(self, _project_file: str, _system: object, _report: Report) -> None:
+        """There are no scenarios."""
+
     def render_system(self, _system: object) -> dict[str, str]:
         return self.files
 

@@ -10,9 +10,20 @@ GOOD = {
     "board": (
         "board: Pico\nmcu: RP2350\nadc:\n  pack: {gpio: 26, bits: 12, reference: 3.3 V}\n"
         "facts:\n  battery: {cells: 3, kind: LIPO}\n"
+        "links:\n  a: {uart: 0, tx: 0, rx: 1, baud: 57600}\n  b: {usb: true}\n"
+        "  c: {udp: 14550, to: 10.0.0.1, credentials: w.json, retry: 5 s, local_port: 1, buffer: 512}\n"
+        "discharge_curves:\n  LIPO: {4.2 V: 100, 3.27 V: 0}\n"
     ),
-    "parameters": "parameters:\n  MULT: {doc: d, default: 3.95, min: 1, max: 0x0a, step: 0.0001}\n",
-    "streams": "streams:\n  A: {doc: d, rate: 2 Hz}\n  B: {doc: d, parameter: P}\n",
+    "parameters": "parameters:\n  MULT: {doc: d, default: 3.95, min: 1, max: 0x0a, step: 0.0001}\n"
+    "  PIN: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int8, reboot: true, values: {0: Off, 1: On}}\n",
+    "streams": "streams:\n  A: {doc: d, rate: 2 Hz}\n  B: {doc: d, parameter: P, data_stream: D, fastest: 50 Hz}\n",
+    "vehicle": (
+        "control: {rate: 400 Hz, report_every: 10 s}\nstorage: {files: [a, b], chunk: 64, requirement: R}\n"
+        "arming: {force: 21196}\nservices: {fastest: 10 Hz}\nsystem_id: SYSID\nfailsafes:\n  battery:\n"
+        "    quantity: voltage\n    low: {below: LOW, action: LOW_ACT}\n"
+        "    critical: {below: CRT, action: CRT_ACT, requirement: R.1}\n    after: TIMER\n    requirement: R\n"
+        "actions:\n  - {value: 1, call: hold, mode: 4, doc: d}\n  - {value: 2, call: stop, disarm: true, doc: d}\n"
+    ),
     "message": (
         "message: BATTERY_STATUS\nrequirement: FR-00068\nstream: EXTRA1\nfields:\n"
         "  id: {state: battery.instance}\n  voltages: {state: battery.volts, split: true, rounding: down, max: 65 V}\n"
@@ -35,6 +46,11 @@ def field(answer: str) -> str:
     """A population table whose only field has this answer, which begins at 5:6."""
     return f"message: M\nrequirement: R\nstream: S\nfields:\n  f: {answer}\n"
 
+
+VEHICLE = (
+    "control: {rate: 400 Hz, report_every: 10 s}\nstorage: {files: [a, b], chunk: 64}\narming: {force: 1}\n"
+    "services: {fastest: 10 Hz}\n"
+)
 
 # kind, text, findings, whether a record is left; a JSON Schema says no to each of them, too.
 BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
@@ -107,6 +123,42 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
         True,
     ),
     ("corrections", "corrections: {message: M}\n", [("wrong-type", 1, 14)], False),
+    *(
+        ("vehicle", VEHICLE + text, [(rule, 5, column)], is_left)
+        for text, rule, column, is_left in (
+            ("controls: {}\n", "unknown-key", 1, True),
+            ("system_id: 1\n", "wrong-type", 12, True),
+            ("failsafes: [battery]\n", "wrong-type", 12, True),
+            ("failsafes: {b: 1}\n", "wrong-type", 16, True),
+            ("actions: {value: 1}\n", "wrong-type", 10, True),
+            ("actions: [{value: 1.5, call: c, doc: d}]\n", "wrong-type", 19, True),
+            ("actions: [{value: 1, call: c, doc: d, disarm: 1}]\n", "wrong-type", 47, True),
+            ("actions: [{value: 1, call: c}]\n", "missing-key", 11, True),
+            ("actions: [{value: 1, call: c, doc: d, mod: 4}]\n", "unknown-key", 39, True),
+        )
+    ),
+    ("vehicle", VEHICLE.replace("400 Hz", "400"), [("wrong-type", 1, 17)], False),
+    ("vehicle", VEHICLE.replace("chunk: 64", "chunk: big"), [("wrong-type", 2, 33)], False),
+    ("vehicle", VEHICLE.replace("[a, b]", "a"), [("wrong-type", 2, 18)], False),
+    ("vehicle", VEHICLE.replace("arming: {force: 1}\n", ""), [("missing-key", 1, 1)], False),
+    ("board", "board: b\nmcu: m\nlinks: {a: {usb: false}}\n", [("wrong-type", 3, 18)], True),
+    ("board", "board: b\nmcu: m\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 3, 24)], True),
+    ("board", "board: b\nmcu: m\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 3, 9)], True),
+    ("board", "board: b\nmcu: m\ndischarge_curves: {L: {4 V: full}}\n", [("wrong-type", 3, 29)], True),
+    (
+        "parameters",
+        "parameters:\n  A: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int64, values: {1: 2}}\n",
+        [("unknown-choice", 2, 58), ("wrong-type", 2, 77)],
+        True,
+    ),
+    (
+        "scenarios",
+        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 1 V}, events: [{at: 1 s, adc: broken}]}\n",
+        [("unknown-choice", 2, 79)],
+        True,
+    ),
+    ("scenarios", "scenarios:\n  a: {doc: d, duration: 5 s, batery: {voltage: 1 V}}\n", [("unknown-key", 2, 30)], True),
+    ("scenarios", "scenarios: [a]\n", [("wrong-type", 1, 12)], False),
     (
         "scenarios",
         "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: [0 s, [12 V, 3]]}}\n",

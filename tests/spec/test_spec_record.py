@@ -12,6 +12,7 @@ from spec_examples import BROKEN, GOOD, field
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
+from codegen.model.program_spec import VehicleSpec
 from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.spec import (
     BoardSpec,
@@ -30,6 +31,7 @@ from codegen.source import Place, Written
 FILE = "/specs/a.yaml"
 MODELS: dict[str, type[Written]] = {
     "scenarios": ScenariosSpec,
+    "vehicle": VehicleSpec,
     "codegen": Project,
     "state": StateSpec,
     "board": BoardSpec,

@@ -17,8 +17,9 @@ from codegen.model.spec import StreamsSpec
 from codegen.schemas import SCHEMA_MODELS, schema_texts
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
+NAMES = ("codegen", "state", "board", "parameters", "streams", "vehicle", "scenarios")
 SHIPPED = [
-    *((name, SPECS / f"{name}.yaml") for name in ("codegen", "state", "board", "parameters", "streams", "scenarios")),
+    *((name, SPECS / f"{name}.yaml") for name in NAMES),
     *(("message", path) for path in sorted((SPECS / "messages").glob("*.yaml"))),
     *(("corrections", path) for path in sorted((SPECS / "dialects").glob("*.yaml"))),
 ]

@@ -76,7 +76,7 @@ def program_view(system: System, program: Program) -> ProgramView:
             for name, _ in system.measured()
         ),
         has_ports=bool(system.links),
-        cited={name: str(citation) for name, citation in program.cited.items()},
+        cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
 
 

@@ -1,0 +1,53 @@
+"""What a parameter sets, in words: for explain and for the review documents."""
+
+from collections.abc import Iterator
+
+from codegen.model.system import LiveBinding, System
+from codegen.model.vehicle import Parameter
+
+
+def uses(parameter: Parameter, system: System) -> list[str]:
+    """Everything that reads a parameter, in the order of the specification's files."""
+    parts = (_board, _state, _messages, _program)
+    return [use for part in parts for use in part(parameter, system)]
+
+
+def _board(parameter: Parameter, system: System) -> Iterator[str]:
+    for channel in system.channels.values():
+        if channel.pin is parameter:
+            yield f"the pin of the ADC channel {channel.name}"
+
+
+def _state(parameter: Parameter, system: System) -> Iterator[str]:
+    for component in system.components.values():
+        for quantity in component.quantities.values():
+            if quantity.conversion is not None and quantity.conversion.multiplier is parameter:
+                yield f"the multiplier of {quantity.path}"
+            if quantity.enabled_by is parameter:
+                yield f"whether {component.name} is measured and reported ({quantity.path})"
+
+
+def _messages(parameter: Parameter, system: System) -> Iterator[str]:
+    for stream in system.streams.values():
+        if stream.parameter is parameter:
+            yield f"the rate of stream {stream.name}"
+    for message in system.messages:
+        for binding in message.bindings:
+            if isinstance(binding, LiveBinding) and binding.source is parameter:
+                yield f"{message.name}.{binding.covers.label}"
+
+
+def _program(parameter: Parameter, system: System) -> Iterator[str]:
+    if system.system_parameter is parameter:
+        yield "the system id of the vehicle"
+    for failsafe in system.program.failsafes if system.program else ():
+        watched = f"the failsafe of {failsafe.quantity.path}"
+        for name, level in (("low", failsafe.low), ("critical", failsafe.critical)):
+            if level.below is parameter:
+                yield f"the {name} threshold of {watched}"
+            if level.action is parameter:
+                yield f"the {name} action of {watched}"
+        if failsafe.after is parameter:
+            yield f"the delay of {watched}"
+        if failsafe.minimum_to_arm is parameter:
+            yield f"the least {failsafe.quantity.path} to arm with"

@@ -1,0 +1,182 @@
+"""The review document's part about the program: streams, links, main loop, failsafes and their actions."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.program import BoardLink, Failsafe, LinkKind
+from codegen.model.program_spec import ActionSpec
+from codegen.model.system import System
+from codegen.model.unit import decimal
+from codegen.model.vehicle import Parameter, Stream
+from codegen.targets.table import in_table
+
+
+@dataclass(frozen=True, slots=True)
+class StreamRow:
+    """A stream: what sets its rate, its limit, how it is asked for, and what goes out with it."""
+
+    name: str
+    rate: str
+    fastest: str
+    data_stream: str
+    messages: str
+    criterion: str
+
+
+@dataclass(frozen=True, slots=True)
+class LinkRow:
+    """A link to ground stations."""
+
+    name: str
+    over: str
+    details: str
+    criterion: str
+
+
+@dataclass(frozen=True, slots=True)
+class LoopRow:
+    """Something that the main loop does again and again."""
+
+    job: str
+    period: str
+    criterion: str
+
+
+@dataclass(frozen=True, slots=True)
+class LevelRow:
+    """A level of a failsafe, with the defaults of its parameters."""
+
+    watched: str
+    level: str
+    below: str
+    after: str
+    action: str
+    criterion: str
+
+
+@dataclass(frozen=True, slots=True)
+class ActionRow:
+    """What a failsafe can do."""
+
+    value: int
+    call: str
+    mode: str
+    disarms: str
+    doc: str
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramSection:
+    """The main loop, the failsafes, and ``notes``: sentences about arming, storage and services."""
+
+    loop: tuple[LoopRow, ...]
+    levels: tuple[LevelRow, ...]
+    actions: tuple[ActionRow, ...]
+    notes: tuple[str, ...]
+
+
+def stream_rows(system: System) -> tuple[StreamRow, ...]:
+    """The streams in the order of streams.yaml."""
+    return tuple(_stream(stream, system) for stream in system.streams.values())
+
+
+def _stream(stream: Stream, system: System) -> StreamRow:
+    parameter = stream.parameter
+    rate = (
+        f"{decimal(stream.rate or Fraction(0))} Hz" if parameter is None else f"{parameter.name}, {_default(parameter)}"
+    )
+    return StreamRow(
+        name=stream.name,
+        rate=rate,
+        fastest=f"{decimal(stream.fastest)} Hz",
+        data_stream=stream.spec.data_stream or "",
+        messages=", ".join(message.name for message in system.messages if message.stream is stream),
+        criterion=str(stream.citation or ""),
+    )
+
+
+def link_rows(system: System) -> tuple[LinkRow, ...]:
+    """The links in the order of board.yaml."""
+    return tuple(
+        LinkRow(link.name, link.kind.value.upper(), in_table(_details(link)), str(link.citation or ""))
+        for link in system.links
+    )
+
+
+def _details(link: BoardLink) -> str:
+    spec = link.spec
+    if link.kind is LinkKind.UART:
+        return f"UART {spec.uart}, GPIO {spec.tx} out and {spec.rx} in, {spec.baud} baud, {spec.buffer} bytes wait"
+    if link.kind is LinkKind.USB:
+        return f"{spec.buffer} bytes wait"
+    local = f", from port {spec.local_port}" if spec.local_port else ""
+    return f"to {spec.to} port {spec.udp}{local}; {spec.credentials} wins; Wi-Fi is tried every {link.retry_ms} ms"
+
+
+def program_section(system: System) -> ProgramSection | None:
+    """The program; None for a project that has none."""
+    program = system.program
+    if program is None:
+        return None
+    spec = program.spec
+    cited = {name: f" ({citation})" for name, citation in program.cited.items()}
+    loop = [LoopRow("control, links", f"{program.control_us} us", str(program.cited.get("control", "")))]
+    for name, quantity in system.measured():
+        component = system.components[name]
+        period = f"{component.period_ms or 100} ms"
+        loop.append(LoopRow(f"readings of {quantity.path}", period, str(component.citation or "")))
+    loop.append(LoopRow("report of missed slots", f"{program.report_ms} ms", str(program.cited.get("control", ""))))
+    files = " and ".join(f"`{name}`" for name in spec.storage.files)
+    notes = [
+        f"Parameters are saved in turns in {files}, {spec.storage.chunk} bytes in a step{cited.get('storage', '')}.",
+        f"A command arms past the checks with {spec.arming.force}{cited.get('arming', '')}.",
+        f"Messages without a stream are sent at most at {decimal(program.fastest)} Hz{cited.get('services', '')}.",
+        f"The system id is {system.system_id}{_system_parameter(system)}.",
+    ]
+    return ProgramSection(
+        loop=tuple(loop),
+        levels=tuple(row for failsafe in program.failsafes for row in _levels(failsafe)),
+        actions=tuple(_action(action) for action in program.actions),
+        notes=(*notes, *(sentence for failsafe in program.failsafes for sentence in _sentences(failsafe))),
+    )
+
+
+def _system_parameter(system: System) -> str:
+    return f", the default of {system.system_parameter.name}" if system.system_parameter else ""
+
+
+def _levels(failsafe: Failsafe) -> list[LevelRow]:
+    return [
+        LevelRow(
+            watched=failsafe.quantity.path,
+            level=name,
+            below=f"{level.below.name}, {_default(level.below)}",
+            after=f"{failsafe.after.name}, {_default(failsafe.after)}",
+            action=f"{level.action.name}, {_default(level.action)}",
+            criterion=str(level.citation or failsafe.citation),
+        )
+        for name, level in (("low", failsafe.low), ("critical", failsafe.critical))
+    ]
+
+
+def _sentences(failsafe: Failsafe) -> list[str]:
+    quantity, least = failsafe.quantity.path, failsafe.minimum_to_arm
+    found = []
+    if least is not None:
+        found.append(f"Arming needs a {quantity} of {least.name}, {_default(least)}, which 0 switches off.")
+    if failsafe.health is not None:
+        found.append(f"{failsafe.health.path} is 0 while {quantity} is good, 1 below low, 2 below critical or unknown.")
+    if failsafe.used is not None:
+        found.append(f"Texts of the failsafe have {failsafe.used.path}.")
+    return found
+
+
+def _action(action: ActionSpec) -> ActionRow:
+    mode = "" if action.mode is None else str(action.mode)
+    return ActionRow(action.value, action.call, mode, "yes" if action.disarm else "", in_table(action.doc))
+
+
+def _default(parameter: Parameter) -> str:
+    """``10.5 V by default``."""
+    unit = f" {parameter.unit.name}" if parameter.unit.name else ""
+    return f"{decimal(parameter.default * parameter.step)}{unit} by default"
