@@ -4,13 +4,14 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
+STATIONS := $(VENV)/.stations
 
 .PHONY: build test lint clean benchmarks conformance
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-test: $(INSTALLED)
+test: $(STATIONS)
 	@failed=""; \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
@@ -53,4 +54,10 @@ $(INSTALLED): pyproject.toml
 		"$(PYTHON)" -m virtualenv --clear $(VENV) || \
 		{ echo "no virtual environment can be made: install python3-venv (Debian), or pip 22.3 or newer" >&2; exit 1; }
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	@touch $@
+
+# MAVProxy is what `make test` runs as a ground station. Its dependencies would be a gigabyte of maps and windows; what it
+# needs without them, pymavlink and pyserial, is there.
+$(STATIONS): $(INSTALLED)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps 'MAVProxy>=1.8.74'
 	@touch $@

@@ -518,7 +518,7 @@ def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
     with (tmp_path / "specs" / "state.yaml").open("a") as file:
         file.writelines(f"      {name}: {{doc: d, {keys}}}\n" for name, keys in quantities.items())
     (tmp_path / "specs" / "vehicle.yaml").write_text(
-        "control: {rate: 50 Hz, report_every: 1 s}\nstorage: {files: [a, b], chunk: 16}\narming: {force: 1}\n"
+        "control: {rate: 50 Hz, report_every: 1 s, links: 50 Hz}\nstorage: {files: [a, b], chunk: 16}\narming: {force: 1}\n"
         "services: {fastest: 1 Hz}\n"
     )
     monkeypatch.chdir(tmp_path)

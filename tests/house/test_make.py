@@ -47,7 +47,8 @@ def checkout(tmp_path: Path) -> Path:
     for name in ("ruff", "mypy", "python", "codegen"):
         (tools / name).write_text(TOOL)
         (tools / name).chmod(0o755)
-    (tmp_path / ".venv" / ".installed").touch()
+    for stamp in (".installed", ".stations"):
+        (tmp_path / ".venv" / stamp).touch()
     return tmp_path
 
 
@@ -95,6 +96,22 @@ def test_install_only_when_pyproject_changed(checkout: Path) -> None:
     assert installs == ["python -m pip install --quiet --disable-pip-version-check --editable .[dev]"]
     run(checkout, "make", "build")
     assert len([call for call in called(checkout) if "install" in call]) == 1
+
+
+def test_ground_stations_are_installed_for_the_tests_only(checkout: Path) -> None:
+    """`make build` does not wait for MAVProxy, and MAVProxy does not bring its gigabyte of dependencies."""
+    stamp = checkout / ".venv" / ".stations"
+    stamp.unlink()
+    run(checkout, "make", "build")
+    assert called(checkout) == ["codegen build"]
+    wanted = "python -m pip install --quiet --disable-pip-version-check --no-deps MAVProxy>=1.8.74"
+    assert run(checkout, "make", "test", FAILING="python -m pip install").returncode != 0
+    assert called(checkout)[1:] == [wanted]
+    assert not stamp.exists()
+    assert run(checkout, "make", "test").returncode == 0
+    assert called(checkout)[2:4] == [wanted, "ruff check"]
+    run(checkout, "make", "test")
+    assert called(checkout).count(wanted) == 2
 
 
 def test_a_failed_install_is_tried_again(checkout: Path) -> None:

@@ -1,0 +1,149 @@
+"""MAVProxy, as a user types into it, against the running firmware. Its default modules are loaded, FTP among them."""
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from programs import BIN, Program
+
+from codegen.sim.address import free_port
+
+pytestmark = pytest.mark.timeout(150)
+
+
+@contextmanager
+def mavproxy(port: int, folder: Path, *options: str) -> Iterator[Program]:
+    """A MAVProxy that listens at a port; its home is `folder`, so that no settings of the user count."""
+    script = BIN / "mavproxy.py"
+    assert script.exists(), "MAVProxy is not installed: make test does it"
+    command = [str(script), f"--master=udpin:127.0.0.1:{port}", f"--state-basedir={folder}", *options]
+    with Program("MAVProxy", command, folder, HOME=str(folder)) as program:
+        program.wait_for("Waiting for heartbeat")
+        yield program
+
+
+@pytest.fixture(scope="module")
+def station(start_shared: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Program]:
+    """MAVProxy connected to a rover with 12 V, in real time."""
+    port = free_port()
+    with mavproxy(port, tmp_path_factory.mktemp("mavproxy")) as program:
+        start_shared(port, "steady")
+        program.wait_for(r"Received \d+ parameters")
+        yield program
+
+
+def test_rover_is_online(station: Program) -> None:
+    """FR-00068.8: its HEARTBEAT makes it a vehicle, and a rover, whose mode 0 is called MANUAL."""
+    station.wait_for("Detected vehicle 1:1")
+    station.wait_for("online system 1")
+    station.wait_for("Mode MANUAL")
+
+
+def test_all_parameters_are_fetched_though_there_are_no_files(station: Program) -> None:
+    """NFR-00061.6, FR-00070: FTP is refused at once, and the parameter messages bring all of them."""
+    assert station.wait_for(r"Received (\d+) parameters")[1] == "13"
+    assert "(ftp)" not in station.written
+    position = station.say("param status")
+    station.wait_for("Have 13/13 params", position)
+    position = station.say("param show *")
+    for name, value in (("BATT_CAPACITY", "3300"), ("BATT_LOW_VOLT", r"10\.5"), ("SYSID_THISMAV", "1")):
+        station.wait_for(rf"{name} +{value}", position)
+
+
+def test_voltage_is_shown_and_charge_is_unknown(station: Program) -> None:
+    """FR-00068.3 and 5: what the user watches says 12.000 V in cell 0; the battery module's charge is -1, unknown."""
+    position = station.say("watch BATTERY_STATUS")
+    battery = station.wait_for(r"< BATTERY_STATUS \{.*\}", position)[0]
+    station.say("watch")
+    cells = ", ".join(["12000"] + ["65535"] * 9)
+    assert f"voltages : [{cells}], current_battery : -1" in battery
+    assert "battery_remaining : -1," in battery
+    position = station.say("bat")
+    station.wait_for(r"Flight battery: +-1%", position)
+
+
+def test_voltage_in_the_battery_module(station: Program) -> None:
+    """FR-00068.3: the module adds the cells up, and the unknown ones are none."""
+    station.say("set numcells 0")
+    position = station.say("bat")
+    line = station.wait_for(r"Flight battery: .*\n(?:.*\n)?", position)[0]
+    volts = re.findall(r"([\d.]+)V", line)
+    assert all(volt in ("12.00", "12.0") for volt in volts), line
+    position = station.say("status BATTERY_STATUS")
+    station.wait_for(r"BATTERY_STATUS \{.*voltages : \[12000, 65535,", position)
+
+
+def test_parameter_is_set(station: Program) -> None:
+    """NFR-00061.5: MAVProxy takes the value as set, and reads it back from the vehicle."""
+    for value in ("10.8", "10.5"):
+        station.say(f"param set BATT_LOW_VOLT {value}")
+        station.repeat("param fetch BATT_LOW_VOLT", rf"BATT_LOW_VOLT = {value}0")
+        station.repeat("param show BATT_LOW_VOLT", rf"BATT_LOW_VOLT +{value}")
+    assert "Failed to set BATT_LOW_VOLT to 10." not in station.written
+
+
+def test_parameter_out_of_range_is_refused(station: Program) -> None:
+    """NFR-00061.5: the user reads why, MAVProxy sees that it was not set, and the old value is in force."""
+    position = station.say("param set BATT_CRT_VOLT 1000")
+    station.wait_for(r"AP: BATT_CRT_VOLT: 1000 is not 0 to 100", position)
+    station.wait_for(r"Failed to set BATT_CRT_VOLT to 1000 \(invalid returned value 9\.89", position)
+    station.repeat("param fetch BATT_CRT_VOLT", r"BATT_CRT_VOLT = 9\.8999")
+
+
+def test_arming(station: Program) -> None:
+    """FR-00070.5: accepted while the pack is good, and the rover says so."""
+    position = station.say("arm throttle")
+    station.wait_for("COMPONENT_ARM_DISARM: ACCEPTED", position)
+    station.wait_for("AP: Armed", position)
+    station.wait_for(r"\bARMED\b", position)
+    position = station.say("disarm")
+    station.wait_for("COMPONENT_ARM_DISARM: ACCEPTED", position)
+    station.wait_for("DISARMED", position)
+
+
+def test_link_loses_nothing(station: Program) -> None:
+    """FR-00070.10: the sequence numbers have no gaps, whatever was asked for."""
+    position = station.say("link")
+    found = station.wait_for(r"link 1 OK \((\d+) packets, .* (\d+) lost,", position)
+    assert int(found[1]) > 10
+    assert found[2] == "0"
+
+
+def test_arming_with_a_low_pack_is_refused(start: Any, tmp_path: Path) -> None:
+    """FR-00020.10, FR-00070.5: refused, and the user reads which check failed."""
+    port = free_port()
+    with mavproxy(port, tmp_path) as station:
+        start(port, "low")
+        station.wait_for("Received 13 parameters")
+        position = station.say("arm throttle")
+        station.wait_for("AP: PreArm: Battery 1 low voltage failsafe", position)
+        station.wait_for("COMPONENT_ARM_DISARM: FAILED", position)
+        assert not re.search(r"\bARMED\b", station.written)
+
+
+def test_remaining_charge(start: Any, tmp_path: Path, estimating: Path) -> None:
+    """FR-00068.5, FR-00021.5: with the estimate switched on, 12 V are 77 %, in the message and in the module."""
+    port = free_port()
+    with mavproxy(port, tmp_path) as station:
+        start(port, "steady", project=estimating)
+        station.wait_for("Received 13 parameters")
+        position = station.say("watch BATTERY_STATUS")
+        station.wait_for(r"< BATTERY_STATUS \{.*battery_remaining : 77,", position)
+        position = station.say("bat")
+        station.wait_for(r"Flight battery: +77%", position)
+
+
+def test_what_a_newcomer_types(tmp_path: Path) -> None:
+    """FR-00068.8: `codegen sim` and `mavproxy.py --master=...`, with nothing but the port changed, find each other."""
+    port = free_port()
+    sim = [str(BIN / "codegen"), "sim", "--out", f"udp:127.0.0.1:{port}"]
+    station = [str(BIN / "mavproxy.py"), f"--master=udp:127.0.0.1:{port}"]
+    root = Path(__file__).resolve().parents[2]
+    with Program("codegen sim", sim, root), Program("MAVProxy", station, tmp_path, HOME=str(tmp_path)) as program:
+        program.wait_for("online system 1")
+        program.wait_for("Received 13 parameters")
+        position = program.say("watch BATTERY_STATUS")
+        program.wait_for(r"< BATTERY_STATUS \{.*voltages : \[12[23]\d\d, 65535", position)

@@ -1,0 +1,45 @@
+"""pymavlink counts what the firmware sends by itself, in the rover's time."""
+
+import math
+from collections import Counter
+from typing import Any
+
+import pytest
+from ground_link import GroundLink
+from pymavlink.dialects.v20 import common
+
+pytestmark = pytest.mark.timeout(120)
+
+
+def test_rates_at_the_defaults(start: Any, link: GroundLink) -> None:
+    """FR-00068.2, 8 and 9: HEARTBEAT and SYS_STATUS at 1 Hz and BATTERY_STATUS at 2 Hz, over 30 s of the rover's time.
+
+    Wi-Fi is up after the first second, so that the first of each may get lost.
+    """
+    program = start(link.port, "steady", "--speed", "10", "--duration", "30 s")
+    assert program.wait() == 0
+    link.take_in(0.2)
+    counts = Counter(message.get_type() for message in link.heard)
+    assert counts["HEARTBEAT"] in (28, 29, 30, 31)
+    assert counts["SYS_STATUS"] in (28, 29, 30, 31)
+    assert counts["BATTERY_STATUS"] in (57, 58, 59, 60, 61)
+    assert set(counts) == {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "STATUSTEXT"}
+
+
+def test_real_time_is_real_time(start: Any, link: GroundLink) -> None:
+    """FR-00068.8: without --speed, the HEARTBEAT is heard about once in a second of the listener's clock."""
+    start(link.port, "steady")
+    times = [link.wait_for("HEARTBEAT")._timestamp for _ in range(4)]
+    assert 2.5 <= times[-1] - times[0] <= 8, "late on a busy computer, never early"
+
+
+def test_failsafe_is_told(start: Any, link: GroundLink) -> None:
+    """FR-00020.1, 2 and 7, FR-00070.8: both levels come as STATUSTEXT, in time, and in this order."""
+    start(link.port, "failing", "--speed", "20")
+    for word, volts, expected_s in (("low", "10.30", 16), ("critical", "9.70", 36)):
+        position = link.find("STATUSTEXT", 0, lambda message, word=word: f"is {word}" in message.text)
+        text = link.heard[position]
+        assert text.text == f"Battery 1 is {word} {volts}V used 0 mAh"
+        assert text.severity == common.MAV_SEVERITY_WARNING
+        seconds = sum(message.get_type() == "HEARTBEAT" for message in link.heard[:position])
+        assert math.isclose(seconds, expected_s, abs_tol=2.5)
