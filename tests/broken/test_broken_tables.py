@@ -295,7 +295,7 @@ CASES = [
     Case("unknown-key", "vehicle.yaml", "    health: health", "    §heath: health", "did you mean health"),
     Case("unknown-key", "vehicle.yaml", "low: {below: ", "low: {§belo: ", "did you mean below"),
     Case("unknown-key", "vehicle.yaml", "disarm: true", "§disarms: true", "did you mean disarm"),
-    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:20:3"),
+    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:21:3"),
     # failsafes
     Case("bad-failsafe", "vehicle.yaml", "  battery:\n", "  §batery:\n", "did you mean battery"),
     Case("bad-failsafe", "vehicle.yaml", "quantity: voltage", "quantity: §current", "not measured"),

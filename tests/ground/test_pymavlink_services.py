@@ -164,7 +164,9 @@ def test_all_parameters(rover: GroundLink) -> None:
 
 def test_parameters_that_are_refused(rover: GroundLink) -> None:
     """NFR-00061.5: the answer carries the value in force."""
-    assert rover.set_parameter("BATT_LOW_VOLT", 10.8).param_value == pytest.approx(10.8)
+    answer = rover.set_parameter("BATT_LOW_VOLT", 10.8)
+    assert answer.param_value == pytest.approx(10.8)
+    assert answer.param_index == 65535  # it is not part of a list
     for value in (1000.0, -1.0, float("nan")):
         assert rover.set_parameter("BATT_LOW_VOLT", value).param_value == pytest.approx(10.8)
     assert rover.set_parameter("BATT_LOW_VOLT", 10.5).param_value == 10.5
