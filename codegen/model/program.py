@@ -67,6 +67,7 @@ class Program:
     control_us: int
     links_us: int
     report_ms: int
+    step_limit_us: int
     failsafes: tuple[Failsafe, ...]
     actions: tuple[ActionSpec, ...]
     services: tuple[WireMessage, ...]

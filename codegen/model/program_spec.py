@@ -23,6 +23,7 @@ class StorageSpec(Written):
 
     files: tuple[str, ...] = described("Names of two files in the board's flash; saves take turns between them.")
     chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
+    step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
 

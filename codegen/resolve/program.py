@@ -162,8 +162,9 @@ def resolve_program(
         citation = cite_optional(text, place, index, report)
         if citation is not None:
             cited[name] = citation
+    step_limit = read_time(spec.storage.step_limit, UNITS["us"], spec.storage.at("step_limit"), report)
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
-    if control is None or links is None or report_ms is None or fastest is None:
+    if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
         return None
     if links > control:
         message = f"links are served in a pass of the main loop, and that runs at {spec.control.rate} only"
@@ -172,6 +173,7 @@ def resolve_program(
         control_us=round(Fraction(1000000) / control),
         links_us=round(Fraction(1000000) / links),
         report_ms=report_ms,
+        step_limit_us=step_limit,
         failsafes=tuple(failsafe for failsafe in failsafes if failsafe is not None),
         actions=spec.actions,
         services=services,

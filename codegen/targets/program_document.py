@@ -120,15 +120,17 @@ def program_section(system: System) -> ProgramSection | None:
         return None
     spec = program.spec
     cited = {name: f" ({citation})" for name, citation in program.cited.items()}
-    loop = [LoopRow("control, links", f"{program.control_us} us", str(program.cited.get("control", "")))]
+    loop = [LoopRow("control", f"{program.control_us} us", str(program.cited.get("control", "")))]
     for name, quantity in system.measured():
         component = system.components[name]
         period = f"{component.period_ms or 100} ms"
         loop.append(LoopRow(f"readings of {quantity.path}", period, str(component.citation or "")))
+    loop.append(LoopRow("links", f"{program.links_us} us", str(program.cited.get("services", ""))))
     loop.append(LoopRow("report of missed slots", f"{program.report_ms} ms", str(program.cited.get("control", ""))))
     files = " and ".join(f"`{name}`" for name in spec.storage.files)
     notes = [
-        f"Parameters are saved in turns in {files}, {spec.storage.chunk} bytes in a step{cited.get('storage', '')}.",
+        f"Parameters are saved in turns in {files}, {spec.storage.chunk} bytes in a step{cited.get('storage', '')}; a step "
+        f"that takes longer than {spec.storage.step_limit} is warned about.",
         f"A command arms past the checks with {spec.arming.force}{cited.get('arming', '')}.",
         f"Messages without a stream are sent at most at {decimal(program.fastest)} Hz{cited.get('services', '')}.",
         f"The system id is {system.system_id}{_system_parameter(system)}.",

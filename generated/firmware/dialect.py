@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 741b4b86f3019f5d
+# Inputs: 06cd9fc659477582
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_GET_MESSAGE_INTERVAL = 510

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 899322f9f8ba9fa0
+# Inputs: faeb912c3599379a
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 899322f9f8ba9fa0
+# Inputs: faeb912c3599379a
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -23,6 +23,8 @@ from texts import Texts
 CONTROL_US = 2500  # 400 Hz (FR-00071.1)
 LINKS_US = 10000  # 100 Hz
 REPORT_US = 10000000  # between two texts about missed slots
+
+STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061.1)
 
 _SAVE_MS = 100  # how often it is looked whether there is something to save
 _FAREWELL_MS = 500  # what is on its way to ground stations leaves before a restart
@@ -210,11 +212,20 @@ class Vehicle:
             await asyncio.sleep_ms(_SAVE_MS)
             if self.parameters.changes != self._saved and self._may_save():
                 self._saved = self.parameters.changes
-                self.storage.begin(self.parameters.dump())
-                while self.storage.step():
-                    await asyncio.sleep_ms(1)
-                if self.storage.problem is not None:
-                    self.texts("error: parameters are not saved:", self.storage.problem)
+                await self._save()
+
+    async def _save(self):
+        longest_us = 0
+        self.storage.begin(self.parameters.dump())
+        while self.storage.is_saving:
+            started_us = time.ticks_us()
+            self.storage.step()
+            longest_us = max(longest_us, time.ticks_diff(time.ticks_us(), started_us))
+            await asyncio.sleep_ms(1)
+        if self.storage.problem is not None:
+            self.texts("error: parameters are not saved:", self.storage.problem)
+        if longest_us > STEP_LIMIT_US:
+            self.texts("warning: a step of a save took us:", longest_us)
 
     def _may_save(self):
         if not self.is_armed or self._restart_ms is not None:

@@ -295,7 +295,7 @@ CASES = [
     Case("unknown-key", "vehicle.yaml", "    health: health", "    §heath: health", "did you mean health"),
     Case("unknown-key", "vehicle.yaml", "low: {below: ", "low: {§belo: ", "did you mean below"),
     Case("unknown-key", "vehicle.yaml", "disarm: true", "§disarms: true", "did you mean disarm"),
-    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:21:3"),
+    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:22:3"),
     # failsafes
     Case("bad-failsafe", "vehicle.yaml", "  battery:\n", "  §batery:\n", "did you mean battery"),
     Case("bad-failsafe", "vehicle.yaml", "quantity: voltage", "quantity: §current", "not measured"),
@@ -518,7 +518,7 @@ def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
     with (tmp_path / "specs" / "state.yaml").open("a") as file:
         file.writelines(f"      {name}: {{doc: d, {keys}}}\n" for name, keys in quantities.items())
     (tmp_path / "specs" / "vehicle.yaml").write_text(
-        "control: {rate: 50 Hz, report_every: 1 s, links: 50 Hz}\nstorage: {files: [a, b], chunk: 16}\narming: {force: 1}\n"
+        "control: {rate: 50 Hz, report_every: 1 s, links: 50 Hz}\nstorage: {files: [a, b], chunk: 16, step_limit: 1 ms}\narming: {force: 1}\n"
         "services: {fastest: 1 Hz}\n"
     )
     monkeypatch.chdir(tmp_path)

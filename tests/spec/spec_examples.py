@@ -19,7 +19,7 @@ GOOD = {
     "streams": "streams:\n  A: {doc: d, rate: 2 Hz}\n  B: {doc: d, parameter: P, data_stream: D, fastest: 50 Hz}\n",
     "vehicle": (
         "control: {rate: 400 Hz, report_every: 10 s, links: 100 Hz}\n"
-        "storage: {files: [a, b], chunk: 64, requirement: R}\n"
+        "storage: {files: [a, b], chunk: 64, step_limit: 10 ms, requirement: R}\n"
         "arming: {force: 21196}\nservices: {fastest: 10 Hz}\nsystem_id: SYSID\nfailsafes:\n  battery:\n"
         "    quantity: voltage\n    low: {below: LOW, action: LOW_ACT}\n"
         "    critical: {below: CRT, action: CRT_ACT, requirement: R.1}\n    after: TIMER\n    requirement: R\n"
@@ -50,7 +50,7 @@ def field(answer: str) -> str:
 
 VEHICLE = (
     "control: {rate: 400 Hz, report_every: 10 s, links: 100 Hz}\n"
-    "storage: {files: [a, b], chunk: 64}\narming: {force: 1}\n"
+    "storage: {files: [a, b], chunk: 64, step_limit: 1 ms}\narming: {force: 1}\n"
     "services: {fastest: 10 Hz}\n"
 )
 

@@ -39,6 +39,7 @@ class ProgramView:
     links_us: int
     links_hz: str
     report_ms: int
+    step_limit_us: int
     files: tuple[str, ...]
     chunk: int
     force: int
@@ -60,6 +61,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         links_us=program.links_us,
         links_hz=program.spec.control.links,
         report_ms=program.report_ms,
+        step_limit_us=program.step_limit_us,
         files=program.spec.storage.files,
         chunk=program.spec.storage.chunk,
         force=program.spec.arming.force,

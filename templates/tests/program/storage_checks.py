@@ -3,7 +3,7 @@
 import asyncio
 
 from program_bench import Flash, good_count, live, main, messages, mock_time, needs, new_rover, run, save
-from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS
+from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS, STEP_LIMIT_US
 
 import dialect
 
@@ -142,13 +142,15 @@ def save_is_done_in_steps():
     assert 0 < rover.flash.longest <= CHUNK, rover.flash.longest
     assert rover.scheduler.overruns == 0
     writes = len(rover.flash.operations)
+    assert rover.said("a step of a save") == []
     rover = new_rover()
-    rover.flash.delay_us = 10000
+    rover.flash.delay_us = STEP_LIMIT_US + 1
     _set_all(rover)
     live(rover, _wait(3000))
+    assert len(rover.said("a step of a save")) == 1, rover.said()
     assert _values(new_rover(flash=rover.flash)) == _values(rover)
-    assert 0 < rover.scheduler.overruns <= writes * -(-10000 // CONTROL_US), rover.scheduler.overruns
-    assert rover.port.polls > 2900000 // LINKS_US - writes * -(-10000 // LINKS_US)
+    assert 0 < rover.scheduler.overruns <= writes * -(-rover.flash.delay_us // CONTROL_US), rover.scheduler.overruns
+    assert rover.port.polls > 2900000 // LINKS_US - writes * -(-rover.flash.delay_us // LINKS_US)
 
 
 def failed_write_keeps_the_old_values():
