@@ -129,8 +129,8 @@ def program_section(system: System) -> ProgramSection | None:
     loop.append(LoopRow("report of missed slots", f"{program.report_ms} ms", str(program.cited.get("control", ""))))
     files = " and ".join(f"`{name}`" for name in spec.storage.files)
     notes = [
-        f"Parameters are saved in turns in {files}, {spec.storage.chunk} bytes in a step{cited.get('storage', '')}; a step "
-        f"that takes longer than {spec.storage.step_limit} is warned about.",
+        f"Parameters are saved in turns in {files}, {spec.storage.chunk} bytes in a step{cited.get('storage', '')}.",
+        f"A step of a save that takes longer than {spec.storage.step_limit} is warned about.",
         f"A command arms past the checks with {spec.arming.force}{cited.get('arming', '')}.",
         f"Messages without a stream are sent at most at {decimal(program.fastest)} Hz{cited.get('services', '')}.",
         f"The system id is {system.system_id}{_system_parameter(system)}.",
