@@ -12,8 +12,9 @@ from codegen.resolve.citation import cite, index_requirements
 from codegen.resolve.constant import bind_constant
 from codegen.resolve.elements import answered_elements
 from codegen.resolve.fixed import bind_entry, bind_fact, bind_flags, bind_unknown, bind_version, find_quantity
+from codegen.resolve.links import resolve_links
 from codegen.resolve.live import bind_instance, bind_live
-from codegen.resolve.program import resolve_links, resolve_program
+from codegen.resolve.program import resolve_program
 from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
 

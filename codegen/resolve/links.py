@@ -1,0 +1,75 @@
+"""The links of the board to ground stations."""
+
+import keyword
+import re
+from collections.abc import Iterator, Mapping
+
+from codegen.diagnostics import Report, Rule
+from codegen.model.board_spec import BoardSpec, LinkSpec
+from codegen.model.program import BoardLink, LinkKind
+from codegen.model.spec import Requirement
+from codegen.model.unit import UNITS
+from codegen.resolve.citation import cite_optional
+from codegen.resolve.measure import read_time
+from codegen.source import Place
+
+BAD_LINK = Rule(
+    "bad-link",
+    "A link cannot be built: its name is a lower-case identifier, a UART is 0 or 1 with tx, rx and baud, UDP has a "
+    "port, an address to start with, credentials and a retry time, and keys of one kind do not stand with another.",
+)
+_OF_KIND = {
+    LinkKind.UART: ("tx", "rx", "baud"),
+    LinkKind.USB: (),
+    LinkKind.UDP: ("to", "credentials", "retry"),
+}
+
+
+def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Report) -> tuple[BoardLink, ...]:
+    """The links in the order of board.yaml."""
+    links = []
+    taken: dict[str, tuple[str, Place]] = {}
+    for name, spec in board.links.items():
+        citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
+        _check_shared(name, spec, taken, report)
+        kind = LinkKind.UART if spec.uart is not None else LinkKind.USB if spec.usb else LinkKind.UDP
+        problems = list(_link_problems(name, kind, spec))
+        for key, message in problems:
+            report.add(BAD_LINK, spec.at(key), message)
+        retry = 0
+        if spec.retry is not None:
+            retry = read_time(spec.retry, UNITS["ms"], spec.at("retry"), report) or 0
+        if not problems:
+            links.append(BoardLink(name, kind, retry, spec, citation))
+    return tuple(links)
+
+
+def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]], report: Report) -> None:
+    """Whether a link takes a port or a pin that an earlier one, or its own other end, takes already."""
+    for key, what in (("uart", "UART {}"), ("usb", "the USB port"), ("tx", "GPIO {}"), ("rx", "GPIO {}")):
+        value = getattr(spec, key)
+        if value is None:
+            continue
+        place = spec.at(key)
+        owner, first = taken.setdefault(what.format(value), (name, place))
+        if first != place:
+            message = f"{key} of {name} is {what.format(value)}, which {owner} takes already"
+            report.add(BAD_LINK, place, message, related=[(first, f"{owner} takes it here")])
+
+
+def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[tuple[str, str]]:
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
+        yield "", f"{name} cannot be the name of a link"
+    for other, keys in _OF_KIND.items():
+        for key in keys:
+            given = getattr(spec, key) is not None
+            if other is kind and not given:
+                yield "", f"{name} is a link over {kind.value} and needs {key}"
+            if other is not kind and given:
+                yield key, f"{key} says nothing about a link over {kind.value}"
+    limits = {"uart": (0, 1), "udp": (1, 65535), "local_port": (0, 65535), "tx": (0, 29), "rx": (0, 29)}
+    limits |= {"baud": (300, 3000000), "buffer": (280, 65536)}
+    for key, (low, high) in limits.items():
+        value = getattr(spec, key)
+        if value is not None and not low <= value <= high:
+            yield key, f"{key} of {name} is {value}, not {low} to {high}"
