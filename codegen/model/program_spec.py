@@ -58,6 +58,9 @@ class FailsafeSpec(Written):
         "the watched quantity is unknown.",
         default=None,
     )
+    health_every: Amount | None = described(
+        "Shortest time between two texts about the health, such as 10 s; without it each change is told.", default=None
+    )
     used: str | None = described("Quantity of the component that texts give as used, in mAh.", default=None)
     requirement: str = described("Requirement that asks for it; its criteria are those of the tests.")
 

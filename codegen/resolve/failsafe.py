@@ -9,6 +9,7 @@ from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite, cite_optional
+from codegen.resolve.measure import read_time
 from codegen.resolve.state import UNKNOWN_QUANTITY
 from codegen.resolve.vehicle import find_parameter
 
@@ -66,7 +67,10 @@ class FailsafeResolver:
             self.report.add(BAD_FAILSAFE, spec.at("used"), f"{used.path} is not kept in mAh")
         if low is None or critical is None or after is None or citation is None:
             return None
-        return Failsafe(component, quantity, low, critical, after, minimum, health, used, spec, citation)
+        every = 0
+        if spec.health_every is not None:
+            every = read_time(spec.health_every, UNITS["ms"], spec.at("health_every"), self.report) or 0
+        return Failsafe(component, quantity, low, critical, after, minimum, health, every, used, spec, citation)
 
     def _level(self, spec: FailsafeLevelSpec, quantity: Quantity) -> FailsafeLevel | None:
         citation: Citation | None = cite_optional(spec.requirement, spec.at("requirement"), self.index, self.report)

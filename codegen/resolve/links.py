@@ -67,6 +67,8 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[tuple[
                 yield "", f"{name} is a link over {kind.value} and needs {key}"
             if other is not kind and given:
                 yield key, f"{key} says nothing about a link over {kind.value}"
+    if spec.to is not None and not re.fullmatch(r"\d{1,3}(\.\d{1,3}){3}", spec.to):
+        yield "to", f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
     limits = {"uart": (0, 1), "udp": (1, 65535), "local_port": (0, 65535), "tx": (0, 29), "rx": (0, 29)}
     limits |= {"baud": (300, 3000000), "buffer": (280, 65536)}
     for key, (low, high) in limits.items():

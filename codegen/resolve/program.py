@@ -26,6 +26,9 @@ BAD_PROGRAM = Rule(
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
 """What the program writes into the component ``vehicle`` of the state, with the kind that it has to be."""
 
+LONGEST_PERIOD_US = (1 << 29) - 1
+"""What the difference of two ticks_us() tells on a board."""
+
 _CALLS = {"control", "check_arming", "on_arm", "on_disarm", "arm", "disarm", "reboot", "run", "run_pass", "act"}
 
 
@@ -58,6 +61,13 @@ def resolve_program(
         if citation is not None:
             cited[name] = citation
     step_limit = read_time(spec.storage.step_limit, UNITS["us"], spec.storage.at("step_limit"), report)
+    for record, key, period_us in (
+        (spec.control, "rate", 1000000 / control if control else 0),
+        (spec.control, "links", 1000000 / links if links else 0),
+        (spec.control, "report_every", report_ms * 1000 if report_ms else 0),
+    ):
+        if period_us > LONGEST_PERIOD_US:
+            report.add(BAD_PROGRAM, record.at(key), "a job of the main loop is due every 536 s at least")
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
     if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
         return None
@@ -95,6 +105,10 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
         yield spec.storage.at("files"), "parameters are saved in turns in two files with different names"
     if not 16 <= spec.storage.chunk <= 256:
         yield spec.storage.at("chunk"), f"a step writes 16 to 256 bytes, not {spec.storage.chunk}"
+    yield from _action_problems(spec, vehicle)
+
+
+def _action_problems(spec: VehicleSpec, vehicle: Component | None) -> Iterator[tuple[Place, str]]:
     taken = set(_CALLS)
     values = {0}
     for action in spec.actions:
@@ -102,5 +116,8 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
             yield action.at("call"), f"{action.call} cannot be the name of a call of its own"
         if action.value in values:
             yield action.at("value"), f"{action.value} stands for another action already, or for none"
+        mode = vehicle.quantities.get("mode") if vehicle else None
+        if mode is not None and action.mode is not None and not mode.minimum <= action.mode <= mode.maximum:
+            yield action.at("mode"), f"{action.mode} is not a mode that vehicle.mode can have"
         taken.add(action.call)
         values.add(action.value)

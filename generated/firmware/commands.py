@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/commands.py: do not edit.
-# Inputs: 219b16e6f594b408
+# Inputs: 198db040b4238952
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 import dialect
@@ -122,7 +122,7 @@ class Commands:
 
     def _set_interval(self, command):
         message_id = command.whole(1, 0, _LARGEST_ID)
-        interval_us = command.whole(2, -1, _LARGEST_INTERVAL_US)
+        interval_us = _interval(command.param(2))
         if message_id is None or interval_us is None:
             return dialect.MAV_RESULT_DENIED, None
         if not self._connection.streams.set_interval(message_id, interval_us):
@@ -159,14 +159,8 @@ class Commands:
             return dialect.MAV_RESULT_ACCEPTED, None
         if action != dialect.REBOOT_SHUTDOWN_ACTION_REBOOT:
             return dialect.MAV_RESULT_UNSUPPORTED, None
-        if self._vehicle.is_armed:
-            # On boards 20190226 arrives whole: a float of 32 bits carries even numbers up to 2 ** 25.
-            if command.param(6) != dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE:
-                return self._result_of("Reboot: disarm first")
-            why_not = self._vehicle.disarm(True)
-            if why_not is not None:
-                return self._result_of(why_not)
-        return self._result_of(self._vehicle.reboot())
+        # On boards 20190226 arrives whole: a float of 32 bits carries even numbers up to 2 ** 25.
+        return self._result_of(self._vehicle.reboot(command.param(6) == dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE))
 
     def _result_of(self, why_not):
         """Return the result of what came back with None, or with a text why it was not done."""
@@ -174,3 +168,10 @@ class Commands:
             return dialect.MAV_RESULT_ACCEPTED, None
         self._vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, why_not)
         return dialect.MAV_RESULT_FAILED, None
+
+
+def _interval(asked):
+    """Return an interval in whole microseconds, -1 and 0 as they are, or None; 1000000 / 3 is what people ask for."""
+    if asked in (-1, 0):
+        return int(asked)
+    return int(asked) if 1 <= asked <= _LARGEST_INTERVAL_US else None

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 06cd9fc659477582
+# Inputs: 98eb55492f00752e
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_GET_MESSAGE_INTERVAL = 510

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: faeb912c3599379a
+# Inputs: 9a75b4fd3c36f513
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time
@@ -99,7 +99,9 @@ class BatteryFailsafe:
     def _set_health(self, value, now_ms):
         health = self._health(value)
         self._state.battery.health_number = health
-        if health != self._told and (self._told_ms is None or time.ticks_diff(now_ms, self._told_ms) >= 10000):
+        if self._told_ms is not None and time.ticks_diff(now_ms, self._told_ms) >= 10000:
+            self._told_ms = None  # at once, since ticks of long ago seem to lie ahead
+        if health != self._told and self._told_ms is None:
             self._told = health
             self._told_ms = now_ms
             self._texts.say(_HEALTH[health][0], "Battery 1 health: " + _HEALTH[health][1])

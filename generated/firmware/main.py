@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/main.py: do not edit.
-# Inputs: 24ec0f4c8958f208
+# Inputs: 1ae177d24140ee25
 """The program: what the board starts."""
 
 import asyncio
@@ -17,6 +17,8 @@ def vehicle_class():
         if "rover" not in str(error):  # it is there, but something that it imports is not
             raise
         return Vehicle
+    if not issubclass(rover.Rover, Vehicle):
+        raise TypeError("rover.Rover is not derived from vehicle.Vehicle")
     return rover.Rover
 
 

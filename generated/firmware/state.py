@@ -221,12 +221,12 @@ class SystemState:
         if not self._battery_is_logged:
             self._battery_is_logged = True
             self._log(f"battery: voltage {battery.voltage:.2f} V")
-        if battery.voltage_mv > 13000:
-            self._warn_battery(battery, time.ticks_ms())
+        self._warn_battery(battery, time.ticks_ms())
 
     def _warn_battery(self, battery, now_ms):
-        last_ms = battery.warned_ms
-        if last_ms is None or time.ticks_diff(now_ms, last_ms) >= 10000:
+        if battery.warned_ms is not None and time.ticks_diff(now_ms, battery.warned_ms) >= 10000:
+            battery.warned_ms = None  # at once, since ticks of long ago seem to lie ahead
+        if battery.voltage_mv > 13000 and battery.warned_ms is None:
             battery.warned_ms = now_ms
             self._log("warning: the battery's voltage is above 13 V:", battery.voltage)
 

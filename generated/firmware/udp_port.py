@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/udp_port.py: do not edit.
-# Inputs: 4ab63ceaa65cdd35
+# Inputs: ab5650b70028ae99
 """A port that sends UDP over Wi-Fi.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -89,6 +89,8 @@ class UdpPort:
                 settings = json.load(file)
             host, port, local_port = self._address
             host = settings.get("host", host)
+            if host and not all(part.isdigit() for part in host.split(".")):
+                raise ValueError("host is not an address in numbers")
             self._address = (host, settings.get("port", port), settings.get("local_port", local_port))
             self._wifi = _Wifi(settings["ssid"], settings.get("password"), retry_ms)
         if self._guard.error is not None:

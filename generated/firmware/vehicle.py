@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: faeb912c3599379a
+# Inputs: 9a75b4fd3c36f513
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -12,6 +12,7 @@ import machine
 from board import Board
 from connection import Connection
 from failsafe import BatteryFailsafe
+from guard import Guard
 from parameters import Parameters
 from scheduler import Scheduler
 from services import receivable
@@ -44,8 +45,10 @@ class Vehicle:
         self.parameters = Parameters()
         self.storage = Storage(("parameters.0", "parameters.1"), 64)
         self._load_parameters()
-        self._saved = self.parameters.changes
+        self._saved = self._seen = self.parameters.changes
+        self._failed_ms = None  # when a save failed last
         self._is_told = False
+        self._guard = Guard()
         self.board = Board(self.texts, self.parameters) if board is None else board
         self.state = SystemState(self.parameters, self.texts)
         self.battery_failsafe = BatteryFailsafe(self.state, self.texts)
@@ -106,6 +109,8 @@ class Vehicle:
         """Let the motors turn, unless a check says no; `force` passes over the checks. Return why not, or None."""
         if self.is_armed:
             return None
+        if self._restart_ms is not None:
+            return "PreArm: the vehicle is about to restart"
         problem = None if force else self.arming_problem()
         if problem is not None:
             return "PreArm: " + problem
@@ -126,9 +131,11 @@ class Vehicle:
     def reboot(self, force=False):
         """Save the parameters and start again soon; not while armed, but for `force`. Return why not, or None."""
         if self.is_armed and not force:
-            return "the vehicle is armed"
+            return "Reboot: disarm first"
+        self.disarm(force=True)
         if self._restart_ms is None:
             self._restart_ms = time.ticks_ms()
+            self._failed_ms = None  # one more attempt to save
         return None
 
     def run_pass(self):
@@ -210,25 +217,47 @@ class Vehicle:
         """
         while not self._is_leaving():
             await asyncio.sleep_ms(_SAVE_MS)
-            if self.parameters.changes != self._saved and self._may_save():
-                self._saved = self.parameters.changes
+            if self._is_due_to_save() and self._may_save():
                 await self._save()
 
+    def _is_due_to_save(self):
+        """Return whether there is something to save: settings that come in a burst are saved together."""
+        changes = self.parameters.changes
+        is_settled = changes == self._seen
+        self._seen = changes
+        if self._failed_ms is not None:
+            if time.ticks_diff(time.ticks_ms(), self._failed_ms) < REPORT_US // 1000:
+                return False
+            self._failed_ms = None
+            return True
+        return changes != self._saved and is_settled
+
     async def _save(self):
+        changes = self.parameters.changes
         longest_us = 0
-        self.storage.begin(self.parameters.dump())
+        with self._guard:
+            self.storage.begin(self.parameters.dump())
         while self.storage.is_saving:
-            started_us = time.ticks_us()
-            self.storage.step()
-            longest_us = max(longest_us, time.ticks_diff(time.ticks_us(), started_us))
+            if self._may_save():
+                longest_us = max(longest_us, self._save_step())
             await asyncio.sleep_ms(1)
-        if self.storage.problem is not None:
-            self.texts("error: parameters are not saved:", self.storage.problem)
+        problem = self._guard.error or self.storage.problem
+        if problem is None:
+            self._saved = changes
+        else:
+            self._failed_ms = time.ticks_ms()  # it is tried again
+            self.texts("error: parameters are not saved:", problem)
         if longest_us > STEP_LIMIT_US:
             self.texts("warning: a step of a save took us:", longest_us)
 
+    def _save_step(self):
+        """Do one step of a save; return how many microseconds it took."""
+        started_us = time.ticks_us()
+        self.storage.step()
+        return time.ticks_diff(time.ticks_us(), started_us)
+
     def _may_save(self):
-        if not self.is_armed or self._restart_ms is not None:
+        if not self.is_armed:
             self._is_told = False
             return True
         if not self._is_told:
@@ -237,9 +266,6 @@ class Vehicle:
         return False
 
     def _is_leaving(self):
-        restart_ms = self._restart_ms
-        return (
-            restart_ms is not None
-            and self.parameters.changes == self._saved
-            and time.ticks_diff(time.ticks_ms(), restart_ms) >= _FAREWELL_MS
-        )
+        if self._restart_ms is None or time.ticks_diff(time.ticks_ms(), self._restart_ms) < _FAREWELL_MS:
+            return False
+        return self.parameters.changes == self._saved or self._failed_ms is not None

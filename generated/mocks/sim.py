@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 587951268b7d0bbb
+# Inputs: 81bb8aabed9799bb
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `scenario` (its data), `reference_mv` and `gpios` of the ADC, `start_ms` and `duration_ms` in the time of
@@ -295,8 +295,8 @@ class Simulation:
         class HeardTexts(plain):
             """Texts whose echo goes to the records instead of the console."""
 
-            def __init__(self, echo=hear, capacity=16):
-                plain.__init__(self, echo, capacity)
+            def __init__(self, _echo=None, capacity=16):
+                plain.__init__(self, hear, capacity)
 
         texts.Texts = HeardTexts
 

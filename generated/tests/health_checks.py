@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 1f08a5cbd87a9846
+# Inputs: 6a12c08900636300
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -16,7 +16,7 @@ from program_bench import (
     run,
     save,
 )
-from program_facts import FAILSAFES, MEASURED, PARAMETERS, REPORT_MS
+from program_facts import FAILSAFES, HEALTH_MS, MEASURED, PARAMETERS
 
 import dialect
 
@@ -134,7 +134,7 @@ def change_of_health_is_logged_once():
     """Each change that lasts is one text; swinging around a threshold is bounded by the time between two."""
     watch, unit = _judging()
     title = watch.facts["title"] + " health: "
-    lasting = (2 * REPORT_MS * 1000) // watch.period_us
+    lasting = (2 * HEALTH_MS * 1000) // watch.period_us
     for value in (12000, 10400, 9800, 12000):
         watch.readings(value * unit, lasting)
     severities = (dialect.MAV_SEVERITY_WARNING, dialect.MAV_SEVERITY_WARNING, dialect.MAV_SEVERITY_INFO)
@@ -146,6 +146,21 @@ def change_of_health_is_logged_once():
         watch.readings(10500 * unit)
         watch.readings(10500 * unit - 1)
     assert 6 <= len(watch.rover.said(title)) <= 7, watch.rover.said(title)
+
+
+def health_is_told_after_days():
+    """Half a turn of ticks_ms() after the last text, a change is still told."""
+    watch, unit = _judging()
+    title = watch.facts["title"] + " health: "
+    lasting = (2 * HEALTH_MS * 1000) // watch.period_us
+    for value in (12000, 10400, 12000):
+        watch.readings(value * unit, lasting)
+    told = len(watch.rover.said(title))
+    for _ in range(160):
+        mock_time.advance_us(3600000000)
+        watch.readings(12000 * unit)
+    watch.readings(10400 * unit)
+    assert len(watch.rover.said(title)) == told + 1, watch.rover.said(title)
 
 
 def remaining_charge():
@@ -314,6 +329,7 @@ CHECKS = (
     ("health", 3, health_by_thresholds),
     ("health", 3, health_of_every_step),
     ("health", 4, change_of_health_is_logged_once),
+    ("health", 4, health_is_told_after_days),
     ("health", 5, remaining_charge),
     ("reading", 1, pin_counts_from_the_next_start),
     ("reading", 3, monitor_off_measures_nothing),

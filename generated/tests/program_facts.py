@@ -4,13 +4,14 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 29c5ca9969c82278
+# Inputs: f1cf2ac5626b4510
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
 LINKS_US = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
+HEALTH_MS = 10000
 FILES = ("parameters.0", "parameters.1")
 CHUNK = 64
 FORCE_ARM = 21196

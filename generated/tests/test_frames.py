@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: c66306310add6d90
+# Inputs: ce0d47d105b07829
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

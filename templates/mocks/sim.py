@@ -293,8 +293,8 @@ class Simulation:
         class HeardTexts(plain):
             """Texts whose echo goes to the records instead of the console."""
 
-            def __init__(self, echo=hear, capacity=16):
-                plain.__init__(self, echo, capacity)
+            def __init__(self, _echo=None, capacity=16):
+                plain.__init__(self, hear, capacity)
 
         texts.Texts = HeardTexts
 

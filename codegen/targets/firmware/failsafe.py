@@ -50,6 +50,7 @@ class FailsafeView:
     after_name: str
     minimum: ThresholdView | None
     health: str | None
+    health_every_ms: int
     used: str | None
     enabled: str | None
     citation: str
@@ -87,6 +88,7 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
         after_name=failsafe.after.name,
         minimum=None if failsafe.minimum_to_arm is None else _threshold(failsafe.minimum_to_arm, quantity),
         health=failsafe.health.attribute if failsafe.health else None,
+        health_every_ms=failsafe.health_every_ms,
         used=failsafe.used.attribute if failsafe.used else None,
         enabled=component.enabled.name if component.enabled else None,
         citation=str(failsafe.citation),

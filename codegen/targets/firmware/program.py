@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from codegen.model.program import Program
+from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_views
@@ -48,6 +48,7 @@ class ProgramView:
     actions: tuple[ActionView, ...]
     jobs: tuple[JobView, ...]
     has_ports: bool
+    has_usb: bool
     cited: dict[str, str]
 
 
@@ -78,6 +79,7 @@ def program_view(system: System, program: Program) -> ProgramView:
             for name, _ in system.measured()
         ),
         has_ports=bool(system.links),
+        has_usb=any(link.kind is LinkKind.USB for link in system.links),
         cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
 

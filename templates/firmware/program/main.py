@@ -15,6 +15,8 @@ def vehicle_class():
         if "rover" not in str(error):  # it is there, but something that it imports is not
             raise
         return Vehicle
+    if not issubclass(rover.Rover, Vehicle):
+        raise TypeError("rover.Rover is not derived from vehicle.Vehicle")
     return rover.Rover
 
 

@@ -87,6 +87,8 @@ class UdpPort:
                 settings = json.load(file)
             host, port, local_port = self._address
             host = settings.get("host", host)
+            if host and not all(part.isdigit() for part in host.split(".")):
+                raise ValueError("host is not an address in numbers")
             self._address = (host, settings.get("port", port), settings.get("local_port", local_port))
             self._wifi = _Wifi(settings["ssid"], settings.get("password"), retry_ms)
         if self._guard.error is not None:

@@ -6,6 +6,7 @@ import sys
 from program_bench import SECOND_US, GroundStation, Port, live, machine, main, messages, new_rover, run, run_passes
 from program_facts import CONTROL_US, STREAMS
 
+import board
 from serial_port import open_uart
 from udp_port import UdpPort
 
@@ -182,6 +183,8 @@ def datagrams_over_the_loopback():
 def boards_own_ports():
     """With the ports of the board description, on a host without credentials: the program runs and tells about it."""
     machine.reset_serial()
+    if hasattr(board, "open_usb"):  # it would write to where this program prints
+        board.open_usb = lambda _name, size: Port()  # noqa: ARG005  as the board calls it
     rover = new_rover(ports=new_rover().board.open_ports())
 
     async def story():

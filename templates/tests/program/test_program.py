@@ -38,10 +38,10 @@ def _cases():
 
 
 @pytest.fixture(scope="session")
-def outcomes(tmp_path_factory):
+def outcomes(request, tmp_path_factory):
     """What came of the checks of a script, which runs once, however many processes pytest-xdist lets ask."""
     base = tmp_path_factory.getbasetemp()
-    shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
 
     @cache
     def of(interpreter, script):
@@ -88,7 +88,14 @@ def test_small_heap(tmp_path):
     environment = {**os.environ, "MICROPYPATH": os.pathsep.join([*PATHS, ".frozen"])}
     command = [micropython(), "-X", f"heapsize={HEAP}", str(HERE / "small_heap.py")]
     done = subprocess.run(
-        command, capture_output=True, text=True, env=environment, cwd=tmp_path, timeout=120, check=False
+        command,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        env=environment,
+        cwd=tmp_path,
+        timeout=120,
+        check=False,
     )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
     assert "ran" in done.stdout, done.stdout

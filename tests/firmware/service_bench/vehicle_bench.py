@@ -73,8 +73,12 @@ class Vehicle:
         """Disarm, unless there is a problem; None or why not."""
         return self._do("disarm", force, False)
 
-    def reboot(self):
-        """Note that the board is to start again."""
+    def reboot(self, force=False):
+        """Note that the board is to start again, unless it is armed; None or why not."""
+        if self.is_armed and not force:
+            return "Reboot: disarm first"
+        if self.is_armed:
+            self.disarm(True)
         self.calls.append(["reboot"])
         return self.problem
 
