@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 6a12c08900636300
+# Inputs: 42b20adb54ab428c
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -280,6 +280,7 @@ def sensor_loss_is_noticed():
 def late_reading_is_refused_in_the_program():
     """Readings that take too long keep the last value, are complained about once, and then the value is given up."""
     for measured in MEASURED:
+        needs(measured["read_limit_us"], "a limit for the time of a reading")
         rover = new_rover()
         component = _state_of(rover, measured)
         run(rover, SECOND_US)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: f4b1e54c1f82e93a
+# Inputs: bf5290ffd15cf74c
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -21,7 +21,7 @@ import asyncio  # noqa: E402  on MicroPython it runs on the clock of the mocks n
 import machine  # noqa: E402
 import messages  # noqa: E402
 from mavlink import Link  # noqa: E402
-from program_facts import COMPONENT_ID, CONTROL_US, FAILSAFES, LINKS_US, MEASURED, SYSTEM_ID  # noqa: E402
+from program_facts import COMPONENT_ID, CONTROL_US, FAILSAFES, LINKS_US, MEASURED, ON_REQUEST, SENT, SYSTEM_ID  # noqa: E402
 from texts import Texts  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
 
@@ -198,8 +198,8 @@ class GroundStation:
         found = [message for frame in frames for message in self.link.feed(frame)]
         if kinds:
             return [message for message in found if isinstance(message, kinds)]
-        streamed = (messages.Heartbeat, messages.SysStatus, messages.BatteryStatus, messages.Statustext)
-        return [message for message in found if not isinstance(message, streamed)]
+        streamed = [number for number in SENT if number not in ON_REQUEST] + [messages.Statustext.ID]
+        return [message for message in found if message.ID not in streamed]
 
 
 class Rover(Vehicle):

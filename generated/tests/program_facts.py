@@ -45,6 +45,7 @@ MEASURED = (
         "spare_bits": 0,
         "full_scale": 4095,
         "samples": 5,
+        "read_limit_us": 2000,
         "multiplier": "batt_volt_mult",
         "multiplier_name": "BATT_VOLT_MULT",
         "latched": True,

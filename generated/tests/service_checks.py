@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 05733be70bcd916f
+# Inputs: 0306d21cbe879f3e
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -98,11 +98,13 @@ def message_follows_the_acknowledgement():
         assert kinds[:2] == [messages.CommandAck.ID, number], (number, kinds)
     for number in (9999, 76, 0.5, -1, 1e9):
         assert _result(rover, station, dialect.MAV_CMD_REQUEST_MESSAGE, number) == DENIED, number
-    for command, number in (
-        (dialect.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, messages.AutopilotVersion.ID),
-        (dialect.MAV_CMD_REQUEST_PROTOCOL_VERSION, messages.ProtocolVersion.ID),
+    for command, name in (
+        (dialect.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, "AutopilotVersion"),
+        (dialect.MAV_CMD_REQUEST_PROTOCOL_VERSION, "ProtocolVersion"),
     ):
+        number = getattr(getattr(messages, name, None), "ID", None)
         if number not in ON_REQUEST:
+            assert _result(rover, station, command, 1) == DENIED
             continue
         station.command(command, 1)
         run_passes(rover, 3)
@@ -242,7 +244,10 @@ def texts_reach_every_link():
 
 
 def garbage_is_survived():
-    """Random bytes, cut and altered frames around whole ones: each whole one is answered, and faults are counted."""
+    """Random bytes, cut and altered frames around whole ones: the whole ones are answered, and faults are counted.
+
+    One in 256 false frames of a message that the link does not know passes for one, and hides what is within it.
+    """
     rover, station = _met()
     state = 1
     answered = asked = 0
@@ -269,7 +274,7 @@ def garbage_is_survived():
         asked += 1
         run_passes(rover, 20)
         answered += len([ack for ack in station.received(messages.CommandAck) if ack.command == 1000 + round_])
-    assert answered == asked, (answered, asked)
+    assert answered >= asked - 1, (answered, asked)
     link = rover.connections[0].link
     assert link.crc_errors > 0
     assert link.received >= asked

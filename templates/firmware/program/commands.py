@@ -84,13 +84,14 @@ class Commands:
         return self._answer_with(message_id)
 
     def _request_capabilities(self, command):
-        return self._answer_if_asked(command, messages.AutopilotVersion.ID)
+        return self._answer_if_asked(command, "AutopilotVersion")
 
     def _request_protocol_version(self, command):
-        return self._answer_if_asked(command, messages.ProtocolVersion.ID)
+        return self._answer_if_asked(command, "ProtocolVersion")
 
-    def _answer_if_asked(self, command, message_id):
-        """Parameter 1 says whether to send the message: 1 or 0."""
+    def _answer_if_asked(self, command, name):
+        """Parameter 1 says whether to send the message: 1 or 0. Not every vehicle has a class for it."""
+        message_id = getattr(getattr(messages, name, None), "ID", None)
         is_asked = command.whole(1, 0, 1)
         if is_asked is None:
             return dialect.MAV_RESULT_DENIED, None
