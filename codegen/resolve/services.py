@@ -45,6 +45,7 @@ SERVICE_ENTRIES = {
 
 
 def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report) -> tuple[WireMessage, ...]:
+    """The messages that the services receive and send; those that the dialect lacks are one finding."""
     names = dict.fromkeys((*RECEIVED, *SENT))
     missing = [name for name in names if name not in dialect.messages]
     if missing:
@@ -53,6 +54,7 @@ def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report) -> tup
 
 
 def service_constants(spec: VehicleSpec, dialect: Dialect, report: Report) -> dict[str, int]:
+    """The numbers of the entries that the program uses, by name; those that the dialect lacks are one finding."""
     found, missing = {}, []
     for name, entries in SERVICE_ENTRIES.items():
         enum = dialect.enums.get(name)

@@ -49,9 +49,13 @@ def parameter_attribute(parameter: str) -> str:
 
 def instance_expression(component: "Component", is_for_each: bool) -> str:
     """How a builder reaches the component of its message: ``state.battery``, or one of a list of several."""
-    if component.instances == 1:
-        return f"state.{component.name}"
-    return f"state.{component.name}[{'instance' if is_for_each else '0'}]"
+    several = is_for_each and component.instances > 1
+    return f"state.{component.name}[instance]" if several else f"state.{first_instance(component)}"
+
+
+def first_instance(component: "Component") -> str:
+    """The component below the state, or the first of a list of several: the one that is measured."""
+    return component.name if component.instances == 1 else f"{component.name}[0]"
 
 
 def quoted(text: str) -> str:

@@ -1,11 +1,11 @@
-"""Views of failsafe.py and arming.py: the thresholds that a measured quantity is compared with."""
+"""View of failsafe.py: the thresholds that a measured quantity is compared with."""
 
 from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.model.program import Failsafe, Program
 from codegen.model.vehicle import Parameter, Quantity
-from codegen.targets.naming import class_name, parameter_attribute
+from codegen.targets.naming import class_name, first_instance, parameter_attribute
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,6 @@ class LevelView:
     number: int
     below: ThresholdView
     action: str
-    action_name: str
     citation: str
 
 
@@ -66,7 +65,7 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
     levels = (("low", 1, failsafe.low), ("critical", 2, failsafe.critical))
     return FailsafeView(
         component=component.name,
-        path=component.name if component.instances == 1 else f"{component.name}[0]",
+        path=first_instance(component),
         class_name=f"{class_name(component.name)}Failsafe",
         title=f"{component.name.replace('_', ' ').capitalize()} 1",
         quantity=quantity.name,
@@ -79,7 +78,6 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
                 number=number,
                 below=_threshold(level.below, quantity),
                 action=parameter_attribute(level.action.name),
-                action_name=level.action.name,
                 citation=str(level.citation or failsafe.citation),
             )
             for name, number, level in levels

@@ -9,7 +9,7 @@ from codegen.model.spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
-from codegen.targets.naming import parameter_attribute, prose, state_class
+from codegen.targets.naming import first_instance, parameter_attribute, prose, state_class
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +137,7 @@ def _component(component: Component) -> ComponentView:
         class_name=state_class(component.name),
         doc=prose(component.spec.doc),
         instances=component.instances,
-        first=component.name if component.instances == 1 else f"{component.name}[0]",
+        first=first_instance(component),
         quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
         measured=measured[0] if measured else None,
         trend=next(filter(None, (_trend(quantity, component) for quantity in component.quantities.values())), None),
