@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
+from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report, Rule
@@ -76,13 +77,22 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     if path is None:
         return None
     files = decode_dialect_files(path, report, place)
-    for overlay in project.overlays:
+    for index, overlay in enumerate(project.overlays):
         overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
-        files += decode_dialect_files(overlay_path, report, project.at("overlays"))
+        files += decode_overlay(overlay_path, report, project.at(f"overlays[{index}]"), files)
     if not files:
         return None
     name = os.path.splitext(os.path.basename(path))[0]
-    return resolve_dialect(name, files, spec.corrections, report)
+    dialect = resolve_dialect(name, files, spec.corrections, report)
+    listed = [
+        message
+        for index, known in enumerate(project.known)
+        for message in decode_known_file(
+            os.path.normpath(os.path.join(spec.folder, known)), report, project.at(f"known[{index}]")
+        )
+    ]
+    added = (message.definition for message in dialect.added_messages())
+    return replace(dialect, known=taken_elsewhere(added, files, listed))
 
 
 def render_system(system: System) -> Mapping[str, str]:

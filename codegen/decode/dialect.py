@@ -5,7 +5,7 @@ from codegen.decode.dialect_enum import decode_enum
 from codegen.decode.dialect_message import decode_message
 from codegen.diagnostics import Report, Rule
 from codegen.load.xml_tree import XmlElement
-from codegen.model.dialect import DialectFile, Include, MessageDefinition
+from codegen.model.dialect import UNNUMBERED, DialectFile, Include, MessageDefinition
 from codegen.model.literals import bounded_number
 
 NOT_A_DIALECT = Rule(
@@ -92,7 +92,7 @@ def _distinct(messages: list[MessageDefinition], report: Report) -> tuple[Messag
     for message in messages:
         if first := by_name.get(message.name):
             problem = f"there is a second message {message.name}"
-        elif first := by_id.get(message.id):
+        elif message.id != UNNUMBERED and (first := by_id.get(message.id)):
             problem = f"{message.name} has the id {message.id} of {first.name}"
         else:
             by_name[message.name] = by_id[message.id] = message

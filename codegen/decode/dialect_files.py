@@ -1,9 +1,11 @@
 """A dialect file and everything it includes."""
 
 import os
+from dataclasses import replace
 
 from codegen.decode.dialect import decode_dialect_file
 from codegen.diagnostics import Report
+from codegen.load.shipped import is_shipped
 from codegen.load.xml_tree import read_xml
 from codegen.model.dialect import DialectFile
 from codegen.source import Place
@@ -43,6 +45,17 @@ def decode_dialect_files(
         include = file.includes[position]
         open_file(os.path.abspath(os.path.join(os.path.dirname(file.path), include.path)), include.place)
     return tuple(finished)
+
+
+def decode_overlay(
+    path: str, report: Report, asked_at: Place | None = None, known: tuple[DialectFile, ...] = ()
+) -> tuple[DialectFile, ...]:
+    """As ``decode_dialect_files``, for a file of the project that adds to the dialect: it is marked as an overlay.
+
+    So are the files that it includes, but not pymavlink's.
+    """
+    files = decode_dialect_files(path, report, asked_at, known)
+    return tuple(replace(file, is_overlay=not is_shipped(file.path)) for file in files)
 
 
 def _identity(path: str) -> str:

@@ -1,22 +1,14 @@
 """``<message>`` and ``<field>`` of a dialect file."""
 
-import re
-
 from codegen.decode.dialect_element import LIFECYCLE, ElementReader, one_line
 from codegen.diagnostics import Rule, Severity, did_you_mean
 from codegen.load.xml_tree import XmlElement
-from codegen.model.dialect import FieldDefinition, MessageDefinition
-from codegen.model.literals import bounded_number
-from codegen.model.wire_types import VERSION_TYPE, WIRE_TYPES
+from codegen.model.dialect import MAX_MESSAGE_ID, UNNUMBERED, FieldDefinition, MessageDefinition
+from codegen.model.literals import bounded_number, type_and_length
+from codegen.model.wire_types import MAX_ARRAY_LENGTH, VERSION_TYPE, WIRE_TYPES
 
-MAX_MESSAGE_ID = 0xFFFFFF
-MAX_ARRAY_LENGTH = 255
 MAX_FIELDS = 64
 
-BAD_MESSAGE_ID = Rule(
-    "message-id",
-    "A message id is a decimal number of 24 bits: 0 to 16777215. Up to 255 the message can be sent in MAVLink 1.",
-)
 FIELD_COUNT = Rule(
     "message-field-count",
     "A message has 1 to 64 fields; generators and receivers are built for no more.",
@@ -63,30 +55,30 @@ _FIELD_ATTRIBUTES = frozenset(
     }
 )
 _FIELD_CHILDREN = frozenset({"description"})
-_ARRAY = re.compile(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
 
 
 def decode_message(element: XmlElement, read: ElementReader) -> MessageDefinition | None:
-    """The message, without the fields that cannot be read; None if its name or id is unusable."""
+    """The message, without the fields that cannot be read; None if it has no usable name, or no id at all.
+
+    An id that is no number is not reported yet: a correction may state one.
+    """
     read.expect(element, _MESSAGE_ATTRIBUTES, _MESSAGE_CHILDREN)
     name = read.name(element)
-    number = _message_id(element, read)
+    written_id = read.required(element, "id")
     lifecycle = read.lifecycle(element)
     fields = _fields(element, name, read)
-    if name is None or number is None:
+    if name is None or written_id is None:
         return None
-    return MessageDefinition(number, name, fields, read.description(element), read.place(element), lifecycle)
-
-
-def _message_id(element: XmlElement, read: ElementReader) -> int | None:
-    text = read.required(element, "id")
-    if text is None:
-        return None
-    number = bounded_number(text, MAX_MESSAGE_ID)
-    if number is None:
-        message = f"{text!r} is not a message id"
-        read.report.add(BAD_MESSAGE_ID, read.place(element), message, f"use a number from 0 to {MAX_MESSAGE_ID}")
-    return number
+    number = bounded_number(written_id, MAX_MESSAGE_ID)
+    return MessageDefinition(
+        id=UNNUMBERED if number is None else number,
+        name=name,
+        fields=fields,
+        description=read.description(element),
+        place=read.place(element),
+        lifecycle=lifecycle,
+        written_id=written_id if number is None else None,
+    )
 
 
 def _fields(message: XmlElement, name: str | None, read: ElementReader) -> tuple[FieldDefinition, ...]:
@@ -151,17 +143,16 @@ def _type(element: XmlElement, read: ElementReader) -> tuple[str, int | None] | 
     text = read.required(element, "type")
     if text is None:
         return None
-    array = _ARRAY.fullmatch(text) if text.endswith("]") else None
-    name = array[1] if array else text
-    if name not in WIRE_TYPES or (array and name == VERSION_TYPE):
+    name, written_length = type_and_length(text)
+    if name not in WIRE_TYPES or (written_length is not None and name == VERSION_TYPE):
         hint = did_you_mean(name, WIRE_TYPES)
         read.report.add(UNKNOWN_FIELD_TYPE, read.place(element), f"there is no field type {text!r}", hint)
         return None
-    if not array:
+    if written_length is None:
         return name, None
-    length = bounded_number(array[2], MAX_ARRAY_LENGTH)
+    length = bounded_number(written_length, MAX_ARRAY_LENGTH)
     if not length:
-        message = f"{array[2]!r} cannot be the length of an array"
+        message = f"{written_length!r} cannot be the length of an array"
         read.report.add(BAD_ARRAY_LENGTH, read.place(element), message, f"use 1 to {MAX_ARRAY_LENGTH}")
         return None
     return name, length

@@ -35,6 +35,11 @@ DUPLICATE_TABLE = Rule(
     "duplicate-table",
     "Two population tables are for the same message, so it is ambiguous what is sent. Merge them into one.",
 )
+UNKNOWN_OVERLAY = Rule(
+    "unknown-overlay",
+    "A population table or a correction is for an overlay that does not exist, so it would never be used. The path is "
+    "written as in codegen.yaml, relative to that file.",
+)
 UNREAD_FILE = Rule(
     "unread-file",
     "A YAML file lies where the files of the specification lie, but nothing reads it: its name is misspelt, or "
@@ -83,7 +88,7 @@ class _SpecReader:
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
         vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
-        populations = self._populations()
+        populations = self._populations(project)
         corrections = self._corrections(project)
         requirements = self._requirements()
         if project is not None:
@@ -129,15 +134,15 @@ class _SpecReader:
         path = os.path.join(self._folder, name)
         return self._record(path, cls, Place(path)) if os.path.lexists(path) else None
 
-    def _populations(self) -> tuple[PopulationSpec, ...]:
-        """The tables by the names of their files; of two for one message the first."""
+    def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
+        """The tables in use, by the names of their files; of two for one message the first."""
         paths = self._listed("messages", (".yaml",))
         if not paths:
             self._report.add(NO_MESSAGES, Place(self._project_file), "there is no population table messages/*.yaml")
         tables: dict[str, PopulationSpec] = {}
         for path in paths:
             table = self._record(path, PopulationSpec, Place(path))
-            if table is None:
+            if table is None or not self._is_used(table, table.overlay, project):
                 continue
             first = tables.setdefault(table.message, table)
             if first is not table:
@@ -151,8 +156,21 @@ class _SpecReader:
         for index, name in enumerate(project.corrections if project else ()):
             assert project is not None
             decoded = self._record(self._path(name), CorrectionsSpec, project.at(f"corrections[{index}]"))
-            corrections.extend(decoded.corrections if decoded else ())
+            for correction in decoded.corrections if decoded else ():
+                if self._is_used(correction, correction.overlay, project):
+                    corrections.append(correction)
         return tuple(corrections)
+
+    def _is_used(self, record: Written, overlay: str | None, project: Project | None) -> bool:
+        """Whether the project has the overlay for which a record is written; one that is no file is reported."""
+        if overlay is None:
+            return True
+        path = self._path(overlay)
+        if not os.path.isfile(path):
+            names = [f"dialects/{os.path.basename(found)}" for found in self._listed("dialects", (".xml",))]
+            hint = did_you_mean(overlay, names)
+            self._report.add(UNKNOWN_OVERLAY, record.at("overlay"), f"there is no overlay {overlay}", hint)
+        return project is not None and path in {self._path(name) for name in project.overlays}
 
     def _requirements(self) -> tuple[Requirement, ...]:
         requirements = []
@@ -166,7 +184,7 @@ class _SpecReader:
 
     def _add_hashes(self, project: Project) -> None:
         """Account for the XML files that the project names; whoever reads them reports what is wrong with them."""
-        for name in (project.dialect, *project.overlays):
+        for name in (project.dialect, *project.overlays, *project.known):
             data = read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
             if data is not None:
                 self._hashes[self._path(name)] = hashlib.sha256(data).hexdigest()

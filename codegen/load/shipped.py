@@ -18,6 +18,11 @@ def shipped_dialect_names() -> tuple[str, ...]:
     return tuple(_shipped())
 
 
+def is_shipped(path: str) -> bool:
+    """Whether the absolute ``path`` is the XML file of a shipped dialect."""
+    return path in _shipped().values()
+
+
 def dialect_path(
     written: str, folder: str, unknown: Rule, place: Place, report: Report, *, is_file: bool
 ) -> str | None:

@@ -1,5 +1,6 @@
 """A dialect as its XML files state it, before includes are read and wire order is computed."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
@@ -76,9 +77,18 @@ class FieldDefinition(NamedTuple):
     description: str = ""
 
 
+MAX_MESSAGE_ID = 0xFFFFFF
+UNNUMBERED = -1
+"""The id of a message whose XML writes none that can be read, until a correction states one."""
+
+
 @dataclass(frozen=True, slots=True)
 class MessageDefinition:
-    """One ``<message>``, fields in XML order."""
+    """One ``<message>``, fields in XML order.
+
+    ``written_id`` is the text of an id that cannot be read; ``id_place`` is the correction that states the id, if one
+    does.
+    """
 
     id: int
     name: str
@@ -86,6 +96,8 @@ class MessageDefinition:
     description: str
     place: Place
     lifecycle: Lifecycle = IN_USE
+    written_id: str | None = None
+    id_place: Place | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +110,10 @@ class Include:
 
 @dataclass(frozen=True, slots=True)
 class DialectFile:
-    """One XML file: ``version`` and ``number`` are its ``<version>`` and ``<dialect>``."""
+    """One XML file: ``version`` and ``number`` are its ``<version>`` and ``<dialect>``.
+
+    ``is_overlay`` marks a file of the project's own that adds to the dialect.
+    """
 
     path: str
     version: int | None
@@ -106,6 +121,16 @@ class DialectFile:
     includes: tuple[Include, ...]
     enums: tuple[EnumDefinition, ...]
     messages: tuple[MessageDefinition, ...]
+    is_overlay: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class KnownMessage:
+    """A message of a dialect that the project does not use, where its name or id is taken."""
+
+    id: int
+    name: str
+    place: Place
 
 
 class Kind(Enum):
@@ -225,7 +250,8 @@ class Dialect:
     """A dialect with all its includes, overlays and corrections applied.
 
     ``messages`` by name in order of id, ``enums`` by name, ``files`` every XML file that was read (absolute paths,
-    each once), ``version`` the value of ``uint8_t_mavlink_version`` fields.
+    each once), ``version`` the value of ``uint8_t_mavlink_version`` fields. ``overlays`` are those of ``files`` that
+    the project adds, ``known`` the messages of other dialects that share a name or an id with a message of these.
     """
 
     name: str
@@ -233,3 +259,9 @@ class Dialect:
     messages: dict[str, WireMessage]
     enums: dict[str, EnumDefinition]
     files: tuple[str, ...]
+    overlays: frozenset[str] = frozenset()
+    known: tuple[KnownMessage, ...] = ()
+
+    def added_messages(self) -> Iterator[WireMessage]:
+        """The messages that the overlays add, in order of id."""
+        return (message for message in self.messages.values() if message.definition.place.file in self.overlays)

@@ -18,6 +18,7 @@ _DECIMAL = re.compile(r"0|[1-9][0-9]{0,19}")
 _HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
 _BINARY = re.compile(r"0[bB][01]{1,64}")
 _POWER_OF_TWO = re.compile(r"2\*\*([0-9]{1,2})")
+_ARRAY = re.compile(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 
 
@@ -45,6 +46,12 @@ def entry_value(text: str) -> int | None:
     else:
         return None
     return value if value <= LIMITS["UINT64_MAX"] else None
+
+
+def type_and_length(text: str) -> tuple[str, str | None]:
+    """Name of the element type and, for an array, the text of its length, as a field's ``type`` writes them."""
+    array = _ARRAY.fullmatch(text) if text.endswith("]") else None
+    return (array[1], array[2]) if array else (text, None)
 
 
 def bounded_number(text: str, maximum: int) -> int | None:

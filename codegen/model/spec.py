@@ -32,6 +32,11 @@ class Project(Written):
     project: str = described("Name of the vehicle's firmware, printed in the generated headers.")
     dialect: str = described("A dialect that pymavlink ships (common, ardupilotmega, ...) or the path of an XML file.")
     overlays: tuple[str, ...] = described("XML files whose messages and enums are added to the dialect.", default=())
+    known: tuple[str, ...] = described(
+        "XML files of other dialects that receivers know, beside those that pymavlink ships: their names and ids are "
+        "taken.",
+        default=(),
+    )
     corrections: tuple[str, ...] = described("YAML files that correct attributes of the dialect.", default=())
     output: str = described("Folder that the generated files go to.", default="../generated")
     system_id: int = described("MAVLink system id of the vehicle, 1 to 255.", default=1)
@@ -213,6 +218,10 @@ class PopulationSpec(Written):
     """``messages/*.yaml``: how one message is populated. Keys of ``fields``: name, name[2] or name[1..9]."""
 
     message: str = described("Name of the message in the dialect.")
+    overlay: str | None = described(
+        "Overlay for which the table is written, as codegen.yaml names it; without that overlay it is not used.",
+        default=None,
+    )
     requirement: str = described("Requirement, or criterion of one, that asks for the message.")
     for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
     stream: str | None = described(
@@ -223,15 +232,20 @@ class PopulationSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Correction(Written):
-    """One correction of a message's field, or of an enum's entry. Exactly one of message/field or enum/entry."""
+    """One correction of a message, of a message's field, or of an enum's entry."""
 
-    message: str | None = described("Message that holds the field.", default=None)
+    overlay: str | None = described(
+        "Overlay that needs the correction, as codegen.yaml names it; without that overlay it is not applied.",
+        default=None,
+    )
+    message: str | None = described("Message to correct, or that holds the field.", default=None)
     field: str | None = described("Field to correct.", default=None)
     enum: str | None = described("Enum that holds the entry.", default=None)
     entry: str | None = described("Entry to correct.", default=None)
     set: Mapping[str, Verbatim] = described(
-        "Attributes and their new text: invalid, units, enum, display, instance, multiplier, minValue, maxValue "
-        "of a field; value of an entry."
+        "Attributes and their new text: id, description, wip of a message; invalid, units, enum, display, instance, "
+        "multiplier, minValue, maxValue, description, type of a field; value of an entry. id and type only of a "
+        "message that an overlay adds."
     )
     reason: str = described("Why the dialect is wrong or silent.")
     source: str = described("Where the right value is stated.")

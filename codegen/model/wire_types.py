@@ -2,6 +2,9 @@
 
 from codegen.model.dialect import Kind, WireType
 
+MAX_ARRAY_LENGTH = 255
+"""Most elements of an array: its length is one byte of CRC_EXTRA, and a payload holds 255 bytes."""
+
 VERSION_TYPE = "uint8_t_mavlink_version"
 """A ``uint8_t`` that the sender fills with the version of the dialect."""
 

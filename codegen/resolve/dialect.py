@@ -1,6 +1,6 @@
 """The files of a dialect, its overlays and its corrections become one dialect."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -9,17 +9,12 @@ from codegen.model.dialect import Dialect, DialectFile, EnumDefinition, MessageD
 from codegen.model.wire_types import VERSION_TYPE
 from codegen.resolve.corrections import apply_corrections
 from codegen.resolve.enums import merge_enums
+from codegen.resolve.messages import merged_messages, numbered_messages
 from codegen.resolve.wire import wire_message
-from codegen.source import Place
 
 if TYPE_CHECKING:
     from codegen.model.spec import Correction
 
-MESSAGE_CONFLICT = Rule(
-    "message-conflict",
-    "Two files of the dialect define the same message name or id, and not alike. Remove or renumber one of them; to "
-    "change attributes of a message, use a corrections file.",
-)
 UNKNOWN_ENUM = Rule(
     "field-unknown-enum",
     "The enum of the field is in no file of the dialect. Correct its name or include the file that has it.",
@@ -34,14 +29,15 @@ def resolve_dialect(
 ) -> Dialect:
     """The dialect that ``files`` make together: included files first, then the dialect's own, overlays last.
 
-    Enums of the same name are merged; a message may be stated twice only alike. Corrections are applied before the
-    wire order and the sentinels are computed. A field whose enum is a bitmask is a bitmask, as if it had
-    ``display="bitmask"``. What is in error is reported at its place; the dialect holds what could be resolved.
+    Enums of the same name are merged; a message may be stated twice only alike. Corrections are applied before ids are
+    compared and the wire order and the sentinels are computed. A field whose enum is a bitmask is a bitmask, as if it
+    had ``display="bitmask"``. What is in error is reported at its place; the dialect holds what could be resolved.
     """
     files = tuple({file.path: file for file in files}.values())  # an overlay may include what the dialect includes
     enums = merge_enums(files, report)
-    corrected = apply_corrections(_merged_messages(files, report), enums, corrections, report)
-    messages = sorted(corrected.messages.values(), key=lambda message: message.id)
+    added = {message.name for file in files if file.is_overlay for message in file.messages}
+    corrected = apply_corrections(merged_messages(files, report), enums, corrections, report, added)
+    messages = numbered_messages(corrected.messages, report)
     wired = [
         wire_message(_with_enums(message, corrected.enums, report), corrected.enums, corrected.sentinel_places, report)
         for message in messages
@@ -52,6 +48,7 @@ def resolve_dialect(
         messages={message.name: message for message in wired},
         enums=corrected.enums,
         files=tuple(file.path for file in files),
+        overlays=frozenset(file.path for file in files if file.is_overlay),
     )
 
 
@@ -68,31 +65,6 @@ def _version(files: tuple[DialectFile, ...]) -> int:
     ]
     stated = [*declaring, *(file.version for file in reversed(files))]
     return next((version for version in stated if version is not None), DEFAULT_VERSION)
-
-
-def _merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, MessageDefinition]:
-    by_name: dict[str, MessageDefinition] = {}
-    by_id: dict[int, MessageDefinition] = {}
-    for file in files:
-        for message in file.messages:
-            first = by_name.get(message.name) or by_id.get(message.id)
-            if first is None:
-                by_name[message.name] = by_id[message.id] = message
-            elif _stated(first) != _stated(message):
-                if first.name != message.name:
-                    problem = f"{message.name} has the id {message.id} of {first.name}"
-                else:
-                    problem = f"{message.name} is defined twice, and not alike"
-                related = [(first.place, "the first definition")]
-                report.add(MESSAGE_CONFLICT, message.place, problem, related=related)
-    return by_name
-
-
-def _stated(message: MessageDefinition) -> tuple[object, ...]:
-    """What has to agree where a message is stated twice: everything but places, descriptions and lifecycle."""
-    anywhere = Place("")
-    alike = (field._replace(place=anywhere, description="", print_format=None) for field in message.fields)
-    return message.id, message.name, tuple(alike)
 
 
 def _with_enums(message: MessageDefinition, enums: Mapping[str, EnumDefinition], report: Report) -> MessageDefinition:

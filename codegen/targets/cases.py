@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from heapq import nsmallest
 
+from codegen.model.spec import Correction
 from codegen.model.system import FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding, System, read_quantities
 from codegen.model.vehicle import SMALL_INT_MAX, Component, Quantity, QuantityKind
 from codegen.targets.expected import (
@@ -220,7 +221,17 @@ def _dialect_files(system: System) -> dict[str, object]:
     own = [*([spec.project.dialect] if is_file else []), *spec.project.overlays]
     tests = os.path.join(spec.folder, spec.project.output, "tests")
     files = [os.path.relpath(os.path.join(spec.folder, name), tests).replace(os.sep, "/") for name in own]
-    return {"shipped": None if is_file else spec.project.dialect, "files": files}
+    about: dict[str, object] = {"shipped": None if is_file else spec.project.dialect, "files": files}
+    changes = [change for correction in spec.corrections if (change := _wire_changes(correction))]
+    return {**about, "corrections": changes} if changes else about
+
+
+def _wire_changes(correction: Correction) -> dict[str, object]:
+    """What a correction changes of the bytes that are sent: an id, a type, the value of an entry; else nothing."""
+    names = ("message", "field", "enum", "entry")
+    changes = {name: text.strip() for name, text in correction.set.items() if name in ("id", "type", "value")}
+    named = {name: getattr(correction, name) for name in names if getattr(correction, name) is not None}
+    return {**named, "set": changes} if changes else {}
 
 
 def cases_text(system: System, origin: dict[str, object]) -> str:

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 9a75b4fd3c36f513
+# Inputs: 33f4aca6c1386099
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

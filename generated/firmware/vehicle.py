@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 9a75b4fd3c36f513
+# Inputs: 33f4aca6c1386099
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

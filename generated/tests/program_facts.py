@@ -1,10 +1,11 @@
-# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_v2.xml,
-#   specs/dialects/corrections.yaml, specs/dialects/protocol_version.xml,
-#   specs/messages/autopilot_version.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
-#   specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: f1cf2ac5626b4510
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_cell_voltages_rfc_0018.xml,
+#   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
+#   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
+#   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
+# Inputs: 74e055573d956e0f
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

@@ -1,10 +1,12 @@
-# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_v2.xml,
-#   specs/dialects/corrections.yaml, specs/dialects/protocol_version.xml,
-#   specs/messages/autopilot_version.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
-#   specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: ce0d47d105b07829
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_cell_voltages_rfc_0018.xml,
+#   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
+#   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
+#   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
+#   dialect common: do not edit.
+# Inputs: be47a9f4d471d2c8
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -1,0 +1,62 @@
+"""Descriptions of overlays that name another sentinel than the attribute."""
+
+import math
+import re
+from collections.abc import Iterator
+
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.model.dialect import WireField
+from codegen.model.literals import LIMITS
+from codegen.model.system import System
+
+RULE = Rule(
+    "text-contradicts-invalid",
+    "The description of an overlay's field names one value for unknown, and the attribute invalid another. Generators "
+    "follow the attribute, people the text. Correct the one that is wrong, in the XML or in a correction.",
+)
+
+_UNKNOWN = r"unknown|unavailable|unset|invalid|(?:not|no) (?:provided|known|available|measured|sent|estimate|value)"
+# A value, what ties it to a meaning, and a meaning within the same clause: "NaN: not provided", "255 if it is unknown".
+_STATED = re.compile(
+    rf"(?<![\w.-])(-?\d+|U?INT\d+_M(?:IN|AX)|nan)\b\s*(?::|=|if|means|where|when|is|stands for)\s[^.;,:]*?"
+    rf"\b(?:{_UNKNOWN})\b",
+    re.IGNORECASE,
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """Every field of the messages that overlays add."""
+    for message in system.dialect.added_messages():
+        for field in message.fields:
+            stated = contradicting_text(field)
+            if stated is not None and field.sentinel is not None:
+                corrected = field.sentinel.place
+                yield Diagnostic(
+                    field.definition.place,
+                    RULE,
+                    f"{message.name}.{field.name}: the text says {stated}, the attribute {field.sentinel.written}",
+                    "correct the attribute or the description",
+                    ((corrected, "the attribute is stated here"),) if corrected != field.definition.place else (),
+                )
+
+
+def contradicting_text(field: WireField) -> str | None:
+    """The first value that the description names for unknown, if none that it names is the field's sentinel."""
+    if field.sentinel is None:
+        return None
+    stated = _STATED.findall(field.definition.description)
+    values = [_number(text) for text in stated]
+    sentinels = [value for value in field.sentinel.values if value is not None]
+    if not stated or any(_is_same(value, sentinel) for value in values for sentinel in sentinels):
+        return None
+    return str(stated[0])
+
+
+def _number(text: str) -> int | float:
+    if text.lower() == "nan":
+        return math.nan
+    return LIMITS[text.upper()] if text.upper() in LIMITS else int(text) if text.lstrip("-").isdigit() else math.inf
+
+
+def _is_same(first: int | float, second: int | float) -> bool:
+    return first == second or (math.isnan(first) and math.isnan(second))
