@@ -1,15 +1,16 @@
 """The way of the data: read, resolve, check, then render; every command is a prefix of it."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
 from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
 from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
+from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
-from codegen.decode.spec import decode_spec
-from codegen.diagnostics import Report, Rule
+from codegen.decode.spec import decode_program, decode_spec
+from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.load.shipped import dialect_path
 from codegen.load.text import read_bytes
 from codegen.model.dialect import Dialect
@@ -22,7 +23,7 @@ from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import RULES
 from codegen.targets.firmware import render_firmware
-from codegen.targets.listed import TARGETS
+from codegen.targets.listed import PROJECT_TARGETS, TARGETS
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -33,10 +34,39 @@ UNKNOWN_DIALECT = Rule(
 
 def read_system(project_file: str, report: Report) -> System | None:
     """The resolved and checked system of a project; None if too little could be read to resolve anything."""
-    spec = decode_spec(project_file, report)
+    return _checked(decode_spec(project_file, report), None, report)
+
+
+def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
+    """The system of a project and those of its further programs, which come last; what cannot be read is left out.
+
+    What is wrong in a file that they share is reported once.
+    """
+    main = read_system(project_file, report)
+    systems = [] if main is None else [main]
+    for program in list_programs(project_file, report):
+        found = Report()
+        system = _checked(decode_program(program, found), main.dialect if main else None, found)
+        known = set(report)
+        report.extend(_told(finding, program) for finding in found if finding not in known)
+        if system is not None:
+            systems.append(system)
+    return tuple(systems)
+
+
+def _told(finding: Diagnostic, program: ListedProgram) -> Diagnostic:
+    """A finding of a further program: in a file of its base it tells for whom it is one."""
+    folder = os.path.dirname(program.project_file)
+    if finding.place.file.startswith(folder + os.sep):
+        return finding
+    return replace(finding, related=(*finding.related, (program.place, f"found for the program {program.name}")))
+
+
+def _checked(spec: Spec | None, dialect: Dialect | None, report: Report) -> System | None:
+    """The system of a specification, checked; ``dialect`` is the one that its base has read already."""
     if spec is None:
         return None
-    dialect = read_dialect(spec, report)
+    dialect = dialect or read_dialect(spec, report)
     if dialect is None:
         return None
     system = resolve_system(spec, dialect, report)
@@ -95,12 +125,21 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     return replace(dialect, known=taken_elsewhere(added, files, listed))
 
 
-def render_system(system: System) -> Mapping[str, str]:
-    """Every output file of a system without errors: ``{path below the output folder: text}``."""
+def render_system(system: System) -> dict[str, str]:
+    """Every output file of a system without errors: ``{path below its output folder: text}``."""
     files: dict[str, str] = {}
-    for render in TARGETS:
+    for render in TARGETS if system.spec.program else (*TARGETS, *PROJECT_TARGETS):
         files.update(render(system))
     return files
+
+
+def render_systems(systems: Iterable[System]) -> dict[str, str]:
+    """Every output file of a project: those of a further program lie below the folder of its name."""
+    return {
+        os.path.join(system.spec.program, path): text
+        for system in systems
+        for path, text in render_system(system).items()
+    }
 
 
 def stale_firmware(system: System) -> list[str]:
@@ -111,6 +150,15 @@ def stale_firmware(system: System) -> list[str]:
         for path, text in render_firmware(system).items()
         if read_bytes(os.path.join(folder, path), Report()) != text.encode()
     ]
+
+
+def compile_systems(systems: Iterable[System], architecture: str, report: Report) -> dict[str, str | bytes]:
+    """The modules of all firmware as boards load them, those of a further program below the folder of its name."""
+    return {
+        os.path.join(system.spec.program, name): module
+        for system in systems
+        for name, module in compile_firmware(system, architecture, report).items()
+    }
 
 
 def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:
@@ -127,10 +175,17 @@ def board_folder(system: System, architecture: str) -> str:
     return os.path.join(os.path.dirname(system.spec.folder), "build", architecture)
 
 
-def files_read(system: System) -> set[str]:
+def files_read(systems: Iterable[System]) -> set[str]:
     """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios."""
-    scenarios = os.path.join(system.spec.folder, SCENARIOS)
-    return {*system.spec.files, *system.dialect.files, *([scenarios] if os.path.lexists(scenarios) else [])}
+    systems = tuple(systems)
+    read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
+    scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
+    return read | {path for path in scenarios if os.path.lexists(path)}
+
+
+def folders_read(systems: Iterable[System]) -> list[str]:
+    """The absolute paths of the folders of the specifications, that of the project first."""
+    return [system.spec.own_folder for system in systems]
 
 
 def output_folder(system: System) -> str:

@@ -33,6 +33,7 @@ from codegen.model.spec import (
     CorrectionsSpec,
     ParametersSpec,
     PopulationSpec,
+    ProgramProject,
     Project,
     StateSpec,
     StreamsSpec,
@@ -41,6 +42,7 @@ from codegen.source import Written
 
 SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "codegen.schema.json": Project,
+    "program.schema.json": ProgramProject,
     "state.schema.json": StateSpec,
     "board.schema.json": BoardSpec,
     "parameters.schema.json": ParametersSpec,

@@ -39,7 +39,7 @@ def unchanged(project: str) -> int | None:
         with open(os.path.join(folder, FOLDER, "stamp.json"), encoding="utf-8") as file:
             kept = json.load(file)
         outputs = kept["outputs"]
-        if kept["project"] != project or kept["inputs"] != _inputs(project, kept["read"]):
+        if kept["project"] != project or kept["inputs"] != _inputs(project, kept["read"], kept["folders"]):
             return None
         if other_files(folder, outputs) != ((), ()):
             return None
@@ -48,9 +48,17 @@ def unchanged(project: str) -> int | None:
         return None
 
 
-def keep(project: str, started: float, read: Iterable[str], folder: str, rendered: Mapping[str, str | bytes]) -> None:
+def keep(
+    project: str,
+    started: float,
+    read: Iterable[str],
+    folder: str,
+    rendered: Mapping[str, str | bytes],
+    specifications: Iterable[str],
+) -> None:
     """Note a build that had nothing to report: the files ``read`` and what was ``rendered`` into ``folder``.
 
+    ``specifications`` are the folders in which files of the specification, and of further programs, are looked for.
     ``started`` is the time (Unix) before the first file was read: what was written later, or just before, may not be
     what was read, and then nothing is noted. A disk that does not take the stamp costs the next build its time.
     """
@@ -63,7 +71,15 @@ def keep(project: str, started: float, read: Iterable[str], folder: str, rendere
             with open(os.path.join(folder, path), "rb") as file:
                 if file.read() != (text.encode() if isinstance(text, str) else text):
                     return
-        stamp: dict[str, Any] = {"project": project, "read": read, "inputs": _inputs(project, read), "outputs": outputs}
+        folders = sorted({os.path.dirname(project), *specifications})
+        inputs = _inputs(project, read, folders)
+        stamp: dict[str, Any] = {
+            "project": project,
+            "read": read,
+            "folders": folders,
+            "inputs": inputs,
+            "outputs": outputs,
+        }
         stamp["written"] = _digest(_below(folder, outputs))
         where = os.path.join(folder, FOLDER)
         os.makedirs(where, exist_ok=True)
@@ -83,10 +99,10 @@ def _likely_output(project: str) -> str:
     return os.path.normpath(os.path.join(os.path.dirname(project), written))
 
 
-def _inputs(project: str, read: Iterable[str]) -> str:
+def _inputs(project: str, read: Iterable[str], specifications: Iterable[str]) -> str:
     """The hash of what is read, and of the names of what lies beside it and might be read next time."""
-    specification = os.path.dirname(project)
-    names = [name for folder in LISTED for name in sorted(_names(os.path.join(specification, folder)))]
+    folders = [os.path.join(specification, folder) for specification in specifications for folder in LISTED]
+    names = [line for folder in folders for line in (folder, *sorted(_names(folder)))]
     return _digest(_everything_read(project, read), sys.version, *_libraries(), *names)
 
 

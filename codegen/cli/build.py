@@ -52,17 +52,19 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.diagnostics import Report
 
     report = Report()
-    system = pipeline.read_system(project, report)
+    systems = pipeline.read_systems(project, report)
+    system = systems[0] if systems else None
     pipeline.check_scenarios(project, system, report)
     if system is None or report.has_errors:
         return emit(None, "", arguments, report)
-    rendered = pipeline.render_system(system)
+    rendered = pipeline.render_systems(systems)
     folder = pipeline.output_folder(system)
     code = emit(rendered, folder, arguments, report)
     if is_plain(arguments) and not list(report):
-        stamp.keep(project, started, pipeline.files_read(system), folder, rendered)
+        read, beside = pipeline.files_read(systems), pipeline.folders_read(systems)
+        stamp.keep(project, started, read, folder, rendered, beside)
     if arguments.mpy is None or code:
         return code
     compiled = Report()
-    boards = pipeline.compile_firmware(system, arguments.mpy, compiled)
+    boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
     return emit(boards, pipeline.board_folder(system, arguments.mpy), arguments, compiled)

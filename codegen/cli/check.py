@@ -28,8 +28,8 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen import pipeline
 
     report = Report()
-    system = pipeline.read_system(project, report)
-    pipeline.check_scenarios(project, system, report)
+    systems = pipeline.read_systems(project, report)
+    pipeline.check_scenarios(project, systems[0] if systems else None, report)
     if arguments.format == "json":
         print(findings_json(report))
     else:

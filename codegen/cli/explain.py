@@ -28,8 +28,14 @@ def run(arguments: argparse.Namespace) -> int:
     # Whoever asks what a rule means often has a specification that breaks it, so a broken one still gets an answer.
     project = project_file(arguments)
     reading, report = Report(), Report()
-    system = None if project is None else pipeline.read_system(project, reading)
+    systems = () if project is None else pipeline.read_systems(project, reading)
+    system = systems[0] if systems else None
     story = explain(arguments.topic, system, report)
+    for program in systems[1:]:
+        told = explain(arguments.topic, program, Report())
+        if told is not None and told != story:
+            heading = f"In the program {program.spec.program}:\n{told}"
+            story = heading if story is None else f"{story}\n{heading}"
     if story is not None:
         print(story.rstrip("\n"))
         return 0

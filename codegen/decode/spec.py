@@ -1,16 +1,20 @@
-"""The folder of a project file: which files belong to a specification, and the specification they state."""
+"""The folder of a project file: which files belong to a specification, and the specification they state.
+
+The specification of a further program is that of its base, but for the files that lie in the program's own folder.
+"""
 
 import hashlib
 import os
 from typing import TypeVar
 
+from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.scenario import SCENARIOS
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text, read_bytes
-from codegen.load.yaml_tree import parse_yaml
+from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_spec import BoardSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.spec import (
@@ -18,6 +22,7 @@ from codegen.model.spec import (
     CorrectionsSpec,
     ParametersSpec,
     PopulationSpec,
+    ProgramProject,
     Project,
     Requirement,
     Spec,
@@ -39,6 +44,11 @@ UNKNOWN_OVERLAY = Rule(
     "unknown-overlay",
     "A population table or a correction is for an overlay that does not exist, so it would never be used. The path is "
     "written as in codegen.yaml, relative to that file.",
+)
+NO_TABLE = Rule(
+    "no-table",
+    "A program lists a message that has no population table, neither in its own folder messages nor in that of its "
+    "base. Write the table, or correct the name.",
 )
 UNREAD_FILE = Rule(
     "unread-file",
@@ -65,30 +75,42 @@ def decode_spec(project_file: str, report: Report) -> Spec | None:
     four fixed files, or vehicle.yaml where there is one, could not be decoded at all; otherwise it lacks the records
     that could not be, so what later stages say about a missing record may follow from an error that was reported here.
     """
-    return _SpecReader(os.path.abspath(project_file), report).read()
+    return _SpecReader(os.path.abspath(project_file), None, report).read()
+
+
+def decode_program(program: ListedProgram, report: Report) -> Spec | None:
+    """The specification of a further program; what is said of ``decode_spec`` holds for it, too."""
+    return _SpecReader(program.project_file, program, report).read()
 
 
 class _SpecReader:
-    """Reads the files of one specification and keeps account of them."""
+    """Reads the files of one specification and keeps account of them.
 
-    def __init__(self, project_file: str, report: Report) -> None:
+    Of a further program, ``_folder`` is its own, and ``_base`` that of the project that lists it; else both are one.
+    """
+
+    def __init__(self, project_file: str, program: ListedProgram | None, report: Report) -> None:
         self._project_file = project_file
+        self._program = program
         self._folder = os.path.dirname(project_file)
+        self._base_file = program.base.place.file if program else project_file
+        self._base = os.path.dirname(self._base_file)
         self._report = report
         self._hashes: dict[str, str] = {}
 
     def read(self) -> Spec | None:
-        text = self._text(self._project_file, None)
-        if text is None:
-            return None
         # A project file with errors does not keep the other files from being checked.
-        project = self._record_of(text, self._project_file, Project)
+        project = self._main_project() if self._program is None else self._program_project(self._program)
+        if self._project_file not in self._hashes:
+            return None
         state = self._fixed("state.yaml", StateSpec)
         board = self._fixed("board.yaml", BoardSpec)
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
         vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
         populations = self._populations(project)
+        if self._program is not None:
+            populations = self._chosen(populations, self._program)
         corrections = self._corrections(project)
         requirements = self._requirements()
         if project is not None:
@@ -96,10 +118,12 @@ class _SpecReader:
             self._report_unread()
         if project is None or state is None or board is None or parameters is None or streams is None:
             return None
-        if vehicle is None and self._path(PROGRAM_FILE) in self._hashes:
+        if vehicle is None and self._used(PROGRAM_FILE) in self._hashes:
             return None  # what is said about a project without a program would not hold
         return Spec(
-            folder=self._folder,
+            folder=self._base,
+            own_folder=self._folder,
+            program=self._program.name if self._program else "",
             project=project,
             state=state,
             board=board,
@@ -111,6 +135,24 @@ class _SpecReader:
             requirements=requirements,
             files=dict(sorted(self._hashes.items())),
         )
+
+    def _main_project(self) -> Project | None:
+        text = self._text(self._project_file, None)
+        node = None if text is None else parse_yaml(text, self._project_file, self._report)
+        if isinstance(node, MappingNode):
+            for key, value in node.entries:
+                if key.text == "base":
+                    self._hashes.clear()  # nothing else here would be read as it is meant
+                    hint = "run codegen on the project that lists it: --project FILE"
+                    self._report.add(PROGRAM_ALONE, value.place, "this is a program of another project", hint)
+                    return None
+        return None if node is None else decode_record(node, Project, self._report)
+
+    def _program_project(self, program: ListedProgram) -> Project | None:
+        """What the program states, and its base for the rest."""
+        self._text(self._base_file, None)
+        own = self._record(self._project_file, ProgramProject, program.place)
+        return None if own is None else program.project(own)
 
     def _text(self, path: str, asked_at: Place | None) -> str | None:
         data = read_bytes(path, self._report, asked_at)
@@ -128,17 +170,17 @@ class _SpecReader:
         return None if node is None else decode_record(node, cls, self._report)
 
     def _fixed(self, name: str, cls: type[_Record]) -> _Record | None:
-        return self._record(os.path.join(self._folder, name), cls, Place(self._project_file))
+        return self._record(self._used(name), cls, Place(self._base_file))
 
     def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
-        path = os.path.join(self._folder, name)
+        path = self._used(name)
         return self._record(path, cls, Place(path)) if os.path.lexists(path) else None
 
     def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
         """The tables in use, by the names of their files; of two for one message the first."""
-        paths = self._listed("messages", (".yaml",))
+        paths = self._united("messages", (".yaml",))
         if not paths:
-            self._report.add(NO_MESSAGES, Place(self._project_file), "there is no population table messages/*.yaml")
+            self._report.add(NO_MESSAGES, Place(self._base_file), "there is no population table messages/*.yaml")
         tables: dict[str, PopulationSpec] = {}
         for path in paths:
             table = self._record(path, PopulationSpec, Place(path))
@@ -148,8 +190,28 @@ class _SpecReader:
             if first is not table:
                 place = first.at("message")
                 message = f"{table.message} has a table already, {shown_path(place.file)}"
-                self._report.add(DUPLICATE_TABLE, table.at("message"), message, related=[(place, "the first table")])
+                hint = None
+                if os.path.dirname(place.file) != os.path.dirname(path):
+                    hint = "a table of a program takes the place of its base's that has the same file name"
+                related = [(place, "the first table")]
+                self._report.add(DUPLICATE_TABLE, table.at("message"), message, hint, related)
         return tuple(tables.values())
+
+    def _chosen(self, tables: tuple[PopulationSpec, ...], program: ListedProgram) -> tuple[PopulationSpec, ...]:
+        """The tables of the messages that a program has; the others count as not read."""
+        own = program.own
+        if own is None or not own.messages:
+            return tables
+        known = {table.message: table for table in tables}
+        is_complete = len(known) == len(self._united("messages", (".yaml",)))  # what is broken has been reported
+        for index, name in enumerate(own.messages):
+            if name not in known and is_complete:
+                place = own.at(f"messages[{index}]")
+                self._report.add(NO_TABLE, place, f"there is no table for {name}", did_you_mean(name, known))
+        for table in tables:
+            if table.message not in own.messages:
+                del self._hashes[table.place.file]
+        return tuple(table for table in tables if table.message in own.messages)
 
     def _corrections(self, project: Project | None) -> tuple[Correction, ...]:
         corrections: list[Correction] = []
@@ -174,7 +236,7 @@ class _SpecReader:
 
     def _requirements(self) -> tuple[Requirement, ...]:
         requirements = []
-        for path in self._listed("requirements", (".md",)):
+        for path in self._united("requirements", (".md",)):
             text = self._text(path, Place(path))
             requirement = None if text is None else decode_requirement(parse_markdown(text, path), self._report)
             if requirement is not None:
@@ -193,7 +255,8 @@ class _SpecReader:
         for folder in ("", "messages", "dialects", "requirements"):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
-                if path in self._hashes or (not folder and name in FIXED_FILES + OPTIONAL_FILES + READ_BY_OTHERS):
+                by_others = () if self._program else READ_BY_OTHERS
+                if path in self._hashes or (not folder and name in (*FIXED_FILES, *OPTIONAL_FILES, *by_others)):
                     continue
                 self._report.add(
                     UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", self._hint(folder, name)
@@ -202,20 +265,34 @@ class _SpecReader:
     def _hint(self, folder: str, name: str) -> str | None:
         """What may have been meant by a file that nothing reads."""
         if folder == "messages":
-            return "population tables end in .yaml"
+            is_unused = self._program is not None and name.endswith(".yaml")
+            return "the program does not list its message" if is_unused else "population tables end in .yaml"
         if folder == "dialects":
             return "name it under corrections in codegen.yaml"
+        if not folder and name in READ_BY_OTHERS:
+            return f"{name} lies beside the project file that lists the program"
         absent = [
             fixed for fixed in FIXED_FILES + OPTIONAL_FILES if os.path.join(self._folder, fixed) not in self._hashes
         ]
         return did_you_mean(name, absent) if not folder else None
 
     def _path(self, name: str) -> str:
-        return os.path.normpath(os.path.join(self._folder, name))
+        """The path of a file that the project names: below the base, where that is stated."""
+        return os.path.normpath(os.path.join(self._base, name))
 
-    def _listed(self, folder: str, endings: tuple[str, ...]) -> list[str]:
+    def _used(self, name: str) -> str:
+        """The path of a file with a fixed name: the program's own, if there is one."""
+        own = os.path.join(self._folder, name)
+        return own if os.path.lexists(own) else os.path.join(self._base, name)
+
+    def _united(self, folder: str, endings: tuple[str, ...]) -> list[str]:
+        """The files of the base's folder and of the program's own by name; of two with one name its own."""
+        paths = self._listed(folder, endings, self._base) + self._listed(folder, endings)
+        return [path for _, path in sorted({os.path.basename(path): path for path in paths}.items())]
+
+    def _listed(self, folder: str, endings: tuple[str, ...], below: str | None = None) -> list[str]:
         """The files of a folder with one of the endings, by name; hidden files (of editors) are left out."""
-        path = os.path.join(self._folder, folder) if folder else self._folder
+        path = os.path.join(below or self._folder, folder).rstrip(os.sep)
         try:
             names = sorted(os.listdir(path))
         except OSError:

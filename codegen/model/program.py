@@ -62,7 +62,8 @@ class Program:
 
     ``services`` are the messages of the dialect that the services receive and send, ``sent`` the names of those that
     they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest
-    rate in Hz of messages without a stream.
+    rate in Hz of messages without a stream. ``module`` and ``class_name`` are those of the user's code, which is asked
+    to measure every ``measure_us``, or not at all: None.
     """
 
     control_us: int
@@ -75,5 +76,8 @@ class Program:
     sent: tuple[str, ...]
     constants: Mapping[str, int]
     fastest: Fraction
+    module: str
+    class_name: str
+    measure_us: int | None
     cited: Mapping[str, Citation]
     spec: VehicleSpec

@@ -85,14 +85,35 @@ class ServicesSpec(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CodeSpec(Written):
+    """The user's code: a module on the board with a class that is derived from Vehicle."""
+
+    module: str = described("Name of the module.", default="rover")
+    class_name: str = described("Name of the class in it.", key="class", default="Rover")
+    measure: Amount | None = described(
+        "How often its call measure() reads sensors of its own, such as 10 Hz: before the readings of that time.",
+        default=None,
+    )
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class VehicleSpec(Written):
     """``vehicle.yaml``: the program that the board runs. Without this file only the telemetry is generated."""
 
     control: ControlSpec = described("The main loop.")
     storage: StorageSpec = described("Where the board keeps the parameters.")
-    arming: ArmingSpec = described("How the vehicle is armed.")
+    arming: ArmingSpec | None = described(
+        "How the vehicle is armed. Without it there is nothing to arm, and parameters are saved at any time.",
+        default=None,
+    )
     services: ServicesSpec = described("What the vehicle answers to ground stations.")
     system_id: str | None = described("Parameter that sets the MAVLink system id of the vehicle.", default=None)
+    component_id: str | None = described(
+        "Parameter that sets the MAVLink component id; its default is the id of the project's component_id.",
+        default=None,
+    )
+    code: CodeSpec | None = described("The user's code: by default a class Rover in a module rover.", default=None)
     failsafes: Mapping[str, FailsafeSpec] = described(
         "Failsafes by the component that they watch.", default_factory=dict
     )

@@ -4,6 +4,7 @@ These dataclasses are the only description of the file formats: the decoder and 
 ``described``. The board's have a module of their own, and so has the program that it runs.
 """
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -39,6 +40,11 @@ class Project(Written):
     )
     corrections: tuple[str, ...] = described("YAML files that correct attributes of the dialect.", default=())
     output: str = described("Folder that the generated files go to.", default="../generated")
+    programs: Mapping[str, str] = described(
+        "Further programs from the same specification by name, each with the path of its own project file; what is "
+        "generated for one goes to the folder of that name below the output.",
+        default_factory=dict,
+    )
     system_id: int = described("MAVLink system id of the vehicle, 1 to 255.", default=1)
     component_id: str = described("Entry of MAV_COMPONENT that is sent as.", default="MAV_COMP_ID_AUTOPILOT1")
     protocol: int = described("MAVLink version that is sent, 1 or 2.", default=2)
@@ -46,6 +52,23 @@ class Project(Written):
         "Let MicroPython make machine code of the functions that encode, decode and build messages. false leaves them "
         "bytecode, for ports without native code: slower by ten times and more.",
         default=True,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProgramProject(Written):
+    """``codegen.yaml`` of a further program. What it does not state is as in the project that lists it.
+
+    Files that lie beside it are used in place of those of the same name in the base.
+    """
+
+    base: str = described("Folder of the project that lists this program under programs.")
+    project: str = described("Name of this program's firmware, printed in the generated headers.")
+    component_id: str | None = described("Entry of MAV_COMPONENT that is sent as.", default=None)
+    protocol: int | None = described("MAVLink version that is sent, 1 or 2.", default=None)
+    machine_code: bool | None = described("See the project that lists this program.", default=None)
+    messages: tuple[str, ...] = described(
+        "The messages of this program; their tables lie here or in the base. Default: all tables.", default=()
     )
 
 
@@ -283,10 +306,13 @@ class Spec:
     """Everything below the folder of ``codegen.yaml``.
 
     ``folder`` is its absolute path; ``files`` maps the absolute path of every file that was read to the sha256 of
-    its content, in the order of the paths.
+    its content, in the order of the paths. A further program has its name in ``program``; ``folder`` is then that of
+    its base, and ``own_folder`` its own, of which the files come first.
     """
 
     folder: str
+    own_folder: str
+    program: str
     project: Project
     state: StateSpec
     board: BoardSpec
@@ -297,3 +323,12 @@ class Spec:
     corrections: tuple[Correction, ...]
     requirements: tuple[Requirement, ...]
     files: Mapping[str, str]
+
+    def path(self, name: str) -> str:
+        """The absolute path of the file that is used under this name."""
+        own = os.path.join(self.own_folder, name)
+        return own if own in self.files else os.path.join(self.folder, name)
+
+    def is_own(self, path: str) -> bool:
+        """Whether a file lies in the folder of this program, and not in that of its base."""
+        return os.path.commonpath([self.own_folder, path]) == self.own_folder

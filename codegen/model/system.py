@@ -155,7 +155,7 @@ class System:
     """Everything that is generated from, resolved. ``messages`` are in the order of their ids.
 
     ``requirements`` has every document under its id and under each of its aliases. ``system_parameter`` sets the
-    system id where the project says so; ``system_id`` is then its default.
+    system id where the project says so; ``system_id`` is then its default. So it is with ``component_parameter``.
     """
 
     spec: Spec
@@ -163,6 +163,7 @@ class System:
     system_id: int
     system_parameter: Parameter | None
     component_id: int
+    component_parameter: Parameter | None
     channels: Mapping[str, AdcChannel]
     parameters: Mapping[str, Parameter]
     components: Mapping[str, Component]

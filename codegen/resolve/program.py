@@ -8,7 +8,7 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import Dialect
 from codegen.model.program import Program
-from codegen.model.program_spec import VehicleSpec
+from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import Component, Parameter
@@ -20,16 +20,24 @@ from codegen.source import Place
 
 BAD_PROGRAM = Rule(
     "bad-program",
-    "vehicle.yaml contradicts itself or the rest of the specification: the state needs the component vehicle with "
-    "armed, ready, status, mode and load, parameters are saved in two files, and each action has a name of its own.",
+    "vehicle.yaml contradicts itself or the rest of the specification: what can be armed needs the component vehicle "
+    "of the state with armed, ready, status, mode and load, failsafes need arming, parameters are saved in two files, "
+    "and each action has a name of its own.",
 )
 VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
-"""What the program writes into the component ``vehicle`` of the state, with the kind that it has to be."""
+"""What the program writes into the component ``vehicle`` of the state, with the kind that it has to be.
+
+What cannot be armed has only the load to tell, and tells it where the state asks for it.
+"""
 
 LONGEST_PERIOD_US = (1 << 29) - 1
 """What the difference of two ticks_us() tells on a board."""
 
-_CALLS = {"control", "check_arming", "on_arm", "on_disarm", "arm", "disarm", "reboot", "run", "run_pass", "act"}
+_CALLS = {
+    *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
+    *("reboot", "run", "run_pass", "act"),
+}
+_MODULES = {"main", "vehicle", "board", "state", "parameters", "streams", "telemetry", "messages", "dialect"}
 
 
 def resolve_program(
@@ -54,17 +62,21 @@ def resolve_program(
     for name, text, place in (
         ("control", spec.control.requirement, spec.control.at("requirement")),
         ("storage", spec.storage.requirement, spec.storage.at("requirement")),
-        ("arming", spec.arming.requirement, spec.arming.at("requirement")),
+        *([("arming", spec.arming.requirement, spec.arming.at("requirement"))] if spec.arming else []),
         ("services", spec.services.requirement, spec.services.at("requirement")),
+        *([("measure", spec.code.requirement, spec.code.at("requirement"))] if spec.code else []),
     ):
         citation = cite_optional(text, place, index, report)
         if citation is not None:
             cited[name] = citation
+    code = spec.code or CodeSpec(place=spec.place)
+    measure = read_rate(code.measure, code.at("measure"), report) if code.measure is not None else None
     step_limit = read_time(spec.storage.step_limit, UNITS["us"], spec.storage.at("step_limit"), report)
     for record, key, period_us in (
         (spec.control, "rate", 1000000 / control if control else 0),
         (spec.control, "links", 1000000 / links if links else 0),
         (spec.control, "report_every", report_ms * 1000 if report_ms else 0),
+        (code, "measure", 1000000 / measure if measure else 0),
     ):
         if period_us > LONGEST_PERIOD_US:
             report.add(BAD_PROGRAM, record.at(key), "a job of the main loop is due every 536 s at least")
@@ -85,6 +97,9 @@ def resolve_program(
         sent=SENT,
         constants=service_constants(spec, dialect, report),
         fastest=fastest,
+        module=code.module,
+        class_name=code.class_name,
+        measure_us=round(Fraction(1000000) / measure) if measure else None,
         cited=cited,
         spec=spec,
     )
@@ -92,9 +107,14 @@ def resolve_program(
 
 def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) -> Iterator[tuple[Place, str]]:
     vehicle = components.get("vehicle")
-    if vehicle is None or vehicle.instances != 1:
+    if spec.arming is None:
+        for name, failsafe in spec.failsafes.items():
+            yield failsafe.place, f"the failsafe of {name} acts while armed, and nothing can be armed without arming"
+        for action in spec.actions:
+            yield action.place, f"{action.call} is what a failsafe does, and there is none without arming"
+    elif vehicle is None or vehicle.instances != 1:
         yield spec.place, "the state has no single component vehicle"
-    for name, kind in VEHICLE_QUANTITIES.items() if vehicle else ():
+    for name, kind in VEHICLE_QUANTITIES.items() if vehicle and spec.arming else ():
         quantity = vehicle.quantities.get(name) if vehicle else None
         if quantity is None and vehicle and name in vehicle.spec.quantities:
             continue  # what is wrong with it has been reported
@@ -106,13 +126,27 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
     if not 16 <= spec.storage.chunk <= 256:
         yield spec.storage.at("chunk"), f"a step writes 16 to 256 bytes, not {spec.storage.chunk}"
     yield from _action_problems(spec, vehicle)
+    yield from _code_problems(spec.code)
+
+
+def _code_problems(code: CodeSpec | None) -> Iterator[tuple[Place, str]]:
+    if code is None:
+        return
+    if not _is_name(code.module) or code.module in _MODULES:
+        yield code.at("module"), f"{code.module} cannot be the name of a module of its own"
+    if not _is_name(code.class_name.lower()) or code.class_name == "Vehicle":
+        yield code.at("class"), f"{code.class_name} cannot be the name of a class of its own"
+
+
+def _is_name(text: str) -> bool:
+    return re.fullmatch(r"[a-z][a-z0-9_]*", text) is not None and not keyword.iskeyword(text)
 
 
 def _action_problems(spec: VehicleSpec, vehicle: Component | None) -> Iterator[tuple[Place, str]]:
     taken = set(_CALLS)
     values = {0}
     for action in spec.actions:
-        if not re.fullmatch(r"[a-z][a-z0-9_]*", action.call) or keyword.iskeyword(action.call) or action.call in taken:
+        if not _is_name(action.call) or action.call in taken:
             yield action.at("call"), f"{action.call} cannot be the name of a call of its own"
         if action.value in values:
             yield action.at("value"), f"{action.value} stands for another action already, or for none"

@@ -17,11 +17,12 @@ from codegen.resolve.live import bind_instance, bind_live
 from codegen.resolve.program import resolve_program
 from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
+from codegen.source import Place
 
 BAD_PROJECT = Rule(
     "bad-project",
-    "codegen.yaml sets a value that cannot be: the system id is 1 to 255, the protocol 1 or 2, and the output goes to "
-    "a folder of its own.",
+    "codegen.yaml sets a value that cannot be: system and component id are 1 to 255, and those of the parameters that "
+    "set them, the protocol is 1 or 2, and the output goes to a folder of its own.",
 )
 UNKNOWN_MESSAGE = Rule("unknown-message", "A population table is for a message that the dialect does not have.")
 UNKNOWN_STREAM = Rule("unknown-stream", "A population table names a stream that streams.yaml does not have.")
@@ -52,6 +53,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     ]
     _check_output(spec, report)
     system_id, system_parameter = _system_id(spec, parameters, report)
+    component_id = _component_id(spec, dialect, report)
     program = None
     if spec.vehicle is not None:
         program = resolve_program(spec.vehicle, spec.parameters, parameters, components, dialect, index, report)
@@ -60,7 +62,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         dialect=dialect,
         system_id=system_id,
         system_parameter=system_parameter,
-        component_id=_component_id(spec, dialect, report),
+        component_id=component_id,
+        component_parameter=_component_parameter(spec, component_id, parameters, report),
         channels=channels,
         parameters=parameters,
         components=components,
@@ -96,10 +99,32 @@ def _system_id(spec: Spec, parameters: Mapping[str, Parameter], report: Report) 
     parameter = find_parameter(spec.vehicle.system_id, place, spec.parameters, parameters, report)
     if parameter is None:
         return 1, None
+    _check_id(parameter, place, "system", report)
+    return parameter.default, parameter
+
+
+def _check_id(parameter: Parameter, place: Place, kind: str, report: Report) -> None:
     if parameter.step != 1 or parameter.minimum < 1 or parameter.maximum > 255:
         related = [(parameter.spec.at("max"), f"{parameter.name} is declared here")]
-        report.add(BAD_PROJECT, place, f"{parameter.name} is not a system id from 1 to 255", related=related)
-    return parameter.default, parameter
+        report.add(BAD_PROJECT, place, f"{parameter.name} is not a {kind} id from 1 to 255", related=related)
+
+
+def _component_parameter(
+    spec: Spec, component_id: int, parameters: Mapping[str, Parameter], report: Report
+) -> Parameter | None:
+    """The parameter that sets the component id, where the project has one."""
+    if spec.vehicle is None or spec.vehicle.component_id is None:
+        return None
+    place = spec.vehicle.at("component_id")
+    parameter = find_parameter(spec.vehicle.component_id, place, spec.parameters, parameters, report)
+    if parameter is None:
+        return None
+    _check_id(parameter, place, "component", report)
+    if parameter.default != component_id:
+        message = f"the default of {parameter.name} is not {spec.project.component_id} ({component_id})"
+        related = [(spec.project.at("component_id"), "the project's own component id")]
+        report.add(BAD_PROJECT, parameter.spec.at("default"), message, related=related)
+    return parameter
 
 
 def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int:

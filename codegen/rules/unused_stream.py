@@ -16,5 +16,6 @@ def check(system: System) -> Iterator[Diagnostic]:
     """Every stream."""
     used = {message.population.stream for message in system.messages}
     for stream in system.streams.values():
-        if stream.name not in used:
+        is_shared = not system.spec.is_own(stream.spec.place.file)  # others may use what a program does not
+        if stream.name not in used and not is_shared:
             yield Diagnostic(stream.spec.place, RULE, f"no message belongs to the stream {stream.name}")

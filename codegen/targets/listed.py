@@ -1,4 +1,7 @@
-"""The targets of a project: each makes one kind of output from the resolved system. To add one, list it here."""
+"""The targets of a project: each makes one kind of output from the resolved system. To add one, list it here.
+
+TARGETS are rendered for the project and for each of its further programs, PROJECT_TARGETS for the project alone.
+"""
 
 from collections.abc import Callable
 
@@ -14,6 +17,8 @@ TARGETS: tuple[Callable[[System], dict[str, str]], ...] = (
     render_mocks,
     render_suite,
     render_documents,
-    render_schemas,
 )
 """Functions from the system to ``{path below the output folder: text}``."""
+
+PROJECT_TARGETS: tuple[Callable[[System], dict[str, str]], ...] = (render_schemas,)
+"""The same for what belongs to the project as a whole."""

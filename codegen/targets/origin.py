@@ -69,8 +69,8 @@ def _wire_facts(message: WireMessage) -> str:
 
 
 def specification_file(system: "System", name: str) -> str:
-    """The absolute path of a file of the specification's folder."""
-    return os.path.join(system.spec.folder, name)
+    """The absolute path of a file of the specification."""
+    return system.spec.path(name)
 
 
 def headed(text: str, origin: Origin) -> str:

@@ -40,6 +40,8 @@ def _messages(parameter: Parameter, system: System) -> Iterator[str]:
 def _program(parameter: Parameter, system: System) -> Iterator[str]:
     if system.system_parameter is parameter:
         yield "the system id of the vehicle"
+    if system.component_parameter is parameter:
+        yield "the component id"
     for failsafe in system.program.failsafes if system.program else ():
         watched = f"the failsafe of {failsafe.quantity.path}"
         for name, level in (("low", failsafe.low), ("critical", failsafe.critical)):

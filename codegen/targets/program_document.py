@@ -131,9 +131,16 @@ def program_section(system: System) -> ProgramSection | None:
     notes = [
         f"Parameters are saved in turns in {files}, {spec.storage.chunk} bytes in a step{cited.get('storage', '')}.",
         f"A step of a save that takes longer than {spec.storage.step_limit} is warned about.",
-        f"A command arms past the checks with {spec.arming.force}{cited.get('arming', '')}.",
+        f"A command arms past the checks with {spec.arming.force}{cited.get('arming', '')}."
+        if spec.arming
+        else "There is nothing to arm: the command for it is unknown, and parameters are saved at any time.",
         f"Messages without a stream are sent at most at {decimal(program.fastest)} Hz{cited.get('services', '')}.",
-        f"The system id is {system.system_id}{_system_parameter(system)}.",
+        f"The system id is {system.system_id}{_default_of(system.system_parameter)}.",
+        *(
+            [f"The component id is {system.component_id}{_default_of(system.component_parameter)}."]
+            if system.component_parameter
+            else []
+        ),
     ]
     return ProgramSection(
         loop=tuple(loop),
@@ -143,8 +150,8 @@ def program_section(system: System) -> ProgramSection | None:
     )
 
 
-def _system_parameter(system: System) -> str:
-    return f", the default of {system.system_parameter.name}" if system.system_parameter else ""
+def _default_of(parameter: Parameter | None) -> str:
+    return f", the default of {parameter.name}" if parameter else ""
 
 
 def _levels(failsafe: Failsafe) -> list[LevelRow]:

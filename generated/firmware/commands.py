@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/commands.py: do not edit.
-# Inputs: 4a1df57cccc61822
+# Inputs: 7c5fe065cdd62f66
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 import dialect
@@ -53,6 +53,8 @@ class Commands:
             dialect.MAV_CMD_COMPONENT_ARM_DISARM: self._arm_disarm,
             dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
         }
+        if not hasattr(vehicle, "arm"):  # a battery, say
+            del self._table[dialect.MAV_CMD_COMPONENT_ARM_DISARM]
 
     def handle(self, message):
         """Do what a COMMAND_LONG or COMMAND_INT asks for and answer it."""

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 33f4aca6c1386099
+# Inputs: 81eb060591773640
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,5 +1,5 @@
-# Generated from templates/firmware/program/main.py: do not edit.
-# Inputs: 1ae177d24140ee25
+# Generated from specs/vehicle.yaml: do not edit.
+# Inputs: 0fd8b5b7d2d4ee92
 """The program: what the board starts."""
 
 import asyncio

@@ -2,7 +2,7 @@
 #   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: 2ad18875929eb332
+# Inputs: 2d218a1c663864d7
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 33f4aca6c1386099
+# Inputs: 81eb060591773640
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

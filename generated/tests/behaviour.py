@@ -6,7 +6,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
 #   dialect common: do not edit.
-# Inputs: be47a9f4d471d2c8
+# Inputs: 9cafbba250fe21b7
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.

@@ -5,7 +5,7 @@
 #   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 74e055573d956e0f
+# Inputs: 6ddb5fc60f149434
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

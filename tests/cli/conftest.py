@@ -25,22 +25,25 @@ class Pipeline:
     is_readable: bool = True
     projects: list[str] = field(default_factory=list)
 
-    def read_system(self, project_file: str, report: Report) -> object | None:
+    def read_systems(self, project_file: str, report: Report) -> tuple[SimpleNamespace, ...]:
         self.projects.append(project_file)
         if self.fault is not None:
             raise self.fault
         for rule, line, message in self.findings:
             report.add(rule, Place(project_file, line), message)
-        return SimpleNamespace() if self.is_readable else None
+        return (SimpleNamespace(),) if self.is_readable else ()
 
     def check_scenarios(self, _project_file: str, _system: object, _report: Report) -> None:
         """There are no scenarios."""
 
-    def render_system(self, _system: object) -> dict[str, str]:
+    def render_systems(self, _systems: object) -> dict[str, str]:
         return self.files
 
-    def files_read(self, _system: object) -> set[str]:
+    def files_read(self, _systems: object) -> set[str]:
         return set()
+
+    def folders_read(self, _systems: object) -> list[str]:
+        return []
 
     def output_folder(self, _system: object) -> str:
         return str(self.folder)

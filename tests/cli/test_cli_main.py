@@ -18,11 +18,11 @@ import sys, types
 from codegen.diagnostics import Rule
 from codegen.source import Place
 
-def read_system(project_file, report):
+def read_systems(project_file, report):
     for line in range(20_000):
         report.add(Rule("broken-table", ""), Place(project_file, line + 1), "it is wrong \\u00b5 \\udcff")
 
-sys.modules["codegen.pipeline"] = types.SimpleNamespace(read_system=read_system, check_scenarios=lambda *_: None)
+sys.modules["codegen.pipeline"] = types.SimpleNamespace(read_systems=read_systems, check_scenarios=lambda *_: None)
 from codegen.cli import main
 sys.exit(main(sys.argv[1:]))
 """

@@ -114,11 +114,11 @@ def test_what_changed_during_the_build_is_not_taken_for_what_was_read(project: P
     rendered = {one.relative_to(folder).as_posix(): one.read_bytes() for one in made if one.name != "manifest.json"}
     read = stamp.json.loads((folder / ".codegen" / "stamp.json").read_text())["read"]
     shutil.rmtree(folder / ".codegen")
-    stamp.keep(path, Path(path).stat().st_mtime, read, str(folder), rendered)
+    stamp.keep(path, Path(path).stat().st_mtime, read, str(folder), rendered, [])
     assert known(project) is None
-    stamp.keep(path, time.time(), read, str(folder), {**rendered, "firmware/state.py": b"another\n"})
+    stamp.keep(path, time.time(), read, str(folder), {**rendered, "firmware/state.py": b"another\n"}, [])
     assert known(project) is None
-    stamp.keep(path, time.time(), read, str(folder), rendered)
+    stamp.keep(path, time.time(), read, str(folder), rendered, [])
     assert known(project) is not None
 
 

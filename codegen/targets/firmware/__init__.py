@@ -54,10 +54,11 @@ def _program_files(system: System) -> dict[str, str]:
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)
-    names = ["vehicle.py", *(["failsafe.py"] if program.failsafes else [])]
-    for name in names:
+    vehicle = specification_file(system, "vehicle.yaml")
+    read = {"main.py": [vehicle], "vehicle.py": paths, **({"failsafe.py": paths} if program.failsafes else {})}
+    for name, sources in read.items():
         text = render_template(f"{_PROGRAM}/{name}.j2", view)
-        files[f"firmware/{name}"] = headed(text, origin_of(system, paths))
-    origin = origin_of(system, [specification_file(system, "vehicle.yaml")], program.services)
+        files[f"firmware/{name}"] = headed(text, origin_of(system, sources))
+    origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
+from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_views
 from codegen.targets.naming import parameter_attribute, prose
 
@@ -32,7 +33,10 @@ class JobView:
 
 @dataclass(frozen=True, slots=True)
 class ProgramView:
-    """What the templates of the program need to know. Periods are in us or ms as their names say."""
+    """What the templates of the program need to know. Periods are in us or ms as their names say.
+
+    ``force`` is None where nothing can be armed, ``measure_us`` where the user's code is not asked to measure.
+    """
 
     control_us: int
     control_hz: str
@@ -42,8 +46,14 @@ class ProgramView:
     step_limit_us: int
     files: tuple[str, ...]
     chunk: int
-    force: int
+    force: int | None
+    has_load: bool
+    measure_us: int | None
+    measure_hz: str
+    module: str
+    class_name: str
     system_parameter: str | None
+    component_parameter: str | None
     failsafes: tuple[FailsafeView, ...]
     actions: tuple[ActionView, ...]
     jobs: tuple[JobView, ...]
@@ -65,8 +75,14 @@ def program_view(system: System, program: Program) -> ProgramView:
         step_limit_us=program.step_limit_us,
         files=program.spec.storage.files,
         chunk=program.spec.storage.chunk,
-        force=program.spec.arming.force,
-        system_parameter=parameter_attribute(system.system_parameter.name) if system.system_parameter else None,
+        force=program.spec.arming.force if program.spec.arming else None,
+        has_load=program.spec.arming is not None or _has_load(system),
+        measure_us=program.measure_us,
+        measure_hz=(program.spec.code.measure or "") if program.spec.code else "",
+        module=program.module,
+        class_name=program.class_name,
+        system_parameter=_attribute(system.system_parameter),
+        component_parameter=_attribute(system.component_parameter),
         failsafes=failsafes,
         actions=tuple(_action(action) for action in program.actions),
         jobs=tuple(
@@ -80,8 +96,20 @@ def program_view(system: System, program: Program) -> ProgramView:
         ),
         has_ports=bool(system.links),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
-        cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
+        cited={
+            name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services", "measure")
+        },
     )
+
+
+def _attribute(parameter: Parameter | None) -> str | None:
+    return parameter_attribute(parameter.name) if parameter else None
+
+
+def _has_load(system: System) -> bool:
+    """Whether the state asks for the load of the main loop, in the form in which the program tells it."""
+    load = system.quantity("vehicle.load")
+    return load is not None and load.attribute == "load_dpct" and system.components["vehicle"].instances == 1
 
 
 def _action(action: ActionSpec) -> ActionView:

@@ -56,6 +56,7 @@ class StreamsView:
     system_parameter: str
     component_id: int
     component_name: str
+    component_parameter: str
     version: int
     longest: int
     streams: tuple[StreamView, ...]
@@ -83,6 +84,7 @@ def streams_view(system: System) -> StreamsView:
         system_parameter=system.system_parameter.name if system.system_parameter else "",
         component_id=system.component_id,
         component_name=project.component_id,
+        component_parameter=system.component_parameter.name if system.component_parameter else "",
         version=project.protocol,
         longest=max((wire.length for wire in system.sent), default=1),
         streams=streams,

@@ -51,6 +51,8 @@ class Commands:
             dialect.MAV_CMD_COMPONENT_ARM_DISARM: self._arm_disarm,
             dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
         }
+        if not hasattr(vehicle, "arm"):  # a battery, say
+            del self._table[dialect.MAV_CMD_COMPONENT_ARM_DISARM]
 
     def handle(self, message):
         """Do what a COMMAND_LONG or COMMAND_INT asks for and answer it."""

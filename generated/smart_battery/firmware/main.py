@@ -1,3 +1,5 @@
+# Generated from specs/smart_battery/vehicle.yaml: do not edit.
+# Inputs: 168f08b1add498b0
 """The program: what the board starts."""
 
 import asyncio
@@ -6,18 +8,18 @@ vehicle = None
 
 
 def vehicle_class():
-    """Return the class Rover of the user's module rover, or Vehicle where there is no such module."""
+    """Return the class Pack of the user's module pack, or Vehicle where there is no such module."""
     from vehicle import Vehicle  # noqa: PLC0415
 
     try:
-        import rover  # noqa: PLC0415
+        import pack  # noqa: PLC0415
     except ImportError as error:
-        if "rover" not in str(error):  # it is there, but something that it imports is not
+        if "pack" not in str(error):  # it is there, but something that it imports is not
             raise
         return Vehicle
-    if not issubclass(rover.Rover, Vehicle):
-        raise TypeError("rover.Rover is not derived from vehicle.Vehicle")
-    return rover.Rover
+    if not issubclass(pack.Pack, Vehicle):
+        raise TypeError("pack.Pack is not derived from vehicle.Vehicle")
+    return pack.Pack
 
 
 def main():

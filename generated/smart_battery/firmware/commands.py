@@ -1,0 +1,180 @@
+# Generated from templates/firmware/program/commands.py: do not edit.
+# Inputs: 7c5fe065cdd62f66
+"""Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
+
+import dialect
+import messages
+
+_LARGEST_ID = 0xFFFFFF  # of a message in MAVLink 2
+_LARGEST_INTERVAL_US = 0x3FFFFFFF  # 18 minutes: what a board counts without making an object
+
+
+class Command:
+    """One command: its number and the seven parameters, whole or not, finite or not."""
+
+    def __init__(self, message):
+        names = ("x", "y", "z") if message.ID == messages.CommandInt.ID else ("param5", "param6", "param7")
+        self.number = message.raw("command")
+        self.system = message.source_system
+        self.component = message.source_component
+        first = [message.raw(name) for name in ("param1", "param2", "param3", "param4")]
+        self._params = first + [message.raw(name) for name in names]
+
+    def param(self, number):
+        """Return parameter 1 to 7 as it was sent."""
+        return self._params[number - 1]
+
+    def whole(self, number, smallest, largest):
+        """Return parameter 1 to 7 if it is a whole number within these limits, else None."""
+        value = self.param(number)
+        if not smallest <= value <= largest or int(value) != value:  # NaN is not within any limits
+            return None
+        return int(value)
+
+
+class Commands:
+    """Does what commands ask for and acknowledges it.
+
+    A method of the table returns a MAV_RESULT, or that and what is to be sent after the COMMAND_ACK: a function that
+    returns whether the port took it, and its argument.
+    """
+
+    def __init__(self, vehicle, connection):
+        self._vehicle = vehicle
+        self._connection = connection
+        self._ack = messages.CommandAck()
+        self._interval = messages.MessageInterval()
+        self._table = {
+            dialect.MAV_CMD_REQUEST_MESSAGE: self._request_message,
+            dialect.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,
+            dialect.MAV_CMD_GET_MESSAGE_INTERVAL: self._get_interval,
+            dialect.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: self._request_capabilities,
+            dialect.MAV_CMD_REQUEST_PROTOCOL_VERSION: self._request_protocol_version,
+            dialect.MAV_CMD_COMPONENT_ARM_DISARM: self._arm_disarm,
+            dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
+        }
+        if not hasattr(vehicle, "arm"):  # a battery, say
+            del self._table[dialect.MAV_CMD_COMPONENT_ARM_DISARM]
+
+    def handle(self, message):
+        """Do what a COMMAND_LONG or COMMAND_INT asks for and answer it."""
+        command = Command(message)
+        result, follow_up = dialect.MAV_RESULT_FAILED, None
+        try:
+            result, follow_up = self._do(command)
+        finally:  # what raises is a fault of the vehicle: who asked learns that it failed
+            self._connection.deliver(self._send_ack, (command, result))
+        if follow_up is not None:
+            self._connection.deliver(follow_up[0], follow_up[1])
+
+    def _do(self, command):
+        method = self._table.get(command.number)
+        return (dialect.MAV_RESULT_UNSUPPORTED, None) if method is None else method(command)
+
+    def _send_ack(self, answer):
+        command, result = answer
+        self._ack.update(
+            command=command.number,
+            result=result,
+            target_system=command.system,
+            target_component=command.component,
+        )
+        return self._connection.send(self._ack)
+
+    def _request_message(self, command):
+        message_id = command.whole(1, 0, _LARGEST_ID)
+        if message_id == messages.MessageInterval.ID:
+            return self._interval_of(command, 2)
+        return self._answer_with(message_id)
+
+    def _request_capabilities(self, command):
+        return self._answer_if_asked(command, "AutopilotVersion")
+
+    def _request_protocol_version(self, command):
+        return self._answer_if_asked(command, "ProtocolVersion")
+
+    def _answer_if_asked(self, command, name):
+        """Parameter 1 says whether to send the message: 1 or 0. Not every vehicle has a class for it."""
+        message_id = getattr(getattr(messages, name, None), "ID", None)
+        is_asked = command.whole(1, 0, 1)
+        if is_asked is None:
+            return dialect.MAV_RESULT_DENIED, None
+        return self._answer_with(message_id) if is_asked else (dialect.MAV_RESULT_ACCEPTED, None)
+
+    def _answer_with(self, message_id):
+        if message_id is None or self._connection.streams.interval_us(message_id) == 0:
+            return dialect.MAV_RESULT_DENIED, None  # not a message of this vehicle
+        return dialect.MAV_RESULT_ACCEPTED, (self._send_message, message_id)
+
+    def _send_message(self, message_id):
+        """Send a message once, all instances; return whether the port took any of them.
+
+        If it took none, they are sent again and do not count as lost, see Connection.send(). If it took some, the
+        others are lost: on a slow link there might never be room for all at once.
+        """
+        link = self._connection.link
+        sequence = link.sequence
+        errors = link.tx_errors
+        self._connection.streams.send(message_id)
+        failed = link.tx_errors - errors
+        if failed == 0 or (link.sequence - sequence) & 0xFF != failed:
+            return True
+        link.sequence = sequence
+        link.tx_errors = errors
+        return False
+
+    def _set_interval(self, command):
+        message_id = command.whole(1, 0, _LARGEST_ID)
+        interval_us = _interval(command.param(2))
+        if message_id is None or interval_us is None:
+            return dialect.MAV_RESULT_DENIED, None
+        if not self._connection.streams.set_interval(message_id, interval_us):
+            return dialect.MAV_RESULT_DENIED, None  # not a message of this vehicle
+        return dialect.MAV_RESULT_ACCEPTED, None
+
+    def _get_interval(self, command):
+        return self._interval_of(command, 1)
+
+    def _interval_of(self, command, number):
+        """Answer with the interval of the message that a parameter names, 0 if the vehicle does not have it."""
+        message_id = command.whole(number, 0, 0xFFFF)  # MESSAGE_INTERVAL carries no more
+        if message_id is None:
+            return dialect.MAV_RESULT_DENIED, None
+        return dialect.MAV_RESULT_ACCEPTED, (self._send_interval, message_id)
+
+    def _send_interval(self, message_id):
+        self._interval.update(message_id=message_id, interval_us=self._connection.streams.interval_us(message_id))
+        return self._connection.send(self._interval)
+
+    def _arm_disarm(self, command):
+        is_arming = command.whole(1, 0, 1)
+        if is_arming is None:
+            return dialect.MAV_RESULT_DENIED, None
+        is_forced = command.param(2) == self._vehicle.FORCE_ARM
+        return self._result_of(self._vehicle.arm(is_forced) if is_arming else self._vehicle.disarm(is_forced))
+
+    def _reboot(self, command):
+        """Start again, if the vehicle is disarmed. Vehicle.reboot() leaves the COMMAND_ACK time to go out."""
+        action = command.whole(1, 0, 0xFF)
+        if action is None:
+            return dialect.MAV_RESULT_DENIED, None
+        if action == dialect.REBOOT_SHUTDOWN_ACTION_NONE:
+            return dialect.MAV_RESULT_ACCEPTED, None
+        if action != dialect.REBOOT_SHUTDOWN_ACTION_REBOOT:
+            return dialect.MAV_RESULT_UNSUPPORTED, None
+        # On boards 20190226 arrives whole: a float of 32 bits carries even numbers up to 2 ** 25.
+        return self._result_of(self._vehicle.reboot(command.param(6) == dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE))
+
+    def _result_of(self, why_not):
+        """Return the result of what came back with None, or with a text why it was not done."""
+        if why_not is None:
+            return dialect.MAV_RESULT_ACCEPTED, None
+        self._vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, why_not)
+        return dialect.MAV_RESULT_FAILED, None
+
+
+def _interval(asked):
+    """Return an interval in whole microseconds, -1 and 0 as they are, or None; 1000000 / 3 is what people ask for."""
+    if asked in (-1, 0):
+        return int(asked)
+    return int(asked) if 1 <= asked <= _LARGEST_INTERVAL_US else None

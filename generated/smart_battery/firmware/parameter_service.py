@@ -1,0 +1,114 @@
+# Generated from templates/firmware/program/parameter_service.py: do not edit.
+# Inputs: 8a58637fea38c1df
+"""The parameter protocol: ground stations read parameters, one or all, and set them.
+
+Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
+HEARTBEAT of an ArduPilot vehicle (MAV_AUTOPILOT_ARDUPILOTMEGA) says so.
+"""
+
+import dialect
+import messages
+import parameters
+
+_NO_INDEX = 0xFFFF  # PARAM_VALUE that is not part of the list
+_BY_NAME = -1  # index of requests that name the parameter
+
+
+class ParameterService:
+    """Parameters of the vehicle over one connection."""
+
+    def __init__(self, vehicle, connection):
+        self._vehicle = vehicle
+        self._connection = connection
+        self._value = messages.ParamValue()
+        self._error = messages.ParamError()
+        self._next = len(parameters.NAMES)  # index of the list's next value; at the end: nothing to send
+
+    def run(self):
+        """Send the next value of a list that was asked for: one in a pass, so that streams have their turn."""
+        index = self._next
+        if index < len(parameters.NAMES) and self._send_value((parameters.NAMES[index], index)):
+            self._next = index + 1
+
+    def list(self, _message):
+        """PARAM_REQUEST_LIST: begin to send all values, from the first."""
+        self._next = 0
+
+    def read(self, message):
+        """PARAM_REQUEST_READ: send one value, chosen by its index or by its name."""
+        index = message.raw("param_index")
+        name = message.raw("param_id")
+        if index == _BY_NAME:
+            index = _index(name)
+        if index is not None and 0 <= index < len(parameters.NAMES):
+            self._connection.deliver(self._send_value, (parameters.NAMES[index], index))
+        else:
+            self._refuse(message, message.raw("param_index"), dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST)
+
+    def set(self, message):
+        """PARAM_SET: take a value over; what is in force afterwards is the answer, whether it was accepted or not."""
+        name = message.raw("param_id")
+        if _index(name) is None:
+            is_readable = name and isinstance(name, str)
+            self._say(f"{name} is no parameter" if is_readable else "a parameter of this name does not exist")
+            self._refuse(message, _BY_NAME, dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST)
+            return
+        changes = self._vehicle.parameters.changes
+        if not self._vehicle.parameters.set(name, message.raw("param_value")):
+            smallest, largest = self._vehicle.parameters.limits(name)
+            value = message.raw("param_value")
+            self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
+            # Before the value: a ground station that takes the value for the answer would not see the reason.
+            self._refuse(message, _BY_NAME, dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
+        self._connection.deliver(self._send_value, (name, _NO_INDEX))
+        if changes != self._vehicle.parameters.changes:
+            self._tell_change(name)
+
+    def announce(self, name):
+        """Send a value that was set over another connection."""
+        self._connection.deliver(self._send_value, (name, _NO_INDEX))
+
+    def _tell_change(self, name):
+        if self._vehicle.parameters.is_after_reboot(name):
+            self._say(f"{name} counts from the next start")
+        for connection in self._vehicle.connections:
+            if connection is not self._connection:
+                connection.services.parameters.announce(name)
+
+    def _say(self, text):
+        self._vehicle.texts.say(dialect.MAV_SEVERITY_NOTICE, text)
+
+    def _send_value(self, which):
+        """Send (name, index) with the value that is in force now; return whether the port took it."""
+        name, index = which
+        self._value.update(
+            param_id=name,
+            param_value=self._vehicle.parameters.get(name),
+            param_type=self._vehicle.parameters.type_of(name),
+            param_count=len(parameters.NAMES),
+            param_index=index,
+        )
+        return self._connection.send(self._value)
+
+    def _refuse(self, message, index, error):
+        # MAVLink 1 has no PARAM_ERROR: its id is above 255.
+        if self._connection.link.version == 2:
+            name = message.raw("param_id")
+            refusal = (message.source_system, message.source_component, name, index, error)
+            self._connection.deliver(self._send_error, refusal)
+
+    def _send_error(self, refusal):
+        system, component, name, index, error = refusal
+        self._error.update(
+            target_system=system, target_component=component, param_id=name, param_index=index, error=error
+        )
+        return self._connection.send(self._error)
+
+
+def _index(name):
+    """Return the index of a parameter, None if there is none of this name."""
+    if isinstance(name, str):  # and not bytes that are no ASCII
+        for index, known in enumerate(parameters.NAMES):
+            if known == name:
+                return index
+    return None

@@ -1,0 +1,144 @@
+# Generated from templates/firmware/program/scheduler.py: do not edit.
+# Inputs: 79ba67990369687e
+"""The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
+
+Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
+rate drifts. Nothing here allocates while nothing fails.
+"""
+
+import asyncio
+import time
+
+from guard import Guard
+
+LONGEST_PERIOD_US = (1 << 29) - 1  # ticks_diff() is right for less than half the range of ticks_us()
+_WINDOW_US = 1000000
+
+
+class _Slot:
+    """A call that is due every `period_us` microseconds."""
+
+    def __init__(self, period_us, call, name):
+        if not 0 < period_us <= LONGEST_PERIOD_US:
+            raise ValueError(f"a period is 1 to {LONGEST_PERIOD_US} us")
+        self.call = call
+        self.name = name
+        self.due_us = 0
+        self.is_failing = False
+        self._period_us = period_us
+
+    def take(self, now_us):
+        """Go on to the next time on the grid; return how many slots were missed, -1 while the call is not due."""
+        late_us = time.ticks_diff(now_us, self.due_us)
+        if late_us < 0:
+            if late_us >= -self._period_us:
+                return -1
+            # Further ahead than it can be: nobody asked for so long that the ticks went half round.
+            self.due_us = time.ticks_add(now_us, self._period_us)
+            return 1
+        self.due_us = time.ticks_add(now_us, self._period_us - late_us % self._period_us)
+        return late_us // self._period_us
+
+
+class Scheduler:
+    """Runs `control`, a callable without arguments, every `period_us` microseconds, and then the jobs that are due.
+
+    The first pass starts the grid. Slots that came too late are left out, the phase stays. An exception in control or
+    in a job is logged once until that call works again, and everything goes on.
+
+    `overruns` counts the slots of control that were left out. `load` is the share of the last second that passes
+    took, in d%: 0 to 1000. ValueError: a period is not positive, or longer than LONGEST_PERIOD_US, nine minutes.
+    """
+
+    def __init__(self, period_us, control, log=print):
+        self.overruns = 0
+        self.load = 0
+        self._log = log
+        self._guard = Guard()
+        self._control = _Slot(period_us, control, "control")
+        self._jobs = []
+        self._shortest_us = LONGEST_PERIOD_US  # of their periods
+        self._next_us = 0  # when the first of them is due
+        self._is_started = False
+        self._busy_us = 0
+        self._window_us = 0  # when the second began that `load` is measured over
+
+    def every(self, period_us, job, name=None):
+        """Run a job too, after control and the jobs before it; jobs of one period run in the same pass.
+
+        `name` is what the job is called where it fails.
+        """
+        slot = _Slot(period_us, job, name or f"job {len(self._jobs) + 1}")
+        slot.due_us = self._next_us = self._control.due_us
+        self._shortest_us = min(self._shortest_us, period_us)
+        self._jobs.append(slot)
+
+    def run_pass(self):
+        """Do what is due now, and return the microseconds until the next pass: 0 if that is late already."""
+        now_us = time.ticks_us()
+        if not self._is_started:
+            self._start(now_us)
+        missed = self._control.take(now_us)
+        if missed >= 0:
+            self.overruns += missed
+            self._call(self._control)
+            ahead_us = time.ticks_diff(self._next_us, now_us)
+            if ahead_us <= 0 or ahead_us > self._shortest_us:  # too far ahead: the ticks went half round meanwhile
+                self._run_jobs(now_us)
+            self._measure(now_us)
+        return self._wait_us()
+
+    async def run(self):
+        """Run passes for ever; other tasks have their turn after each, and all the time that is left."""
+        while True:
+            wait_us = self.run_pass()
+            await asyncio.sleep_ms(wait_us // 1000)
+            wait_us = self._wait_us()
+            if wait_us < 1000:  # else it woke up early, and the next pass finds nothing to do
+                time.sleep_us(wait_us)
+
+    def _run_jobs(self, now_us):
+        """Run the jobs that are due, and find out when the next one is."""
+        self._next_us = time.ticks_add(now_us, self._shortest_us)
+        for job in self._jobs:
+            self._serve(job, now_us)
+
+    def _serve(self, job, now_us):
+        if job.take(now_us) >= 0:
+            self._call(job)
+        if time.ticks_diff(job.due_us, self._next_us) < 0:
+            self._next_us = job.due_us
+
+    def _start(self, now_us):
+        self._is_started = True
+        self._window_us = self._control.due_us = self._next_us = now_us
+        for job in self._jobs:
+            job.due_us = now_us
+
+    def _wait_us(self):
+        wait_us = time.ticks_diff(self._control.due_us, time.ticks_us())
+        return wait_us if wait_us > 0 else 0
+
+    def _call(self, slot):
+        with self._guard:
+            slot.call()
+        if self._guard.error is None:
+            slot.is_failing = False
+        elif not slot.is_failing:
+            slot.is_failing = True
+            self._report(slot.name, self._guard.error)
+
+    def _report(self, name, error):
+        with self._guard:
+            self._log(f"error: {name} failed:", type(error).__name__, error)
+
+    def _measure(self, start_us):
+        end_us = time.ticks_us()
+        self._busy_us += time.ticks_diff(end_us, start_us)
+        window_us = time.ticks_diff(end_us, self._window_us)
+        if 0 <= window_us < _WINDOW_US:
+            return
+        if window_us > 0:  # otherwise the ticks went half round, and nobody knows how long that was
+            self.load = self._busy_us // (window_us // 1000)
+        self._busy_us = 0
+        self._window_us = end_us

@@ -1,0 +1,254 @@
+# Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
+# Inputs: 6583cd88e20a0f8f
+"""State of the vehicle: integers in the units that go out, None while a quantity is unknown.
+
+Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
+"""
+
+import time
+
+from conversion import product, to_steps
+from guard import Guard
+from parameters import Parameters
+from trend import Trend
+
+
+class BatteryState:
+    """One battery of the rover."""
+
+    def __init__(self):
+        # Voltage of the whole pack [mV]
+        self.voltage_mv = None
+        # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
+        self.current_ca = None
+        # Charge drawn since the pack was full [mAh]
+        self.consumed_mah = None
+        # Energy drawn since the pack was full [hJ]
+        self.energy_hj = None
+        # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
+        self.remaining_pct = None
+        # Temperature of the pack. The rover has no sensor for it [cdegC]
+        self.temperature_cdegc = None
+        # Change of the pack's voltage per second, positive while it rises [mV/s]
+        self.trend_mv_s = None
+        # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
+        self.health_number = 2
+        self.failures = 0  # failed readings in a row
+        self.expires_ms = None  # when the last good one will be too old
+        self.warned_ms = None  # when it was last warned about
+        self._readings = Trend(20, 1, 40)
+        # Whether the pack is measured at all: whether BATT_MONITOR is not 0
+        self.monitored = True
+
+    @property
+    def voltage(self):
+        """V, or None while it is unknown; FR-00069.1."""
+        if self.voltage_mv is None:
+            return None
+        return self.voltage_mv / 1000
+
+    @voltage.setter
+    def voltage(self, value):
+        self.voltage_mv = to_steps(value, 1000)
+
+    @property
+    def current(self):
+        """A, or None while it is unknown; FR-00068.4."""
+        if self.current_ca is None:
+            return None
+        return self.current_ca / 100
+
+    @current.setter
+    def current(self, value):
+        self.current_ca = to_steps(value, 100)
+
+    @property
+    def consumed(self):
+        """mAh, or None while it is unknown; FR-00068.6."""
+        return self.consumed_mah
+
+    @consumed.setter
+    def consumed(self, value):
+        self.consumed_mah = to_steps(value, 1)
+
+    @property
+    def energy(self):
+        """hJ, or None while it is unknown; FR-00068.6."""
+        return self.energy_hj
+
+    @energy.setter
+    def energy(self, value):
+        self.energy_hj = to_steps(value, 1)
+
+    @property
+    def remaining(self):
+        """%, or None while it is unknown; FR-00068.5."""
+        return self.remaining_pct
+
+    @remaining.setter
+    def remaining(self, value):
+        self.remaining_pct = to_steps(value, 1)
+
+    @property
+    def temperature(self):
+        """degC, or None while it is unknown; FR-00068.6."""
+        if self.temperature_cdegc is None:
+            return None
+        return self.temperature_cdegc / 100
+
+    @temperature.setter
+    def temperature(self, value):
+        self.temperature_cdegc = to_steps(value, 100)
+
+    @property
+    def trend(self):
+        """V/s, or None while it is unknown; FR-00021.1."""
+        if self.trend_mv_s is None:
+            return None
+        return self.trend_mv_s / 1000
+
+    @property
+    def health(self):
+        """Number, or None while it is unknown; FR-00021.3."""
+        return self.health_number
+
+    @health.setter
+    def health(self, value):
+        self.health_number = to_steps(value, 1)
+
+    @property
+    def healthy(self):
+        """Whether the pack's voltage is known, FR-00067.3."""
+        return self.voltage_mv is not None
+
+    @staticmethod
+    def voltage_from_adc(adc, mult):
+        """Return the volts that a count and a multiplier stand for, FR-00069.1."""
+        return adc / 4095 * 3.3 * mult
+
+    def set_count(self, count, multiplier):
+        """Take over a count; the multiplier is in steps of BATT_VOLT_MULT.
+
+        The same formula as voltage_from_adc() in whole numbers: nothing is lost and nothing allocated.
+        """
+        self.voltage_mv = product(count, multiplier, 11, 136500)
+        self.trend_mv_s = self._readings.after(self.voltage_mv)
+
+    def keep(self):
+        """Count the last value once more: a reading has failed, and the trend takes readings at equal intervals."""
+        self.trend_mv_s = self._readings.after(self.voltage_mv)
+
+    def forget(self):
+        """Make everything that is measured unknown."""
+        self.voltage_mv = None
+        self.trend_mv_s = None
+        self._readings.forget()
+
+    def expire(self):
+        """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
+        self.forget()
+        self.expires_ms = None
+
+
+class VehicleState:
+    """The rover as a whole."""
+
+    def __init__(self):
+        # Whether the motors may turn
+        self.armed = False
+        # Whether the checks before arming pass
+        self.ready = False
+        # Drive mode, a number of the autopilot's own
+        self.mode_number = 0
+        # What the vehicle is doing (MAV_STATE)
+        self.status = 3
+        # Share of the main loop's time that is used [d%]
+        self.load_dpct = 0
+
+    @property
+    def mode(self):
+        """Number, or None while it is unknown."""
+        return self.mode_number
+
+    @mode.setter
+    def mode(self, value):
+        self.mode_number = to_steps(value, 1)
+
+    @property
+    def load(self):
+        """%, or None while it is unknown."""
+        if self.load_dpct is None:
+            return None
+        return self.load_dpct / 10
+
+    @load.setter
+    def load(self, value):
+        self.load_dpct = to_steps(value, 10)
+
+
+class SystemState:
+    """Everything the telemetry reports."""
+
+    def __init__(self, parameters=None, log=print):
+        self.parameters = parameters or Parameters()
+        self._log = log
+        self._guard = Guard()
+        self.battery = BatteryState()
+        self.battery.monitored = self.parameters.batt_monitor != 0
+        self._batt_volt_mult = self.parameters.batt_volt_mult  # a new one counts from the next start
+        self.vehicle = VehicleState()
+        self._battery_is_logged = False
+
+    def update_battery(self, board):
+        """Take one reading; call it every 100 ms, FR-00067.1.
+
+        It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
+        """
+        battery = self.battery
+        if not battery.monitored:
+            return
+        count = self._read_battery(board)
+        if not self._is_good_battery(board, count):
+            battery.failures += 1
+            if battery.failures >= 5:
+                battery.forget()
+            if battery.voltage_mv is not None:
+                battery.keep()
+            return
+        battery.failures = 0
+        battery.set_count(count, self._batt_volt_mult)
+        battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
+        if not self._battery_is_logged:
+            self._battery_is_logged = True
+            self._log(f"battery: voltage {battery.voltage:.2f} V")
+        self._warn_battery(battery, time.ticks_ms())
+
+    def _warn_battery(self, battery, now_ms):
+        if battery.warned_ms is not None and time.ticks_diff(now_ms, battery.warned_ms) >= 10000:
+            battery.warned_ms = None  # at once, since ticks of long ago seem to lie ahead
+        if battery.voltage_mv > 13000 and battery.warned_ms is None:
+            battery.warned_ms = now_ms
+            self._log("warning: the battery's voltage is above 13 V:", battery.voltage)
+
+    def _read_battery(self, board):
+        with self._guard:
+            return board.read_battery_adc()
+
+    def _is_good_battery(self, board, count):
+        if self._guard.error is not None:
+            if self.battery.failures == 0:
+                self._log("error: the board cannot read the battery:", self._guard.error)
+            return False
+        return not board.battery_failures and isinstance(count, int) and 0 <= count <= 4095
+
+    def calibrate_battery(self, measured):
+        """Set BATT_VOLT_MULT to what a meter shows, in V; return whether it was accepted.
+
+        new = old * measured / reading, FR-00069.6; it counts from the next start.
+        """
+        reading = self.battery.voltage
+        if not reading or measured is None:
+            return False
+        steps = self._batt_volt_mult
+        old = self.parameters.value("BATT_VOLT_MULT", steps)
+        return self.parameters.set("BATT_VOLT_MULT", old * measured / reading)

@@ -1,0 +1,200 @@
+# Generated from specs/messages/autopilot_version.yaml, specs/messages/protocol_version.yaml,
+#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
+#   specs/smart_battery/streams.yaml: do not edit.
+# Inputs: 4da42ff4f3266502
+"""Sends each message at the rate of its stream, or at the one that a ground station asks for."""
+
+import time
+from array import array
+
+import messages
+import telemetry
+from mavlink import Link
+
+SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it
+COMPONENT_ID = 180  # MAV_COMP_ID_BATTERY; COMPID_BATT sets it
+VERSION = 2
+LONGEST = 78  # bytes of the longest payload; a link keeps a view of each length
+
+OFF = -1
+
+# What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
+_IDS = (0, 147, 148, 300)
+_STREAMS = (0, 1, None, None)
+_SHORTEST_US = (100000, 100000, 100000, 100000)
+
+# Streams: the number by which REQUEST_DATA_STREAM asks for each (None: it cannot) and the highest rate in Hz.
+_DATA_STREAMS = (None, 10)
+_FASTEST_HZ = (10, 10)
+
+
+def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMPONENT_ID):
+    """Return a link with the ids and the MAVLink version of this vehicle; `known` are the messages it receives."""
+    return Link(stream, system_id, component_id, VERSION, known, LONGEST)
+
+
+class Streams:
+    """The streams of one link, all due at once when they start.
+
+    A message's rate is that of its stream: fixed, or set by a parameter. request() overrides it for a stream until the
+    parameter changes, set_interval() for a message until it is called again.
+    """
+
+    def __init__(self, state, link):
+        self._state = state
+        self._link = link
+        now_ms = time.ticks_ms()
+        self._due_ms = [now_ms] * len(_IDS)
+        self._rest = array("i", [0] * len(_IDS))  # what due times are late by, in parts of a millisecond
+        self._interval_us = array("i", [0] * len(_IDS))  # asked for; 0 is the stream's own rate
+        self._asked_hz = array("i", [OFF] * len(_FASTEST_HZ))  # asked for; -1 is the stream's own rate
+        self._changes = state.parameters.changes
+        self._steps = self._parameter_steps()
+        # The period that _find_period() found, in milliseconds.
+        self._numerator = 0
+        self._denominator = 1
+
+    def run(self, now_ms):
+        """Send what is due; call it in every pass of the main loop with time.ticks_ms()."""
+        if self._state.parameters.changes != self._changes:
+            self._follow_parameters(now_ms)
+        for index in range(4):
+            if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
+                self._send_due(index, now_ms)
+
+    def send(self, message_id):
+        """Send a message once, each of its instances; return whether this vehicle has it."""
+        index = _index(message_id)
+        if index is None:
+            return False
+        self._send(index)
+        return True
+
+    def set_interval(self, message_id, interval_us):
+        """Send a message in this interval from now on: microseconds, -1 for never, 0 for its stream's own rate.
+
+        Shorter ones than allowed become the shortest. False: this vehicle has no such message.
+        """
+        index = _index(message_id)
+        if index is None or interval_us < OFF:
+            return False
+        if interval_us > 0:
+            interval_us = min(max(interval_us, _SHORTEST_US[index]), 0x3FFFFFFF)
+        self._interval_us[index] = interval_us
+        if interval_us == 0 and _STREAMS[index] is not None:
+            self._asked_hz[_STREAMS[index]] = OFF
+        self._restart(index, time.ticks_ms())
+        return True
+
+    def interval_us(self, message_id):
+        """Return the interval of a message in microseconds, -1 while it is off, 0 if this vehicle does not have it."""
+        index = _index(message_id)
+        if index is None:
+            return 0
+        return self._numerator * 1000 // self._denominator if self._find_period(index) else OFF
+
+    def request(self, data_stream, rate_hz):
+        """Send a stream at another rate, 0 for never, until its parameter changes; number 0 means all streams.
+
+        The numbers are those of MAV_DATA_STREAM. False: this vehicle has no such stream.
+        """
+        found = False
+        for stream in range(len(_FASTEST_HZ)):
+            number = _DATA_STREAMS[stream]
+            if number is not None and data_stream in (0, number):
+                found = True
+                self._override(stream, min(rate_hz, _FASTEST_HZ[stream]), time.ticks_ms())
+        return found
+
+    def _override(self, stream, rate_hz, now_ms):
+        is_changed = self._asked_hz[stream] != rate_hz
+        self._asked_hz[stream] = rate_hz
+        for index in range(len(_IDS)):
+            if _STREAMS[index] == stream:
+                if self._interval_us[index] != 0:
+                    self._interval_us[index] = 0
+                    is_changed = True
+                if is_changed:  # ground stations repeat their requests: that is no reason to start anew
+                    self._restart(index, now_ms)
+
+    def _parameter_steps(self):
+        """Return what the parameters of the streams are, in steps."""
+        parameters = self._state.parameters
+        return [parameters.batt_status_rate]
+
+    def _follow_parameters(self, now_ms):
+        """Drop what was asked for where the stream's parameter has changed."""
+        self._changes = self._state.parameters.changes
+        steps = self._parameter_steps()
+        if steps[0] != self._steps[0]:
+            self._override(1, OFF, now_ms)
+            self._restart_stream(1, now_ms)
+        self._steps = steps
+
+    def _restart_stream(self, stream, now_ms):
+        for index in range(len(_IDS)):
+            if _STREAMS[index] == stream:
+                self._restart(index, now_ms)
+
+    def _restart(self, index, now_ms):
+        self._due_ms[index] = now_ms
+        self._rest[index] = 0
+
+    def _send_due(self, index, now_ms):
+        if not self._find_period(index):
+            self._due_ms[index] = now_ms
+            return
+        parts = self._rest[index] + self._numerator
+        due_ms = time.ticks_add(self._due_ms[index], parts // self._denominator)
+        if time.ticks_diff(now_ms, due_ms) >= 0:  # a pass came too late: no burst to catch up
+            due_ms = time.ticks_add(now_ms, parts // self._denominator)
+        self._due_ms[index] = due_ms
+        self._rest[index] = parts % self._denominator
+        self._send(index)
+
+    def _find_period(self, index):
+        """Put the period of a message into _numerator and _denominator; return whether it is sent at all."""
+        interval_us = self._interval_us[index]
+        if interval_us != 0:
+            self._numerator = interval_us
+            self._denominator = 1000
+            return interval_us > 0
+        stream = _STREAMS[index]
+        if stream is None:
+            return False
+        if self._asked_hz[stream] >= 0:
+            self._numerator = 1000
+            self._denominator = self._asked_hz[stream]
+        else:
+            self._find_own_period(stream)
+        return self._denominator > 0
+
+    def _find_own_period(self, stream):
+        if stream == 0:  # HEARTBEAT: 1 Hz (FR-00074.1)
+            self._numerator = 1000
+            self._denominator = 1
+        elif stream == 1:  # STATUS: BATT_STATUS_RATE sets the rate (FR-00074.3)
+            self._numerator = 10000
+            self._denominator = self._state.parameters.batt_status_rate
+
+    def _send(self, index):
+        state = self._state
+        link = self._link
+        if index == 0:
+            link.send(telemetry.build_heartbeat(state))
+        elif index == 1:
+            if state.battery.monitored:  # what is not measured is not reported
+                link.send(telemetry.build_battery_status(state))
+        elif index == 2:
+            link.send(telemetry.build_autopilot_version(state))
+        elif index == 3:
+            link.send(telemetry.build_protocol_version(state))
+
+
+def _index(message_id):
+    """Return the place of a message, or None."""
+    for index in range(len(_IDS)):
+        if _IDS[index] == message_id:
+            return index
+    return None

@@ -1,0 +1,165 @@
+# Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
+# Inputs: 1a83cbab5d6a5590
+"""The vehicle: all that the program consists of, and the calls that the user's code overrides."""
+
+import asyncio
+import gc
+import time
+
+import dialect
+import machine
+from board import Board
+from connection import Connection
+from guard import Guard
+from parameters import Parameters
+from scheduler import Scheduler
+from services import receivable
+from state import SystemState
+from storage import Storage
+from streams import Streams, open_link
+from texts import Texts
+
+CONTROL_US = 50000  # 20 Hz (FR-00071.1)
+LINKS_US = 50000  # 20 Hz
+REPORT_US = 10000000  # between two texts about missed slots
+
+STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061.1)
+
+_SAVE_MS = 100  # how often it is looked whether there is something to save
+_FAREWELL_MS = 500  # what is on its way to ground stations leaves before a restart
+
+
+class Vehicle:
+    """The pack. Code of its own derives a class Pack from this one, in a module pack, and overrides the calls.
+
+    `texts` is what everything logs to, `connections` are the links to ground stations. A board or ports that are given
+    are used in place of the real ones.
+    """
+
+    def __init__(self, board=None, ports=None, texts=None):
+        self.texts = Texts() if texts is None else texts
+        self.parameters = Parameters()
+        self.storage = Storage(("parameters.0", "parameters.1"), 64)
+        self._load_parameters()
+        self._saved = self._seen = self.parameters.changes
+        self._failed_ms = None  # when a save failed last
+        self._guard = Guard()
+        self.board = Board(self.texts, self.parameters) if board is None else board
+        self.state = SystemState(self.parameters, self.texts)
+        self._restart_ms = None
+        self._reported = 0
+        # The order within a pass (FR-00071.1): control, readings, links.
+        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
+        self.scheduler.every(100000, self.measure, "measure")  # FR-00074.9
+        self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
+        self.scheduler.every(LINKS_US, self._communicate, "links")
+        self.scheduler.every(REPORT_US, self._report, "report")
+        ports = self.board.open_ports() if ports is None else ports
+        self.connections = [self._connect(port) for port in ports]
+
+    # What the user's code overrides.
+
+    def control(self):
+        """Called at 20 Hz. What takes long makes the program miss slots."""
+
+    def measure(self):
+        """Read sensors of your own into `self.state`: called at 10 Hz, before the readings. What fails is logged."""
+
+    # What ground stations and the user's code ask for.
+
+    def reboot(self, force=False):  # noqa: ARG002  nothing here has to be forced
+        """Save the parameters and start again soon; nothing keeps it from that, so that it returns None."""
+        if self._restart_ms is None:
+            self._restart_ms = time.ticks_ms()
+            self._failed_ms = None  # one more attempt to save
+        return None
+
+    def run_pass(self):
+        """Do what is due now; return the microseconds until the next pass."""
+        return self.scheduler.run_pass()
+
+    async def run(self):
+        """Run until somebody asks for a restart."""
+        gc.collect()
+        loop = asyncio.create_task(self.scheduler.run())
+        await self._keep_parameters()
+        loop.cancel()
+        machine.reset()
+
+    # Jobs of the main loop.
+
+    def _watch_battery(self):
+        self.state.update_battery(self.board)
+        self.state.vehicle.load_dpct = self.scheduler.load
+
+    def _communicate(self):
+        now_ms = time.ticks_ms()
+        for connection in self.connections:
+            connection.run(now_ms)
+
+    def _report(self):
+        missed = self.scheduler.overruns
+        if missed != self._reported:
+            self.texts("warning: missed control slots:", missed - self._reported)
+            self._reported = missed
+
+    # Links and parameters.
+
+    def _connect(self, port):
+        link = open_link(port, receivable(), self.parameters.sysid_thismav, self.parameters.compid_batt)
+        return Connection(self, port, link, Streams(self.state, link))
+
+    def _load_parameters(self):
+        stored = self.storage.load()
+        if stored is None and self.storage.problem is not None:  # beside a whole one it is what a power cut leaves
+            self.texts("warning: parameters have their defaults:", self.storage.problem)
+        for problem in self.parameters.restore(stored or b""):
+            self.texts("warning:", problem)
+
+    async def _keep_parameters(self):
+        """Save what changes, a step at a time, until a restart is due."""
+        while not self._is_leaving():
+            await asyncio.sleep_ms(_SAVE_MS)
+            if self._is_due_to_save():
+                await self._save()
+
+    def _is_due_to_save(self):
+        """Return whether there is something to save: settings that come in a burst are saved together."""
+        changes = self.parameters.changes
+        is_settled = changes == self._seen
+        self._seen = changes
+        if self._failed_ms is not None:
+            if time.ticks_diff(time.ticks_ms(), self._failed_ms) < REPORT_US // 1000:
+                return False
+            self._failed_ms = None
+            return True
+        return changes != self._saved and is_settled
+
+    async def _save(self):
+        changes = self.parameters.changes
+        longest_us = 0
+        with self._guard:
+            self.storage.begin(self.parameters.dump())
+        while self.storage.is_saving:
+            longest_us = max(longest_us, self._save_step())
+            await asyncio.sleep_ms(1)
+        problem = self._guard.error or self.storage.problem
+        if problem is None:
+            self._saved = changes
+        else:
+            self._failed_ms = time.ticks_ms()  # it is tried again
+            self.texts("error: parameters are not saved:", problem)
+        if longest_us > STEP_LIMIT_US:
+            self.texts("warning: a step of a save took us:", longest_us)
+
+    def _save_step(self):
+        """Do one step of a save; return how many microseconds it took."""
+        started_us = time.ticks_us()
+        self.storage.step()
+        return time.ticks_diff(time.ticks_us(), started_us)
+
+    def _is_leaving(self):
+        if self._restart_ms is None or time.ticks_diff(time.ticks_ms(), self._restart_ms) < _FAREWELL_MS:
+            return False
+        return self.parameters.changes == self._saved or self._failed_ms is not None

@@ -1,0 +1,100 @@
+# Generated from templates/mocks/mock_asyncio.py: do not edit.
+# Inputs: ac49fedcf3425b81
+"""Lets asyncio run on the clock of mock_time: while all tasks wait, the clock goes on to the first that is due.
+
+A program calls install() after mock_time.install() and before it makes a task. MicroPython keeps its own asyncio, with
+another clock and another wait; where MICROPYPATH is set, it has to have ".frozen" in it, or asyncio is not found.
+"""
+
+import asyncio
+import sys
+
+import mock_time
+
+_EPOCH_MS = 1 << 40  # the scheduler in C looks at the host's clock for tasks that are due at once: this is later
+
+_hooks = []
+
+
+def install():
+    """Take the place of the clock and of the waiting; nothing may be running."""
+    if sys.implementation.name == "micropython":
+        _install_micropython()
+    else:
+        _install_cpython()
+
+
+def on_wait(hook):
+    """Call `hook` with the microseconds for which no task is due, before the clock skips them; 0: one is due now.
+
+    A simulator waits here for the true time to catch up. None takes all hooks away.
+    """
+    if hook is None:
+        _hooks.clear()
+    else:
+        _hooks.append(hook)
+
+
+def _wait(duration_us):
+    for hook in _hooks:
+        hook(duration_us)
+    mock_time.advance_us(duration_us)
+
+
+def _until_us(milliseconds):
+    """Return the microseconds to where ticks_ms() is so much more, which is when boards wake up."""
+    now_us = mock_time.elapsed_us()
+    return (now_us // 1000 + milliseconds) * 1000 - now_us
+
+
+def _install_micropython():
+    core = asyncio.core
+
+    class VirtualQueue(core.IOQueue):
+        """The queue of tasks that wait for streams, in which MicroPython waits for time as well."""
+
+        def wait_io_event(self, milliseconds):
+            if milliseconds < 0:  # only streams can go on
+                _wait(0)
+                core_wait(self, 1)
+                return
+            _wait(_until_us(milliseconds) if milliseconds > 0 else 0)
+            core_wait(self, 0)
+
+    core_wait = core.IOQueue.wait_io_event
+    core.ticks = lambda: _EPOCH_MS + mock_time.elapsed_us() // 1000
+    core.ticks_add = lambda ticks, delta: ticks + delta
+    core.ticks_diff = lambda end, start: end - start
+    core.IOQueue = VirtualQueue
+    core.new_event_loop()
+
+
+def _install_cpython():
+    import selectors  # noqa: PLC0415 - MicroPython has none
+
+    class VirtualSelector(selectors.DefaultSelector):
+        """Does not wait but moves the clock, unless a stream is ready."""
+
+        def select(self, timeout=None):
+            if timeout is None:  # only streams can go on
+                _wait(0)
+                return super().select(0.001)
+            ready = super().select(0)
+            _wait(0 if ready else max(0, round(timeout * 1000000)))
+            return ready
+
+    class VirtualLoop(asyncio.SelectorEventLoop):
+        """The event loop of the virtual clock."""
+
+        def __init__(self):
+            super().__init__(VirtualSelector())
+            self._clock_resolution = 1e-6
+
+        def time(self):
+            return mock_time.elapsed_us() / 1000000
+
+    async def sleep_ms(milliseconds):
+        await asyncio.sleep(_until_us(milliseconds) / 1000000 if milliseconds > 0 else 0)
+
+    asyncio.sleep_ms = sleep_ms
+    asyncio.new_event_loop = asyncio.events.new_event_loop = VirtualLoop

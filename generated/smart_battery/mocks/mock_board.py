@@ -1,0 +1,54 @@
+# Generated from specs/smart_battery/board.yaml, specs/state.yaml: do not edit.
+# Inputs: 9fa48a6b3f4a6ec3
+"""Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
+
+import mock_time
+
+mock_time.install()
+
+import machine  # noqa: E402  the clock has to be in place before the firmware looks at it
+from board import Board  # noqa: E402
+
+
+class MockBoard(Board):
+    """A board whose ADC reads what it is told; everything starts at count 0, without faults."""
+
+    def __init__(self, log=print, absent=False):
+        machine.reset_analog()
+        self._battery_input = machine.analog(26)
+        self._battery_input.absent = absent
+        Board.__init__(self, log)
+
+    def set_adc_value(self, count):
+        """Let every sample of the battery read this count, 0 to 4095."""
+        self._battery_input.source = count
+
+    def set_adc_waveform(self, waveform):
+        """Let samples follow a list of counts, or a function of the microseconds since the start."""
+        self._battery_input.source = waveform
+
+    def fail_adc(self, samples):
+        """Let the next samples fail."""
+        self._battery_input.failures = samples
+
+    def delay_adc(self, microseconds):
+        """Let every sample take so long."""
+        self._battery_input.delay_us = microseconds
+
+
+def scenario(name, readings=20):
+    """Return a waveform for set_adc_waveform(): nominal, low, critical, rising or falling.
+
+    The levels are shares of full scale; rising and falling go from one end to the other in so many readings.
+    """
+    full = machine.FULL_SCALE
+    nominal, low, critical = full * 9 // 10, full * 3 // 4, full * 2 // 3
+    if name == "rising":
+        ends = (critical, nominal)
+    elif name == "falling":
+        ends = (nominal, critical)
+    else:
+        level = {"nominal": nominal, "low": low, "critical": critical}[name]
+        ends = (level, level)
+    samples = 5
+    return [count for count in machine.ramp(ends[0], ends[1], readings) for _ in range(samples)]

@@ -1,0 +1,106 @@
+# Generated from templates/tests/program/arming_checks.py: do not edit.
+# Inputs: 32629c9e1f1a8ffd
+"""Arming: what it is refused for, in which order, and what the user's code has to do with it."""
+
+from failsafe_bench import TIMER, armed_watch, new_watch
+from program_bench import main, needs
+from program_facts import FAILSAFES
+
+
+def reasons_not_to_arm():
+    """The table of answers, in the order of precedence; what is at a threshold may be armed."""
+    watch = new_watch()
+    facts = watch.facts
+    title = "PreArm: " + facts["title"]
+    failsafe = f" {facts['quantity']} failsafe"
+    good = watch.low + 100
+    rows = [
+        (None, 0, {}, f"{title} unhealthy"),
+        (watch.low, 0, {}, None),
+        (watch.low - 1, 0, {}, title + " low" + failsafe),
+        (watch.deep, 0, {}, title + " low" + failsafe),
+        (watch.deep, 0, {"low": 0}, title + " critical" + failsafe),
+        (good, 0, {"critical": watch.low}, title + failsafe + " critical >= low"),
+        (good, 0, {}, None),
+    ]
+    if facts["minimum"]:
+        step = facts["minimum_scale"]
+        minimum = good // step
+        below = f"{title} below minimum arming {facts['quantity']}"
+        rows += [(minimum * step - 1, minimum, {}, below), (minimum * step, minimum, {}, None)]
+        rows += [(None, minimum, {}, f"{title} unhealthy"), (watch.deep, minimum, {"critical": watch.low}, below)]
+    for value, minimum, changed, expected in rows:
+        watch = new_watch()
+        watch.set(changed.get("low", watch.low), changed.get("critical", watch.critical), TIMER)
+        if facts["minimum"]:
+            setattr(watch.parameters, facts["minimum"], minimum)
+        watch.readings(value)
+        assert watch.rover.state.vehicle.ready == (expected is None), (value, expected)
+        assert watch.rover.arm() == expected, (value, minimum, changed, watch.rover.arm())
+        assert watch.rover.is_armed == (expected is None)
+        assert watch.rover.arm(force=True) is None, "force passes over all"
+
+
+def latched_level_is_a_reason():
+    """After a failsafe the vehicle is not armed again before the next start, but by force."""
+    for value, word in (("between", "low"), ("deep", "critical")):
+        watch = armed_watch(1)
+        watch.readings(getattr(watch, value), 2 * watch.per_second)
+        watch.rover.disarm()
+        watch.readings(watch.low + 100)
+        title = watch.facts["title"]
+        assert watch.rover.arm() == f"PreArm: {title} {word} {watch.facts['quantity']} failsafe"
+        assert watch.rover.arm(force=True) is None
+
+
+def users_check_comes_last():
+    """check_arming() of the user's code is asked behind the failsafe's, and its text is the answer."""
+    watch = new_watch()
+    watch.rover.problem = "door open"
+    watch.readings(watch.low)
+    assert watch.rover.arm() == "PreArm: door open"
+    watch.readings(None)
+    assert watch.rover.arm() == f"PreArm: {watch.facts['title']} unhealthy"
+
+
+def arming_calls_the_user():
+    """on_arm() before it is armed, and an exception there keeps it disarmed; on_disarm() afterwards; each once."""
+    watch = armed_watch()
+    watch.arm()
+    watch.rover.disarm()
+    watch.rover.disarm()
+    assert watch.rover.calls == ["on_arm", "on_disarm"], watch.rover.calls
+
+    def fail():
+        raise ValueError("no")
+
+    watch.rover.on_arm = fail
+    try:
+        watch.rover.arm(force=True)
+    except ValueError:
+        assert not watch.rover.is_armed
+        return
+    raise AssertionError("on_arm() raises, and arm() does not")
+
+
+def nothing_is_watched_without_the_monitor():
+    """With the monitor off neither arming nor the failsafe looks at the value."""
+    needs(FAILSAFES and FAILSAFES[0]["enabled"], "a parameter that switches the component off")
+    facts = FAILSAFES[0]
+    watch = new_watch(1)
+    setattr(watch.component, facts["enabled"], False)
+    watch.readings(None)
+    assert watch.rover.arm() is None
+    assert watch.readings(1, 5 * watch.per_second) == []
+
+
+CHECKS = (
+    ("failsafe", 10, reasons_not_to_arm),
+    ("failsafe", 10, latched_level_is_a_reason),
+    ("failsafe", 10, users_check_comes_last),
+    ("failsafe", 10, arming_calls_the_user),
+    ("reading", 3, nothing_is_watched_without_the_monitor),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

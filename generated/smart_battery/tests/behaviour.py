@@ -1,0 +1,446 @@
+# Generated from specs/codegen.yaml, specs/dialects/battery_cell_voltages_rfc_0018.xml,
+#   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
+#   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
+#   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
+#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
+#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
+#   dialect common: do not edit.
+# Inputs: 2d723d6fd4755cef
+"""How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
+
+As a program it prints one JSON object: what went wrong in each check, or null.
+"""
+
+import json
+
+import mock_time
+
+mock_time.install()
+
+import time  # noqa: E402  this is the clock of the mocks now, on CPython in part
+
+from mavlink import Link  # noqa: E402  the clock has to be in place before the firmware looks at it
+from mock_board import MockBoard, scenario  # noqa: E402
+from parameters import Parameters  # noqa: E402
+from state import SystemState  # noqa: E402
+from streams import Streams  # noqa: E402
+
+import telemetry  # noqa: E402
+
+try:
+    from micropython import heap_lock, heap_unlock
+except ImportError:  # CPython collects by counting references: there is no heap to lock
+
+    def heap_lock():
+        pass
+
+    def heap_unlock():
+        pass
+
+
+try:
+    from micropython import mem_total  # bytes that were ever allocated, also those that are free again
+except ImportError:  # CPython, and boards: only MicroPython on a host counts them
+
+    def mem_total():
+        return 0
+
+
+class Log:
+    """Keeps what was logged: warnings and errors in `lines`, what is only told in `notes`."""
+
+    def __init__(self):
+        self.lines = []
+        self.notes = []
+
+    def __call__(self, *words):
+        line = " ".join(str(word) for word in words)
+        (self.lines if line.startswith(("warning", "error")) else self.notes).append(line)
+
+
+class Sink:
+    """A stream that takes everything and keeps nothing."""
+
+    def write(self, data):
+        return len(data)
+
+
+class Recorder:
+    """A stream that keeps the ids of the MAVLink 2 frames that it takes."""
+
+    def __init__(self):
+        self.ids = []
+
+    def write(self, data):
+        self.ids.append(data[7] | data[8] << 8 | data[9] << 16)
+        return len(data)
+
+
+def fresh(count):
+    """Return a board that reads this count, a state, and the log of both."""
+    log = Log()
+    board = MockBoard(log=log)
+    board.set_adc_value(count)
+    return board, SystemState(log=log), log
+
+
+def battery_mean():
+    board, _, _ = fresh(0)
+    low = 1023
+    counts = [low] * 4 + [low + 4]  # the mean is nearer to low + 1
+    board.set_adc_waveform([count << 0 for count in counts])
+    assert board.read_battery_adc() == low + 1
+    counts = [low] * 4 + [low + 1]  # the mean is nearer to low
+    board.set_adc_waveform([count << 0 for count in counts])
+    assert board.read_battery_adc() == low + 0
+
+
+def battery_full_scale():
+    board, _, _ = fresh(4095)
+    assert board.read_battery_adc() == 4095
+
+
+def battery_failed_reading_keeps_the_last_value():
+    board, state, log = fresh(3071)
+    state.update_battery(board)
+    before = state.battery.voltage_mv
+    assert before is not None
+    board.set_adc_value(1023)
+    board.fail_adc(1)
+    state.update_battery(board)
+    assert state.battery.voltage_mv == before
+    assert board.battery_failures == 1
+    assert len(log.lines) == 1, log.lines
+    state.update_battery(board)
+    assert state.battery.voltage_mv < before
+    assert board.battery_failures == 0
+
+
+def battery_repeated_failures_make_it_unknown():
+    board, state, log = fresh(3071)
+    state.update_battery(board)
+    board.fail_adc(5)
+    for failures in range(1, 6):
+        assert state.battery.voltage_mv is not None
+        state.update_battery(board)
+        assert board.battery_failures == failures
+    assert state.battery.voltage_mv is None
+    assert len(log.lines) == 1, log.lines
+    state.update_battery(board)
+    assert state.battery.voltage_mv is not None
+
+
+def battery_absent_converter_is_no_reason_to_stop():
+    log = Log()
+    board = MockBoard(log=log, absent=True)
+    state = SystemState(log=log)
+    for _ in range(10):
+        state.update_battery(board)
+    assert state.battery.voltage_mv is None
+    assert "warning" in log.lines[0], log.lines
+
+
+class BatteryOddity:
+    """A board that returns, or raises, what no board should."""
+
+    battery_failures = 0
+
+    def __init__(self, result):
+        self.result = result
+
+    def read_battery_adc(self):
+        if isinstance(self.result, Exception):
+            raise self.result
+        return self.result
+
+
+def battery_broken_board_does_not_raise():
+    oddities = (None, "12", -1, 4096, 12.5, float("nan"), OSError(5), ValueError())
+    for board in [None] + [BatteryOddity(result) for result in oddities]:
+        good, state, log = fresh(3071)
+        state.update_battery(good)
+        before = state.battery.voltage_mv
+        state.update_battery(board)
+        assert state.battery.voltage_mv == before
+        for _ in range(4):
+            state.update_battery(board)
+        assert state.battery.voltage_mv is None
+        assert len(log.lines) <= 1, log.lines
+
+
+def battery_late_reading_keeps_the_last_value():
+    board, state, log = fresh(3071)
+    state.update_battery(board)
+    before = state.battery.voltage_mv
+    board.set_adc_value(1023)
+    board.delay_adc(401)
+    state.update_battery(board)
+    assert state.battery.voltage_mv == before
+    assert len(log.lines) == 1, log.lines
+    board.delay_adc(400)
+    state.update_battery(board)
+    assert state.battery.voltage_mv < before
+
+
+def battery_old_reading_is_unknown():
+    for build in [
+        telemetry.build_battery_status,
+    ]:
+        for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
+            mock_time.set_ticks_us(start_us)
+            board, state, _ = fresh(3071)
+            state.update_battery(board)
+            mock_time.advance_us(1000 * 1000)
+            build(state)
+            assert state.battery.voltage_mv is not None
+            mock_time.advance_us(1000)
+            build(state)
+            assert state.battery.voltage_mv is None
+    mock_time.set_ticks_us(0)
+
+
+def battery_high_value_warns_now_and_then():
+    board, state, log = fresh(4084)
+    state.update_battery(board)
+    assert log.lines == []
+    for warnings in (1, 2):
+        for _ in range(3):
+            board.set_adc_value(4085)
+            state.update_battery(board)
+            assert len(log.lines) == warnings, log.lines
+            board.set_adc_value(4084)
+            state.update_battery(board)
+        mock_time.advance_us(10000 * 1000 - 1000)
+        board.set_adc_value(4085)
+        state.update_battery(board)
+        assert len(log.lines) == warnings, log.lines
+        mock_time.advance_us(1000)
+    mock_time.set_ticks_us(0)
+
+
+def battery_formula_of_people_agrees():
+    board, state, _ = fresh(3071)
+    state.update_battery(board)
+    component = state.battery
+    by_hand = component.voltage_from_adc(3071, state.parameters.get("BATT_VOLT_MULT"))
+    assert abs(component.voltage - by_hand) < 0.001
+
+
+def battery_calibration():
+    board, state, _ = fresh(3071)
+    state.update_battery(board)
+    component = state.battery
+    before = component.voltage_mv
+    step = before / state.parameters.batt_volt_mult + 1  # what one step of the multiplier is worth
+    assert state.calibrate_battery(component.voltage * 1.01)
+    state.update_battery(board)
+    assert component.voltage_mv == before  # a new multiplier counts from the next start
+    state = SystemState(state.parameters, log=Log())
+    component = state.battery
+    state.update_battery(board)
+    assert abs(component.voltage_mv - before * 1.01) <= step
+    component.voltage = None
+    assert not state.calibrate_battery(12.0)
+
+
+def battery_scenarios():
+    for name in ("nominal", "low", "critical", "rising", "falling"):
+        board, state, _ = fresh(0)
+        board.set_adc_waveform(scenario(name))
+        seen = []
+        for _ in range(20):
+            state.update_battery(board)
+            seen.append(state.battery.voltage_mv)
+        assert seen == sorted(seen, reverse=name == "falling"), name
+        assert (seen[0] != seen[-1]) == (name in ("rising", "falling")), name
+
+
+def battery_steady_cycle_allocates_nothing():
+    board, state, log = fresh(4095)
+    links = [Link(Sink(), version=2), Link(Sink(), version=1)]
+    state.update_battery(board)  # what there is to warn about at full scale is said now
+    first = state.battery.voltage_mv
+    heap_lock()
+    try:
+        for count in range(4095, -1, -13):
+            board.set_adc_value(count)
+            state.update_battery(board)
+            for build in STEADY:
+                message = build(state)
+                for link in links:
+                    if link.version == 2 or message.ID < 256:
+                        link.send(message)
+    finally:
+        heap_unlock()
+    # A function with many variables puts them on the heap while it runs, which a locked heap does not show.
+    before = mem_total()
+    state.update_battery(board)
+    for build in STEADY:
+        links[0].send(build(state))
+    assert mem_total() == before
+    assert links[0].sequence != links[0].tx_errors == 0
+    assert board.battery_failures == 0
+    assert state.battery.voltage_mv < first // 50
+    assert len(log.lines) <= 1, log.lines
+
+
+def every_value_allocates_nothing():
+    state = SystemState(log=Log())
+    link = Link(Sink())
+    values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
+    quantities = (
+        (state.battery, "voltage_mv"),
+        (state.battery, "current_ca"),
+        (state.battery, "consumed_mah"),
+        (state.battery, "energy_hj"),
+        (state.battery, "remaining_pct"),
+        (state.battery, "temperature_cdegc"),
+        (state.battery, "trend_mv_s"),
+        (state.battery, "health_number"),
+        (state.battery, "monitored"),
+        (state.vehicle, "armed"),
+        (state.vehicle, "ready"),
+        (state.vehicle, "mode_number"),
+        (state.vehicle, "status"),
+        (state.vehicle, "load_dpct"),
+    )
+    heap_lock()
+    try:
+        for owner, attribute in quantities:
+            for value in values:
+                setattr(owner, attribute, value)
+                for build in STEADY:
+                    link.send(build(state))
+    finally:
+        heap_unlock()
+    before = mem_total()
+    for owner, attribute in quantities:
+        for value in values:
+            setattr(owner, attribute, value)
+            for build in STEADY:
+                link.send(build(state))
+    assert mem_total() == before
+
+
+def sent_in_40_seconds(state, message_id):
+    """Return how many such messages go out in 40 seconds of a loop that runs at 400 Hz."""
+    stream = Recorder()
+    mock_time.set_ticks_us(((1 << 30) - 5000) * 1000)  # ticks_ms() wraps in the middle
+    streams = Streams(state, Link(stream))
+    for _ in range(16000):
+        streams.run(time.ticks_ms())
+        mock_time.advance_us(2500)
+    mock_time.set_ticks_us(0)
+    return stream.ids.count(message_id)
+
+
+def heartbeat_stream_keeps_its_rate():
+    state = SystemState(log=Log())
+    assert abs(sent_in_40_seconds(state, 0) - 1 * 40) <= 1
+
+
+def status_stream_keeps_its_rate():
+    state = SystemState(log=Log())
+    for rate in (0, 5, 100):
+        state.parameters.batt_status_rate = rate
+        expected = 1 * 40 * rate * 1 // 10
+        assert abs(sent_in_40_seconds(state, 147) - expected) <= (expected > 0), rate
+
+
+def late_pass_sends_no_burst():
+    recorder = Recorder()
+    mock_time.set_ticks_us(0)
+    streams = Streams(SystemState(log=Log()), Link(recorder))
+    streams.run(time.ticks_ms())
+    at_once = len(recorder.ids)
+    for _ in range(3):
+        mock_time.advance_us(100000000)
+        for _ in range(3):
+            streams.run(time.ticks_ms())
+    mock_time.set_ticks_us(0)
+    assert len(recorder.ids) == 4 * at_once, recorder.ids
+
+
+def parameters_start_with_their_defaults():
+    parameters = Parameters()
+    assert parameters.batt_capacity == 3300
+    assert abs(parameters.get("BATT_CAPACITY") - 3300.0) < 1e-5
+    assert parameters.batt_id == 2
+    assert abs(parameters.get("BATT_ID") - 2.0) < 1e-5
+    assert parameters.batt_monitor == 3
+    assert abs(parameters.get("BATT_MONITOR") - 3.0) < 1e-5
+    assert parameters.batt_status_rate == 5
+    assert abs(parameters.get("BATT_STATUS_RATE") - 0.5) < 1e-5
+    assert parameters.batt_volt_mult == 39500
+    assert abs(parameters.get("BATT_VOLT_MULT") - 3.95) < 1e-5
+    assert parameters.batt_volt_pin == 26
+    assert abs(parameters.get("BATT_VOLT_PIN") - 26.0) < 1e-5
+    assert parameters.compid_batt == 180
+    assert abs(parameters.get("COMPID_BATT") - 180.0) < 1e-5
+    assert parameters.sysid_thismav == 1
+    assert abs(parameters.get("SYSID_THISMAV") - 1.0) < 1e-5
+    assert len(parameters.names()) == 8
+
+
+def parameters_keep_their_limits():
+    parameters = Parameters()
+    for name in parameters.names():
+        default = parameters.get(name)
+        for refused in (None, float("nan"), float("inf"), -float("inf"), 1e9, -1e9):
+            assert not parameters.set(name, refused), (name, refused)
+            assert parameters.get(name) == default
+        assert parameters.set(name, default)
+        assert parameters.get(name) == default
+    assert not parameters.set("NO_SUCH_NAME", 1)
+
+
+BUILDERS = (
+    telemetry.build_heartbeat,
+    telemetry.build_battery_status,
+    telemetry.build_autopilot_version,
+    telemetry.build_protocol_version,
+)
+
+STEADY = (  # those without live float fields, which allocate
+    telemetry.build_heartbeat,
+    telemetry.build_battery_status,
+    telemetry.build_autopilot_version,
+    telemetry.build_protocol_version,
+)
+
+CHECKS = (
+    ("FR-00066.2", battery_mean),
+    ("FR-00066.1", battery_full_scale),
+    ("FR-00066.4", battery_failed_reading_keeps_the_last_value),
+    ("FR-00067.3", battery_repeated_failures_make_it_unknown),
+    ("FR-00066.5", battery_absent_converter_is_no_reason_to_stop),
+    ("FR-00067.5", battery_broken_board_does_not_raise),
+    ("NFR-00060.2", battery_late_reading_keeps_the_last_value),
+    ("FR-00067.3", battery_old_reading_is_unknown),
+    ("FR-00069.5", battery_high_value_warns_now_and_then),
+    ("FR-00069.1", battery_formula_of_people_agrees),
+    ("FR-00069.6", battery_calibration),
+    ("NFR-00062.2", battery_scenarios),
+    ("NFR-00060.3", battery_steady_cycle_allocates_nothing),
+    ("FR-00074.1", heartbeat_stream_keeps_its_rate),
+    ("FR-00074.3", status_stream_keeps_its_rate),
+    ("", every_value_allocates_nothing),
+    ("", late_pass_sends_no_burst),
+    ("", parameters_start_with_their_defaults),
+    ("", parameters_keep_their_limits),
+)
+
+
+def outcome(check):
+    """Return None for a check that passes, else what went wrong."""
+    try:
+        check()
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
+if __name__ == "__main__":
+    print(json.dumps([[f"{check.__name__}-{criterion}", outcome(check)] for criterion, check in CHECKS]))

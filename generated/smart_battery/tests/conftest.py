@@ -1,0 +1,24 @@
+# Generated from templates/tests/conftest.py: do not edit.
+# Inputs: e2a788a80e09b72a
+"""What the firmware does in the cases and checks of this suite, once for each interpreter."""
+
+import json
+
+import pytest
+from interpreters import CASES, run_under
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def results(request):
+    """What the firmware made of all cases, in one run of each interpreter."""
+    return json.loads(run_under(request.param, "runner.py", str(CASES)))
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def behaviour(request):
+    """Run the functions of a behaviour script under an interpreter; their names with None or what went wrong."""
+
+    def run(script):
+        return json.loads(run_under(request.param, script))
+
+    return run

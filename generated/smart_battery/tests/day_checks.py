@@ -1,0 +1,54 @@
+# Generated from templates/tests/program/day_checks.py: do not edit.
+# Inputs: a287e1e04445a737
+"""A simulated day across the turn of ticks_ms(): no drift, no gap, and everything works after it."""
+
+from program_bench import (
+    SECOND_US,
+    TURN_MS_US,
+    Sink,
+    main,
+    mock_time,
+    new_rover,
+    run,
+)
+from program_facts import CONTROL_US, MEASURED, STREAMS
+
+STEP_US = 800000  # between two passes
+DAY_US = 86400 * SECOND_US
+HALF_DAY_US = DAY_US // 2
+
+
+def _streamed():
+    """Return how many frames a day of passes every STEP_US brings at least."""
+    return sum(len(stream["messages"]) for stream in STREAMS if stream["parameter"] is None) * 80000
+
+
+def day_across_the_wrap():
+    """A day that begins half a day before ticks_ms() starts again: readings, streams, grid, all as at its start."""
+    sink = Sink()
+    start_us = TURN_MS_US - HALF_DAY_US
+    rover = new_rover(ports=[sink], at_us=start_us)
+    times = []
+    rover.scheduler._control.call = lambda: times.append(mock_time.elapsed_us()) if not times else None
+    run(rover, DAY_US, STEP_US)
+    assert sink.count >= _streamed(), sink.count
+    late_us = mock_time.ticks_diff(rover.scheduler._control.due_us, mock_time.ticks_us())
+    assert -STEP_US <= late_us <= CONTROL_US
+    assert (mock_time.elapsed_us() + late_us - start_us) % CONTROL_US == 0, "the grid has moved"
+    slots = DAY_US // CONTROL_US
+    passes = DAY_US // STEP_US
+    assert abs(rover.scheduler.overruns - (slots - passes)) <= STEP_US // CONTROL_US, rover.scheduler.overruns
+    for measured in MEASURED:
+        component = getattr(rover.state, measured["component"])
+        component = component[0] if measured["first"] != measured["component"] else component
+        assert getattr(component, measured["attribute"]) is not None
+    assert rover.arm() is None
+    before = sink.count
+    run(rover, 10 * SECOND_US)
+    assert sink.count > before
+
+
+CHECKS = (("loop", 1, day_across_the_wrap),)
+
+if __name__ == "__main__":
+    main(CHECKS)

@@ -1,0 +1,347 @@
+# Generated from templates/tests/program/health_checks.py: do not edit.
+# Inputs: 42b20adb54ab428c
+"""Trend, health, remaining charge and readings of what is measured, as the program sees them."""
+
+from program_bench import (
+    SECOND_US,
+    Rover,
+    Watch,
+    analog,
+    good_count,
+    machine,
+    main,
+    mock_time,
+    needs,
+    new_rover,
+    run,
+    save,
+)
+from program_facts import FAILSAFES, HEALTH_MS, MEASURED, PARAMETERS
+
+import dialect
+
+
+def _state_of(rover, measured):
+    state = getattr(rover.state, measured["component"])
+    return state[0] if measured["first"] != measured["component"] else state
+
+
+def _trending():
+    measured = [each for each in MEASURED if each["trend"]]
+    needs(measured, "a trend")
+    return measured[0]
+
+
+def _trend_after(values):
+    """Return the trend after readings of these values, None for unknown, through the component itself."""
+    measured = _trending()
+    component = _state_of(new_rover(), measured)
+    for value in values:
+        if value is None:
+            component.forget()
+        else:
+            setattr(component, measured["attribute"], value)
+            component.keep()
+    return getattr(component, measured["trend"])
+
+
+def ramp_gives_its_slope():
+    """Rising is positive, falling negative, each exactly the slope in stored steps per second."""
+    measured = _trending()
+    window = 2 * measured["trend_half"]
+    for slope in (-500, -5, -1, 0, 1, 10, 333):
+        expected = slope * SECOND_US // measured["period_us"]
+        for more in (0, 1, window // 2, window, 2 * window + 1, 5 * window):
+            values = [20000 + slope * index for index in range(window + more)]
+            assert _trend_after(values) == expected, (slope, more)
+
+
+def step_is_spread_over_the_window():
+    """After a step the trend rises and falls with the readings behind it."""
+    measured = _trending()
+    half = measured["trend_half"]
+    slopes = []
+    for after in range(0, 2 * half + 1, half // 2):
+        slopes.append(_trend_after([20000] * (2 * half) + [16000] * after))
+    peak = -4000 * SECOND_US // (half * measured["period_us"])
+    assert slopes == [0, peak // 2, peak, peak // 2, 0], slopes
+
+
+def unknown_until_the_window_is_full():
+    """One reading less than the window is not enough, at the start and after the value was unknown."""
+    window = 2 * _trending()["trend_half"]
+    assert _trend_after([12000] * (window - 1)) is None
+    assert _trend_after([12000] * window) == 0
+    assert _trend_after([12000] * window + [None] + [12000] * (window - 1)) is None
+    assert _trend_after([12000] * window + [None] + [12000] * window) == 0
+
+
+def failed_reading_keeps_the_window():
+    """A failed reading that leaves the value known counts with the last good one; the window does not start anew."""
+    measured = _trending()
+    rover = new_rover()
+    component = _state_of(rover, measured)
+    run(rover, 2 * measured["trend_half"] * measured["period_us"], measured["period_us"])
+    assert getattr(component, measured["trend"]) == 0
+    analog(measured).failures = 1
+    run(rover, measured["period_us"], measured["period_us"])
+    assert getattr(component, measured["trend"]) == 0
+    needs(measured["invalid_after"], "a limit for failed readings")
+    analog(measured).failures = measured["invalid_after"]
+    run(rover, measured["invalid_after"] * measured["period_us"], measured["period_us"])
+    assert getattr(component, measured["trend"]) is None
+    run(rover, measured["period_us"], measured["period_us"])
+    assert getattr(component, measured["attribute"]) is not None
+    assert getattr(component, measured["trend"]) is None
+
+
+def _judging(low=10500, critical=9900):
+    needs(FAILSAFES and FAILSAFES[0]["health"], "a health")
+    facts = FAILSAFES[0]
+    unit = facts["low_scale"] * facts["critical_scale"]
+    return Watch(low * unit, critical * unit, 10), unit
+
+
+def health_by_thresholds():
+    """Healthy at or above the low threshold, warning below it, unhealthy below the other or unknown; 0 is off."""
+    for value, low, critical, expected in (
+        (12000, 10500, 9900, 0),
+        (10500, 10500, 9900, 0),
+        (10499, 10500, 9900, 1),
+        (9900, 10500, 9900, 1),
+        (9899, 10500, 9900, 2),
+        (None, 10500, 9900, 2),
+        (9899, 10500, 0, 1),
+        (10200, 0, 9900, 0),
+        (9899, 0, 9900, 2),
+        (None, 0, 0, 2),
+    ):
+        watch, unit = _judging(low, critical)
+        watch.readings(None if value is None else value * unit)
+        assert getattr(watch.component, watch.facts["health"]) == expected, (value, low, critical)
+
+
+def health_of_every_step():
+    """Between the thresholds there is no other order: every step from below the one to above the other."""
+    watch, unit = _judging(60, 30)
+    for value in range(25 * unit, 65 * unit):
+        watch.readings(value)
+        expected = 2 if value < 30 * unit else 1 if value < 60 * unit else 0
+        assert getattr(watch.component, watch.facts["health"]) == expected, value
+
+
+def change_of_health_is_logged_once():
+    """Each change that lasts is one text; swinging around a threshold is bounded by the time between two."""
+    watch, unit = _judging()
+    title = watch.facts["title"] + " health: "
+    lasting = (2 * HEALTH_MS * 1000) // watch.period_us
+    for value in (12000, 10400, 9800, 12000):
+        watch.readings(value * unit, lasting)
+    severities = (dialect.MAV_SEVERITY_WARNING, dialect.MAV_SEVERITY_WARNING, dialect.MAV_SEVERITY_INFO)
+    words = ("warning", "unhealthy", "healthy")
+    expected = [(severity, title + word) for severity, word in zip(severities, words)]  # noqa: B905  no strict there
+    assert watch.rover.said(title) == expected, watch.rover.said(title)
+    watch, unit = _judging()
+    for _ in range(3 * lasting // 2):
+        watch.readings(10500 * unit)
+        watch.readings(10500 * unit - 1)
+    assert 6 <= len(watch.rover.said(title)) <= 7, watch.rover.said(title)
+
+
+def health_is_told_after_days():
+    """Half a turn of ticks_ms() after the last text, a change is still told."""
+    watch, unit = _judging()
+    title = watch.facts["title"] + " health: "
+    lasting = (2 * HEALTH_MS * 1000) // watch.period_us
+    for value in (12000, 10400, 12000):
+        watch.readings(value * unit, lasting)
+    told = len(watch.rover.said(title))
+    for _ in range(160):
+        mock_time.advance_us(3600000000)
+        watch.readings(12000 * unit)
+    watch.readings(10400 * unit)
+    assert len(watch.rover.said(title)) == told + 1, watch.rover.said(title)
+
+
+def remaining_charge():
+    """Unknown without an estimate; with one it follows the curve, from 0 to 100, and is unknown with the value."""
+    needs(MEASURED, "something that is measured")
+    for measured in MEASURED:
+        points = measured["estimate_points"]
+        component = _state_of(new_rover(), measured)
+        if not points:
+            component.set_count(measured["full_scale"], 1)
+            assert getattr(component, "remaining_pct", None) is None
+            continue
+        before = 0
+        multiplier = next(each["default"] for each in PARAMETERS if each["attribute"] == measured["multiplier"])
+        for count in range(0, measured["full_scale"] + 1, 5):
+            component.set_count(count, multiplier)
+            value, percent = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
+            assert before <= percent <= 100, (count, percent)
+            assert value > points[0][0] or percent == points[0][1], (value, percent)
+            assert value < points[-1][0] or percent == points[-1][1], (value, percent)
+            for (low, least), (high, most) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
+                assert not low <= value <= high or least <= percent <= most, (value, percent)
+            before = percent
+        component.forget()
+        assert getattr(component, measured["estimate"]) is None
+
+
+def monitor_off_measures_nothing():
+    """With the monitor off the converter is left alone, the value stays unknown, and nothing is complained about."""
+    for measured in MEASURED:
+        needs(measured["enabled_by"], "a parameter that switches the component off")
+        name = next(each["name"] for each in PARAMETERS if each["attribute"] == measured["enabled_by"])
+        before = new_rover()
+        assert before.parameters.set(name, 0)
+        flash = before.flash
+        flash.files = {}
+        save(before)
+        rover = new_rover(flash=flash)
+        reads = analog(measured).reads
+        run(rover, 5 * SECOND_US)
+        assert analog(measured).reads == reads
+        assert getattr(_state_of(rover, measured), measured["attribute"]) is None
+        assert rover.arm() is None
+
+
+def read_often_enough():
+    """In a minute at least as many readings as the period asks for, each of the specified samples, on its GPIO."""
+    for measured in MEASURED:
+        rover = new_rover()
+        reads = analog(measured).reads
+        run(rover, 60 * SECOND_US)
+        readings = 60 * SECOND_US // measured["period_us"]
+        done = analog(measured).reads - reads
+        assert readings <= done // measured["samples"] <= readings + 1, done
+
+
+def pin_counts_from_the_next_start():
+    """The converter on another GPIO is read after the next start, not before."""
+    for measured in MEASURED:
+        needs(measured["pin"], "a parameter that has the pin")
+        facts = next(each for each in PARAMETERS if each["attribute"] == measured["pin"])
+        for gpio in range(facts["minimum"], facts["maximum"] + 1):
+            rover = new_rover()
+            setattr(rover.parameters, measured["pin"], gpio)
+            run(rover, SECOND_US)
+            assert gpio == measured["gpio"] or machine.analog(gpio).reads == 0
+            save(rover)
+            rover = new_rover(flash=rover.flash)
+            run(rover, SECOND_US)
+            assert machine.analog(gpio).reads > 0, gpio
+            assert gpio == measured["gpio"] or analog(measured).reads == 0
+
+
+def first_value_is_told_once():
+    """The first value is logged as information, once."""
+    for measured in MEASURED:
+        rover = new_rover()
+        run(rover, 5 * SECOND_US)
+        assert len(rover.said(measured["component"] + ": ")) == 1, rover.said()
+
+
+def runs_without_a_converter():
+    """A converter that cannot be set up is warned about; the vehicle runs, the value is unknown, arming is refused."""
+    for measured in MEASURED:
+        machine.reset_analog()
+        analog(measured).absent = True
+        try:
+            rover = Rover()  # new_rover() would repair the converter
+            run(rover, 60 * SECOND_US)
+        finally:
+            machine.reset_analog()
+        warnings = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_WARNING]
+        assert "no ADC" in warnings[0], rover.said()
+        assert getattr(_state_of(rover, measured), measured["attribute"]) is None
+        assert rover.port.polls >= 60 * SECOND_US // 100000
+        assert not FAILSAFES or rover.arm() is not None
+
+
+def sensor_loss_is_noticed():
+    """Failing readings make the value unknown after the specified number; one good reading makes it known again."""
+    for measured in MEASURED:
+        needs(measured["invalid_after"], "a limit for failed readings")
+        rover = new_rover()
+        component = _state_of(rover, measured)
+        run(rover, SECOND_US)
+        source, analog(measured).source = analog(measured).source, None
+        period = measured["period_us"]
+        run(rover, (measured["invalid_after"] - 1) * period, period)
+        assert getattr(component, measured["attribute"]) is not None
+        run(rover, period, period)
+        assert getattr(component, measured["attribute"]) is None
+        analog(measured).source = source
+        run(rover, period, period)
+        assert getattr(component, measured["attribute"]) is not None
+
+
+def late_reading_is_refused_in_the_program():
+    """Readings that take too long keep the last value, are complained about once, and then the value is given up."""
+    for measured in MEASURED:
+        needs(measured["read_limit_us"], "a limit for the time of a reading")
+        rover = new_rover()
+        component = _state_of(rover, measured)
+        run(rover, SECOND_US)
+        analog(measured).delay_us = 100000
+        run(rover, 10 * SECOND_US)
+        assert getattr(component, measured["attribute"]) is None
+        errors = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_ERROR]
+        assert len(errors) == 1, errors
+        assert rover.scheduler.overruns > 0
+
+
+def high_value_is_warned_about_at_intervals():
+    """A value that stays too high, or swings around the limit, is warned about once in each interval."""
+    for measured in MEASURED:
+        needs(measured["warning_count"] is not None, "a count that is warned about")
+        needs(measured["warn_every_ms"], "a time between warnings")
+        period = measured["period_us"]
+        first = measured["warning_count"] << measured["spare_bits"]
+        for swings in (False, True):
+            rover = new_rover()
+            for index in range(6 * measured["warn_every_ms"] * 1000 // period):
+                analog(measured).source = first - (index % 2 << measured["spare_bits"] if swings else 0)
+                run(rover, period, period)
+            warned = [text for _, text in rover.said() if "above" in text]
+            assert 6 <= len(warned) <= 7, rover.said()
+        rover = new_rover()
+        analog(measured).source = first - 1
+        run(rover, 10 * SECOND_US, period)
+        assert not [text for _, text in rover.said() if "above" in text]
+
+
+def good_count_is_good():
+    """What the other checks start from is neither low nor worth a warning."""
+    for measured in MEASURED:
+        rover = new_rover()
+        run(rover, SECOND_US)
+        assert good_count(measured) > 0
+        assert not [text for severity, text in rover.said() if severity <= dialect.MAV_SEVERITY_WARNING], rover.said()
+        mock_time.set_ticks_us(0)
+
+
+CHECKS = (
+    ("health", 1, ramp_gives_its_slope),
+    ("health", 1, step_is_spread_over_the_window),
+    ("health", 2, unknown_until_the_window_is_full),
+    ("health", 2, failed_reading_keeps_the_window),
+    ("health", 3, health_by_thresholds),
+    ("health", 3, health_of_every_step),
+    ("health", 4, change_of_health_is_logged_once),
+    ("health", 4, health_is_told_after_days),
+    ("health", 5, remaining_charge),
+    ("reading", 1, pin_counts_from_the_next_start),
+    ("reading", 3, monitor_off_measures_nothing),
+    ("reading", 3, read_often_enough),
+    ("reading", 5, first_value_is_told_once),
+    ("reading", 5, runs_without_a_converter),
+    ("update", 3, sensor_loss_is_noticed),
+    ("conversion", 5, high_value_is_warned_about_at_intervals),
+    ("steady", 2, late_reading_is_refused_in_the_program),
+    ("scenarios", 1, good_count_is_good),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

@@ -1,0 +1,214 @@
+# Generated from templates/tests/program/link_checks.py: do not edit.
+# Inputs: 0259ee25c12f3042
+"""The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
+
+import socket
+import sys
+
+from program_bench import SECOND_US, GroundStation, Port, live, machine, main, messages, new_rover, run, run_passes
+from program_facts import CONTROL_US, STREAMS
+
+import board
+from serial_port import open_uart
+from udp_port import UdpPort
+
+
+class Line:
+    """The other end of a scripted UART, as GroundStation takes it: whole frames are found by the receiver."""
+
+    def __init__(self):
+        machine.reset_serial()
+        self.line = machine.serial(0)
+
+    def arrives(self, frame):
+        """Let bytes arrive at the UART."""
+        self.line.arrives(bytes(frame))
+
+    @property
+    def frames(self):
+        """What the UART has sent, as one piece."""
+        return [bytes(self.line.sent)]
+
+    @frames.setter
+    def frames(self, _nothing):
+        self.line.sent = bytearray()
+
+
+def _wired(size=512):
+    line = Line()
+    port = open_uart("radio", 0, tx=0, rx=1, baud=57600, size=size)
+    rover = new_rover(ports=[port])
+    return rover, GroundStation(line), line.line, port
+
+
+def partial_writes_keep_frames_whole():
+    """A UART that takes a few bytes at a time, or none: the receiver finds whole frames and no false ones."""
+    rover, station, line, port = _wired()
+    line.parts = [0, 1, 2, 3, 5, 7, 11, 0, 0, 13] * 200
+    run(rover, 10 * SECOND_US)
+    found = station.received(*messages.ALL)
+    assert len([each for each in found if each.ID == messages.Heartbeat.ID]) >= _beats(10), len(found)
+    assert (station.link.crc_errors, port.dropped) == (0, 0)
+
+
+def _beats(seconds):
+    """Return how many HEARTBEATs come at least in so many seconds."""
+    for stream in STREAMS:
+        if stream["parameter"] is None and stream["messages"] and stream["messages"][0][0] == messages.Heartbeat.ID:
+            return seconds * 1000 * stream["period_denominator"] // stream["period_numerator"] - 1
+    return 0
+
+
+def _counting(port):
+    """Return a list that grows with each frame that the port takes."""
+    taken = []
+    write = port.write
+
+    def counted(frame):
+        length = write(frame)
+        if length:
+            taken.append(length)
+        return length
+
+    port.write = counted
+    return taken
+
+
+def full_buffer_drops_whole_frames():
+    """A UART that takes nothing for a while: frames are dropped whole and counted, the loop goes on, nothing breaks."""
+    for size in range(300, 350, 5):
+        rover, station, line, port = _wired(size)
+        taken = _counting(port)
+        run(rover, SECOND_US)
+        line.room = 0
+        run(rover, 8 * SECOND_US)
+        assert port.dropped > 0
+        assert rover.scheduler.overruns == 0
+        line.room = None
+        run(rover, 5 * SECOND_US)
+        assert len(station.received(*messages.ALL)) == len(taken), (size, "what was taken arrives")
+        assert station.link.crc_errors == 0, size
+
+
+def slow_line_takes_the_whole_list():
+    """A list of parameters over a UART as slow as a radio: nothing is missing in it."""
+    rover, station, line, _ = _wired()
+    station.send(messages.ParamRequestList)
+    for _ in range(2000):
+        line.room = 5760 * CONTROL_US // SECOND_US  # bytes of 57600 baud in a pass
+        run_passes(rover, 1)
+    values = station.received(messages.ParamValue)
+    assert [value.param_index for value in values] == list(range(values[0].param_count))
+
+
+def faults_of_a_line_are_survived():
+    """A UART that raises: the loop goes on, and telemetry returns when the fault has gone."""
+    rover, station, line, port = _wired()
+    line.failures = 100000
+    run(rover, 5 * SECOND_US)
+    assert not port.is_up
+    assert rover.scheduler.overruns == 0
+    line.failures = 0
+    station.received()
+    run(rover, 5 * SECOND_US)
+    assert port.is_up
+    assert len(station.received(messages.Heartbeat)) >= _beats(5)
+
+
+def absent_line_is_survived():
+    """A UART that cannot be opened: the vehicle runs without it, and other links work."""
+    machine.reset_serial()
+    machine.serial(0).absent = True
+    other = Port()
+    rover = new_rover(ports=[open_uart("radio", 0, tx=0, rx=1, baud=57600, size=512), other])
+    machine.serial(0).absent = False
+    run(rover, 5 * SECOND_US)
+    assert len(GroundStation(other).received(messages.Heartbeat)) >= _beats(5)
+
+
+def one_broken_port_leaves_the_others_alone():
+    """A port that raises what no port should: its link stands still, the other links and the loop go on."""
+    broken, whole = Port(), Port()
+
+    def fail(*_arguments):
+        raise ValueError("broken")
+
+    broken.readinto = fail
+    broken.write = fail
+    rover = new_rover(ports=[broken, whole])
+    station = GroundStation(whole)
+    run(rover, 5 * SECOND_US)
+    assert len(station.received(messages.Heartbeat)) >= _beats(5)
+    station.command(410)
+    run_passes(rover, 4)
+    assert len(station.received(messages.CommandAck)) == 1
+
+
+def datagrams_over_the_loopback():
+    """UDP: telemetry to where the port points, answers to who asked, a closed socket is opened again."""
+    there = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    there.setblocking(False)
+    number = int(sys.argv[1])
+    there.bind(socket.getaddrinfo("127.0.0.1", number)[0][-1])
+    port = UdpPort("wifi", "127.0.0.1", number, 0, None, 1000, lambda *_words: None)
+    rover = new_rover(ports=[port])
+    other_end = Port()
+    station = GroundStation(other_end)
+    peer = None
+    for second in range(10):
+        if second == 5:
+            port._socket.close()
+        run(rover, SECOND_US)
+        heard = 0
+        while True:
+            try:
+                frame, peer = there.recvfrom(512)
+            except OSError:
+                break
+            other_end.frames.append(frame)
+            heard += 1
+        assert heard or second == 5, second
+    assert len(station.received(messages.Heartbeat)) >= _beats(9)
+    there.sendto(bytes(station.link.encode(messages.CommandLong(unknown=False).update(command=410))), peer)
+    run_passes(rover, 8)
+    answers = []
+    while True:
+        try:
+            answers += station.link.feed(there.recvfrom(512)[0])
+        except OSError:
+            break
+    there.close()
+    port._socket.close()
+    assert [each.command for each in answers if each.ID == messages.CommandAck.ID] == [410]
+
+
+def boards_own_ports():
+    """With the ports of the board description, on a host without credentials: the program runs and tells about it."""
+    machine.reset_serial()
+    if hasattr(board, "open_usb"):  # it would write to where this program prints
+        board.open_usb = lambda _name, size: Port()  # noqa: ARG005  as the board calls it
+    rover = new_rover(ports=new_rover().board.open_ports())
+
+    async def story():
+        import asyncio  # noqa: PLC0415
+
+        await asyncio.sleep_ms(5000)
+
+    live(rover, story)
+    assert rover.scheduler.overruns == 0
+    assert [connection.faults for connection in rover.connections] == [0] * len(rover.connections)
+
+
+CHECKS = (
+    ("services", 10, partial_writes_keep_frames_whole),
+    ("services", 10, full_buffer_drops_whole_frames),
+    ("storage", 6, slow_line_takes_the_whole_list),
+    ("services", 10, faults_of_a_line_are_survived),
+    ("services", 10, absent_line_is_survived),
+    ("services", 10, one_broken_port_leaves_the_others_alone),
+    ("services", 10, datagrams_over_the_loopback),
+    ("services", 10, boards_own_ports),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

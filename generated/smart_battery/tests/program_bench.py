@@ -1,0 +1,383 @@
+# Generated from templates/tests/program/program_bench.py: do not edit.
+# Inputs: bf5290ffd15cf74c
+"""A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
+
+The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
+"""
+
+import json
+import sys
+
+import mock_time
+
+mock_time.install()
+
+import mock_asyncio  # noqa: E402  the clock has to be in place before it
+
+mock_asyncio.install()
+
+import asyncio  # noqa: E402  on MicroPython it runs on the clock of the mocks now
+
+import machine  # noqa: E402
+import messages  # noqa: E402
+from mavlink import Link  # noqa: E402
+from program_facts import COMPONENT_ID, CONTROL_US, FAILSAFES, LINKS_US, MEASURED, ON_REQUEST, SENT, SYSTEM_ID  # noqa: E402
+from texts import Texts  # noqa: E402
+from vehicle import Vehicle  # noqa: E402
+
+import storage  # noqa: E402
+
+IS_MICROPYTHON = sys.implementation.name == "micropython"
+TURN_US = 1 << 30  # ticks_us() starts again
+TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
+SECOND_US = 1000000
+_ENOENT = 2
+_EIO = 5
+
+
+class NotHereError(Exception):
+    """The specification, or this interpreter, leaves out what a check is about."""
+
+
+def needs(condition, what):
+    """Leave a check out where it is about nothing."""
+    if not condition:
+        raise NotHereError(what)
+
+
+class Flash:
+    """Files in memory; what is written counts from close() on, and `operations` keeps what each file would hold.
+
+    `fail_after` is how many writes still work, `delay_us` the time that each takes, `longest` the longest so far.
+    """
+
+    def __init__(self):
+        self.files = {}
+        self.operations = []
+        self.longest = 0
+        self.fail_after = None
+        self.delay_us = 0
+        storage.open = self.open
+
+    def open(self, path, mode):
+        """Open a file as the built-in function does, in the modes rb and wb."""
+        if mode == "wb":
+            self.note(path, b"")
+        elif path not in self.files:
+            raise OSError(_ENOENT, "no such file")
+        return _File(self, path)
+
+    def note(self, path, content):
+        """Keep what a file holds from now on."""
+        self.files[path] = content
+        self.operations.append((path, content))
+
+
+class _File:
+    def __init__(self, flash, path):
+        self._flash = flash
+        self._path = path
+        self._at = 0
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_raised):
+        self.close()
+
+    def read(self, size):
+        content = self._flash.files[self._path]
+        part = content[self._at : self._at + size]
+        self._at += len(part)
+        return part
+
+    def write(self, data):
+        flash = self._flash
+        mock_time.advance_us(flash.delay_us)
+        if flash.fail_after is not None:
+            if flash.fail_after == 0:
+                raise OSError(_EIO, "broken")
+            flash.fail_after -= 1
+        flash.longest = max(flash.longest, len(data))
+        flash.note(self._path, flash.files[self._path] + bytes(data))
+        return len(data)
+
+    def close(self):
+        pass
+
+
+class Port:
+    """A port that gives what `arrives` got, and keeps the frames that it takes: `room` in each pass, None for all."""
+
+    name = "bench"
+
+    def __init__(self):
+        self.is_up = True
+        self.room = None
+        self.frames = []
+        self.polls = 0
+        self._taken = 0
+        self._arrived = b""
+
+    def arrives(self, data):
+        """Let bytes arrive."""
+        self._arrived += bytes(data)
+
+    def readinto(self, buffer):
+        """Give what fits."""
+        count = min(len(buffer), len(self._arrived))
+        if count:
+            buffer[:count] = self._arrived[:count]
+            self._arrived = self._arrived[count:]
+        return count
+
+    def write(self, frame):
+        """Take a whole frame, or nothing."""
+        if not self.is_up or (self.room is not None and self._taken >= self.room):
+            return 0
+        self._taken += 1
+        self.frames.append(bytes(frame))
+        return len(frame)
+
+    def poll(self, _now_ms):
+        """Begin a new pass."""
+        self.polls += 1
+        self._taken = 0
+
+
+class Sink:
+    """A port on which nothing arrives, and that only counts what it takes."""
+
+    name = "sink"
+    is_up = True
+
+    def __init__(self):
+        self.count = 0
+
+    def readinto(self, _buffer):
+        """Nothing arrives."""
+        return 0
+
+    def write(self, frame):
+        """Take all."""
+        self.count += 1
+        return len(frame)
+
+    def poll(self, _now_ms):
+        """Do nothing."""
+
+
+class GroundStation:
+    """What is at the other end of a port: the firmware's own link, with the ids of a ground station."""
+
+    def __init__(self, port, version=2, system_id=255, component_id=190):
+        self.port = port
+        self.link = Link(self, system_id, component_id, version, messages.ALL)
+
+    def write(self, frame):
+        """What the ground station sends arrives at the vehicle."""
+        self.port.arrives(frame)
+        return len(frame)
+
+    def send(self, message, **values):
+        """Send a message to the vehicle, unless `values` say to whom; fields that are not given are 0."""
+        message = message(unknown=False)
+        if "target_system" in message.names():
+            message.update(target_system=SYSTEM_ID, target_component=COMPONENT_ID)
+        self.link.send(message.update(**values))
+
+    def command(self, number, *params, **values):
+        """Send a COMMAND_LONG with the first of its parameters."""
+        for index, param in enumerate(params):
+            values[f"param{index + 1}"] = param
+        self.send(messages.CommandLong, command=number, **values)
+
+    def received(self, *kinds):
+        """Return the messages that came since the last call, of these classes, or all but the streams."""
+        frames, self.port.frames = self.port.frames, []
+        found = [message for frame in frames for message in self.link.feed(frame)]
+        if kinds:
+            return [message for message in found if isinstance(message, kinds)]
+        streamed = [number for number in SENT if number not in ON_REQUEST] + [messages.Statustext.ID]
+        return [message for message in found if message.ID not in streamed]
+
+
+class Rover(Vehicle):
+    """A vehicle that notes which of the user's calls were made; `problem` is what check_arming() returns."""
+
+    def __init__(self, flash=None, ports=None, texts=None, at_us=0, board=None):
+        mock_time.set_ticks_us(at_us)
+        self.calls = []
+        self.problem = None
+        self.flash = flash or Flash()
+        storage.open = self.flash.open
+        Vehicle.__init__(self, board, [Port()] if ports is None else ports, texts or Texts(silent, 500))
+
+    @property
+    def port(self):
+        """The first port."""
+        return self.connections[0].port
+
+    def check_arming(self):
+        """Pass, unless told otherwise."""
+        return self.problem
+
+    def on_arm(self):
+        """Note it."""
+        self.calls.append("on_arm")
+
+    def on_disarm(self):
+        """Note it."""
+        self.calls.append("on_disarm")
+
+    def ground_station(self, version=2):
+        """Return what is at the other end of the first port."""
+        return GroundStation(self.port, version)
+
+    def said(self, part=""):
+        """Return the texts so far that begin with `part`; of very many, the newest."""
+        kept = [self.texts.get(number) for number in range(1, self.texts.last + 1)]
+        return [text for text in kept if text is not None and text[1].startswith(part)]
+
+
+def silent(_text):
+    """Show nothing."""
+
+
+def new_rover(**arguments):
+    """Return a vehicle whose components read a good value, with working converters and empty flash."""
+    machine.reset_analog()
+    for measured in MEASURED:
+        analog(measured).source = good_count(measured)
+    return Rover(**arguments)
+
+
+def analog(measured):
+    """Return the script of a component's ADC input."""
+    return machine.analog(measured["gpio"])
+
+
+def good_count(measured):
+    """Return a count of the 12 bit converter that is neither low nor worth a warning."""
+    ceiling = measured["full_scale"]
+    if measured["warning_count"] is not None:
+        ceiling = measured["warning_count"] - 1
+    return (ceiling * 19 // 20) << measured["spare_bits"]
+
+
+def run(vehicle, duration_us, step_us=None):
+    """Run passes for so long: each when it is due, or one after every `step_us`. What is late is left out."""
+    end_us = mock_time.elapsed_us() + duration_us
+    while mock_time.elapsed_us() < end_us:
+        wait_us = vehicle.run_pass()
+        mock_time.advance_us(wait_us if step_us is None else step_us)
+
+
+def save(vehicle):
+    """Save the parameters at once, without the vehicle's own task."""
+    vehicle.storage.begin(vehicle.parameters.dump())
+    while vehicle.storage.step():
+        pass
+
+
+def run_passes(vehicle, count):
+    """Run the passes, each when it is due, in which links are served so often."""
+    for _ in range(count * -(-LINKS_US // CONTROL_US)):
+        mock_time.advance_us(vehicle.run_pass())
+
+
+def live(vehicle, story):
+    """Run the vehicle's tasks while the coroutine function `story` goes on; return whether the board was reset."""
+    if IS_MICROPYTHON:
+        asyncio.new_event_loop()
+
+    resets = []
+
+    async def both():
+        async def board():
+            try:
+                await vehicle.run()
+            except machine.Reset:
+                resets.append(mock_time.elapsed_us())
+                told.cancel()
+
+        told = asyncio.create_task(story())
+        running = asyncio.create_task(board())
+        try:
+            await told
+        except asyncio.CancelledError:
+            assert resets
+        running.cancel()
+
+    asyncio.run(both())
+    return bool(resets)
+
+
+class Watch:
+    """A failsafe whose component has exactly the values that a check gives it; `at` sets thresholds in stored steps."""
+
+    def __init__(self, low, critical, timer, at_us=0, flash=None):
+        needs(FAILSAFES, "a failsafe")
+        self.facts = FAILSAFES[0]
+        self.rover = new_rover(at_us=at_us, flash=flash)
+        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafe")
+        self.component = getattr(self.rover.state, self.facts["component"])
+        self.parameters = self.rover.parameters
+        self.period_us = next(each for each in MEASURED if each["component"] == self.facts["component"])["period_us"]
+        self.value = None
+        self.events = []
+        self.started_us = at_us
+        self.set(low, critical, timer)
+        setattr(self.rover.state, "update_" + self.facts["component"], self._update)
+
+    def set(self, low, critical, timer):
+        """Set the thresholds, in stored steps, and the time in seconds."""
+        setattr(self.parameters, self.facts["low"], low // self.facts["low_scale"])
+        setattr(self.parameters, self.facts["critical"], critical // self.facts["critical_scale"])
+        setattr(self.parameters, self.facts["after"], timer)
+
+    def _update(self, _board):
+        setattr(self.component, self.facts["attribute"], self.value)
+
+    def readings(self, value, count=1):
+        """Run so many readings of a value, one in each period; note when a level is reached."""
+        self.value = value
+        for _ in range(count):
+            before = self.failsafe.level
+            self.rover.run_pass()
+            if self.failsafe.level != before:
+                passed_us = mock_time.elapsed_us() - self.started_us
+                self.events.append((self.failsafe.level, passed_us // self.period_us))
+            mock_time.advance_us(self.period_us)
+        return self.events
+
+    def arm(self):
+        """Arm by force."""
+        assert self.rover.arm(force=True) is None
+
+    @property
+    def per_second(self):
+        """Readings in a second."""
+        return SECOND_US // self.period_us
+
+
+def _outcome(check):
+    """Return None for a check that passes, else what went wrong, and "left out" where it is about nothing."""
+    try:
+        check()
+    except NotHereError as what:
+        return f"left out: {what}"
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
+def main(checks):
+    """Run the checks and print what went wrong in each, or null, by their names."""
+    if IS_MICROPYTHON:
+        machine.reset_analog()
+    outcomes = {}
+    for _, _, check in checks:
+        if check.__name__ not in outcomes:  # one may stand for several criteria
+            outcomes[check.__name__] = _outcome(check)
+    print(json.dumps(outcomes))

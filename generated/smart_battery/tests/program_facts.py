@@ -1,0 +1,217 @@
+# Generated from specs/codegen.yaml, specs/dialects/battery_cell_voltages_rfc_0018.xml,
+#   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
+#   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
+#   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
+#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
+#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
+# Inputs: ddaad797d74b86ea
+"""What the specification says about the program, for the checks of the program to compare with."""
+
+CONTROL_US = 50000
+LINKS_US = 50000
+STEP_LIMIT_US = 10000
+REPORT_MS = 10000
+HEALTH_MS = 0
+FILES = ("parameters.0", "parameters.1")
+CHUNK = 64
+FORCE_ARM = None
+SYSTEM_ID = 1
+COMPONENT_ID = 180
+VERSION = 2
+
+# The document that each topic's criteria are numbered in; "" where the specification cites none.
+REQUIREMENTS = {
+    "failsafe": "",
+    "health": "",
+    "reading": "FR-00066",
+    "update": "FR-00067",
+    "telemetry": "FR-00074",
+    "conversion": "FR-00069",
+    "services": "FR-00070",
+    "loop": "FR-00071",
+    "storage": "NFR-00061",
+    "steady": "NFR-00060",
+    "scenarios": "NFR-00062",
+}
+
+# Measured components: where they are read, how counts become stored steps, and when a value is given up.
+MEASURED = (
+    {
+        "component": "battery",
+        "first": "battery",
+        "attribute": "voltage_mv",
+        "gpio": 26,
+        "pin": "batt_volt_pin",
+        "spare_bits": 0,
+        "full_scale": 4095,
+        "samples": 5,
+        "read_limit_us": 2000,
+        "multiplier": "batt_volt_mult",
+        "multiplier_name": "BATT_VOLT_MULT",
+        "latched": True,
+        "numerator": 11,
+        "denominator": 136500,
+        "warn_above": 13000,
+        "warn_every_ms": 10000,
+        "warning_count": 4085,
+        "invalid_after": 5,
+        "stale_after_ms": 1000,
+        "period_us": 100000,
+        "enabled": "monitored",
+        "enabled_by": "batt_monitor",
+        "trend": "trend_mv_s",
+        "trend_half": 20,
+        "estimate": None,
+        "estimate_points": [],
+    },
+)
+
+# Failsafes; a threshold in stored steps is the parameter's steps times its scale.
+FAILSAFES = (
+)
+
+# Actions: value of the parameter, call, drive mode (None: stays), whether the vehicle is disarmed.
+ACTIONS = (
+)
+
+# Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
+PARAMETERS = (
+    {
+        "name": "BATT_CAPACITY",
+        "attribute": "batt_capacity",
+        "default": 3300,
+        "minimum": 0,
+        "maximum": 1000000,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 6,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT_ID",
+        "attribute": "batt_id",
+        "default": 2,
+        "minimum": 0,
+        "maximum": 9,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 1,
+        "after_restart": True,
+        "choices": (),
+    },
+    {
+        "name": "BATT_MONITOR",
+        "attribute": "batt_monitor",
+        "default": 3,
+        "minimum": 0,
+        "maximum": 3,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": True,
+        "choices": (0, 3),
+    },
+    {
+        "name": "BATT_STATUS_RATE",
+        "attribute": "batt_status_rate",
+        "default": 5,
+        "minimum": 0,
+        "maximum": 100,
+        "numerator": 1,
+        "denominator": 10,
+        "type": 9,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT_VOLT_MULT",
+        "attribute": "batt_volt_mult",
+        "default": 39500,
+        "minimum": 10000,
+        "maximum": 100000,
+        "numerator": 1,
+        "denominator": 10000,
+        "type": 9,
+        "after_restart": True,
+        "choices": (),
+    },
+    {
+        "name": "BATT_VOLT_PIN",
+        "attribute": "batt_volt_pin",
+        "default": 26,
+        "minimum": 26,
+        "maximum": 28,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": True,
+        "choices": (),
+    },
+    {
+        "name": "COMPID_BATT",
+        "attribute": "compid_batt",
+        "default": 180,
+        "minimum": 1,
+        "maximum": 255,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 4,
+        "after_restart": True,
+        "choices": (),
+    },
+    {
+        "name": "SYSID_THISMAV",
+        "attribute": "sysid_thismav",
+        "default": 1,
+        "minimum": 1,
+        "maximum": 255,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 4,
+        "after_restart": True,
+        "choices": (),
+    },
+)
+
+# Streams: a fixed period in ms, numerator / denominator, or a parameter that sets the rate in Hz. Messages are
+# (id, instances, whether they are left out with the monitor off).
+STREAMS = (
+    {
+        "name": "HEARTBEAT",
+        "period_numerator": 1000,
+        "period_denominator": 1,
+        "parameter": None,
+        "parameter_name": "",
+        "numerator": 1,
+        "denominator": 1,
+        "default": 0,
+        "minimum": 0,
+        "maximum": 0,
+        "data_stream": None,
+        "fastest_hz": 10,
+        "messages": [(0, 1, False)],
+    },
+    {
+        "name": "STATUS",
+        "period_numerator": 0,
+        "period_denominator": 1,
+        "parameter": "batt_status_rate",
+        "parameter_name": "BATT_STATUS_RATE",
+        "numerator": 1,
+        "denominator": 10,
+        "default": 5,
+        "minimum": 0,
+        "maximum": 100,
+        "data_stream": 10,
+        "fastest_hz": 10,
+        "messages": [(147, 1, True)],
+    },
+)
+
+# Ids of the messages that are sent on request only, and the shortest interval of each message in microseconds.
+ON_REQUEST = [148, 300]
+SENT = (0, 147, 148, 300)
+SHORTEST_US = (100000, 100000, 100000, 100000)

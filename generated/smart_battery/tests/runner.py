@@ -1,0 +1,101 @@
+# Generated from templates/tests/runner.py: do not edit.
+# Inputs: 00dc9187a7d992ef
+"""Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
+
+As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
+prints one JSON object: the frames and values that the firmware produced, by the names of the cases.
+"""
+
+import json
+import sys
+
+import mock_time
+
+mock_time.install()
+
+from board import Board  # noqa: E402  the clock has to be in place before the firmware looks at it
+from mavlink import Link  # noqa: E402
+from mock_board import MockBoard  # noqa: E402
+from parameters import Parameters  # noqa: E402
+from state import SystemState  # noqa: E402
+
+import streams  # noqa: E402
+import telemetry  # noqa: E402
+
+_FLOATS = {"nan": float("nan"), "inf": float("inf"), "-inf": -float("inf")}
+
+
+class Wire:
+    """A stream that takes everything and keeps the last frame."""
+
+    def __init__(self):
+        self.frame = b""
+
+    def write(self, data):
+        self.frame = bytes(data)
+        return len(data)
+
+
+def component_of(state, name, instances, instance):
+    """Return the component that a message of this instance reports."""
+    component = getattr(state, name)
+    return component if instances[name] == 1 else component[instance]
+
+
+def build(case, instances):
+    """Return the message of a case, built by the firmware from a fresh state."""
+    state = SystemState(log=silent)
+    for name, attribute, value in case["set"]:
+        component = component_of(state, name, instances, case["instance"])
+        setattr(component, attribute, _FLOATS[value] if isinstance(value, str) else value)
+    builder = getattr(telemetry, "build_" + case["message"].lower())
+    return builder(state, case["instance"]) if case["instance"] else builder(state)
+
+
+def frames_of(case, instances, links):
+    """Return the frames of a case as hexadecimal text, one per link; None where the message does not go over it."""
+    message = build(case, instances)
+    frames = []
+    for link in links:
+        fits = link.version == 2 or message.ID < 256
+        if fits:
+            link.sequence = 0
+            link.send(message)
+            assert link.sequence == 1
+        frames.append(link.stream.frame.hex() if fits else None)
+    return frames
+
+
+def convert(case, instances):
+    """Return what the state keeps after one reading of a case's count with its multiplier."""
+    parameters = Parameters()
+    setattr(parameters, case["parameter"], case["steps"])
+    board = MockBoard(log=silent)
+    board.set_adc_value(case["count"])
+    state = SystemState(parameters, log=silent)
+    getattr(state, "update_" + case["component"])(board)
+    return getattr(component_of(state, case["component"], instances, 0), case["attribute"])
+
+
+def silent(*_words):
+    """Log nothing."""
+
+
+def run(cases):
+    """Return the results of all cases by name."""
+    links = [Link(Wire(), streams.SYSTEM_ID, streams.COMPONENT_ID, version) for version in (2, 1)]
+    instances = cases["instances"]
+    return {
+        "frames": {case["name"]: frames_of(case, instances, links) for case in cases["messages"]},
+        "conversions": {case["name"]: convert(case, instances) for case in cases["conversions"]},
+    }
+
+
+def main(path):
+    with open(path) as file:
+        cases = json.load(file)
+    print(json.dumps(run(cases)))
+
+
+if __name__ == "__main__" and issubclass(MockBoard, Board):
+    main(sys.argv[1])

@@ -1,0 +1,31 @@
+# Generated from templates/tests/program/small_heap.py: do not edit.
+# Inputs: 6beb0ad73705947b
+"""Starts the program as the board does, in whatever heap the interpreter was given, and lets it run a minute."""
+
+import mock_time
+
+mock_time.install()
+
+import mock_asyncio  # noqa: E402  the clock has to be in place before it
+
+mock_asyncio.install()
+
+import asyncio  # noqa: E402
+
+import machine  # noqa: E402
+from program_facts import MEASURED  # noqa: E402
+from vehicle import Vehicle  # noqa: E402
+
+for measured in MEASURED:
+    machine.analog(measured["gpio"]).source = measured["full_scale"] // 2 << measured["spare_bits"]
+
+
+async def minute():
+    """Run the vehicle's tasks for a simulated minute."""
+    task = asyncio.create_task(Vehicle().run())
+    await asyncio.sleep_ms(60000)
+    task.cancel()
+
+
+asyncio.run(minute())
+print("ran")

@@ -1,0 +1,319 @@
+# Generated from templates/tests/program/storage_checks.py: do not edit.
+# Inputs: dec4b7fcd86ec037
+"""Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
+
+import asyncio
+
+from program_bench import Flash, good_count, live, main, messages, mock_time, needs, new_rover, run, save
+from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS, REPORT_MS, STEP_LIMIT_US
+
+import dialect
+
+
+def _other(facts):
+    """Return steps that are not the default."""
+    if facts["choices"]:
+        return next(steps for steps in facts["choices"] if steps != facts["default"])
+    return facts["maximum"] if facts["default"] != facts["maximum"] else facts["minimum"]
+
+
+def _values(rover):
+    return [getattr(rover.parameters, facts["attribute"]) for facts in PARAMETERS]
+
+
+def _defaults():
+    return [facts["default"] for facts in PARAMETERS]
+
+
+def _set_all(rover):
+    for facts in PARAMETERS:
+        assert rover.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"]), facts
+
+
+def _wait(milliseconds):
+    async def story():
+        await asyncio.sleep_ms(milliseconds)
+
+    return story
+
+
+def set_over_the_link_survives_a_restart():
+    """A multiplier that a ground station sets is saved by itself, and after a restart readings use it."""
+    for measured in MEASURED:
+        facts = next(each for each in PARAMETERS if each["attribute"] == measured["multiplier"])
+        rover = new_rover()
+        station = rover.ground_station()
+        steps = facts["default"] + 658 if facts["default"] + 658 <= facts["maximum"] else facts["minimum"]
+        value = steps * facts["numerator"] / facts["denominator"]
+        station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+        live(rover, _wait(1000))
+        assert rover.connections[0].faults == 0, rover.said()
+        again = new_rover(flash=rover.flash)
+        assert getattr(again.parameters, facts["attribute"]) == steps
+        needs(measured["first"] == measured["component"], "a single instance")
+        run(again, 1000000)
+        whole = (good_count(measured) >> measured["spare_bits"]) * steps * measured["numerator"]
+        exact = (2 * whole + measured["denominator"]) // (2 * measured["denominator"])
+        assert getattr(getattr(again.state, measured["component"]), measured["attribute"]) == exact
+
+
+def all_values_survive():
+    """Every parameter that differs from its default is in force before the first pass of the next program."""
+    rover = new_rover()
+    _set_all(rover)
+    live(rover, _wait(1000))
+    again = new_rover(flash=rover.flash)
+    assert _values(again) == [_other(facts) for facts in PARAMETERS]
+    assert [text for severity, text in again.said() if severity <= dialect.MAV_SEVERITY_WARNING] == []
+
+
+def absent_files_give_defaults():
+    """Without files: the defaults, and nothing to say."""
+    rover = new_rover()
+    assert _values(rover) == _defaults()
+    assert rover.said() == []
+
+
+def damaged_files_give_defaults_and_a_warning():
+    """Any changed byte is noticed: defaults with one warning; beside a whole slot its values, without one."""
+    rover = new_rover()
+    _set_all(rover)
+    save(rover)
+    name = next(iter(rover.flash.files))
+    whole = rover.flash.files[name]
+    for at in range(len(whole)):
+        damaged = whole[:at] + bytes([whole[at] ^ 0x10]) + whole[at + 1 :]
+        for other in ({}, {FILES[1] if name == FILES[0] else FILES[0]: b"rubbish"}):
+            flash = Flash()
+            flash.files = {name: damaged}
+            flash.files.update(other)
+            again = new_rover(flash=flash)
+            assert _values(again) == _defaults(), at
+            warnings = [text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]
+            assert len(warnings) == 1, (at, warnings)
+        if at % 8 == 0:
+            flash.files = {FILES[0]: whole, FILES[1]: damaged}
+            again = new_rover(flash=flash)
+            assert _values(again) == _values(rover)
+            assert again.said() == [], again.said()
+
+
+def power_cut_leaves_old_or_new():
+    """After a cut at each byte of a save, from either slot, the old values or the new ones are in force."""
+    for saves in (0, 1, 2, 3):
+        rover = new_rover()
+        facts = PARAMETERS[0]
+        for index in range(saves):
+            assert rover.parameters.set(
+                facts["name"], (facts["minimum"] + index) * facts["numerator"] / facts["denominator"]
+            )
+            save(rover)
+        old_files = dict(rover.flash.files)
+        old = _values(rover)
+        rover.flash.operations = []
+        _set_all(rover)
+        save(rover)
+        new = _values(rover)
+        target, image = rover.flash.operations[-1]
+        assert len({path for path, _ in rover.flash.operations}) == 1, "one slot is left alone"
+        outcomes = []
+        for length in range(len(image) + 1):
+            flash = Flash()
+            flash.files = dict(old_files)
+            flash.files[target] = image[:length]
+            outcomes.append(_values(new_rover(flash=flash)))
+        assert outcomes[-1] == new
+        assert [found for found in outcomes[:-1] if found != old] == [], saves
+
+
+def sequence_wraps():
+    """After the largest sequence number the next save is still the newer one."""
+    rover = new_rover()
+    rover.storage._sequence = 0xFFFE
+    for facts in PARAMETERS[:3]:
+        rover.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
+        save(rover)
+        assert _values(new_rover(flash=rover.flash)) == _values(rover)
+
+
+def save_is_done_in_steps():
+    """No write is longer than a chunk, and no control slot is missed where writing takes no time."""
+    rover = new_rover()
+    _set_all(rover)
+    live(rover, _wait(2000))
+    assert 0 < rover.flash.longest <= CHUNK, rover.flash.longest
+    assert rover.scheduler.overruns == 0
+    writes = len(rover.flash.operations)
+    assert rover.said("a step of a save") == []
+    rover = new_rover()
+    rover.flash.delay_us = STEP_LIMIT_US + 1
+    _set_all(rover)
+    live(rover, _wait(3000))
+    assert len(rover.said("a step of a save")) == 1, rover.said()
+    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+    assert (rover.scheduler.overruns > 0) == (STEP_LIMIT_US >= 2 * CONTROL_US), rover.scheduler.overruns
+    assert rover.scheduler.overruns <= writes * -(-rover.flash.delay_us // CONTROL_US), rover.scheduler.overruns
+    assert rover.port.polls > 2900000 // LINKS_US - writes * -(-rover.flash.delay_us // LINKS_US)
+
+
+def failed_write_keeps_the_old_values():
+    """A flash that cannot be written is an error text; the values stay in force, and the saved ones as they were."""
+    for works in range(3):
+        rover = new_rover()
+        save(rover)
+        before = dict(rover.flash.files)
+        rover.flash.fail_after = works
+        _set_all(rover)
+        live(rover, _wait(1000))
+        needs(len(rover.parameters.dump()) > 2 * CHUNK, "a save of several chunks")
+        errors = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_ERROR]
+        assert len(errors) == 1, errors
+        assert _values(rover) == [_other(facts) for facts in PARAMETERS]
+        assert _values(new_rover(flash=rover.flash)) == _defaults()
+        for path, content in before.items():
+            assert rover.flash.files[path] == content
+
+
+def saving_waits_while_armed():
+    """While armed nothing is written, which is told once; after disarming it is saved."""
+    rover = new_rover()
+
+    async def story():
+        rover.arm(force=True)
+        _set_all(rover)
+        await asyncio.sleep_ms(2000)
+        assert rover.flash.operations == []
+        assert len(rover.said("parameters are saved after disarming")) == 1
+        rover.disarm()
+        await asyncio.sleep_ms(1000)
+
+    live(rover, story)
+    assert rover.flash.operations != []
+    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+
+
+def what_is_not_understood_is_skipped():
+    """Names that this firmware does not have are skipped with a warning each, and the rest is kept."""
+    rover = new_rover()
+    facts = PARAMETERS[0]
+    rover.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
+    rover.storage.begin(b"\x07NO_SUCH\x00\x00\x80\x3f" + rover.parameters.dump())
+    while rover.storage.step():
+        pass
+    again = new_rover(flash=rover.flash)
+    assert _values(again) == _values(rover)
+    assert len([text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]) == 1
+
+
+def save_waits_while_armed():
+    """What is set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
+    rover = new_rover()
+    steps = []
+    step = rover.storage.step
+
+    def noted():
+        steps.append(rover.is_armed)
+        return step()
+
+    rover.storage.step = noted
+
+    async def story():
+        _set_all(rover)
+        while len(steps) < 2:
+            await asyncio.sleep_ms(1)
+        rover.arm(force=True)
+        await asyncio.sleep_ms(3000)
+        assert rover.storage.is_saving
+        rover.disarm()
+        await asyncio.sleep_ms(1000)
+
+    live(rover, story)
+    assert len(steps) > 2
+    assert True not in steps, steps
+    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+
+
+def failed_save_is_tried_again():
+    """A flash that works again gets what could not be saved, without anybody setting it again."""
+    rover = new_rover()
+    rover.flash.fail_after = 0
+
+    async def story():
+        _set_all(rover)
+        await asyncio.sleep_ms(1000)
+        assert len(rover.said("parameters are not saved")) == 1, rover.said()
+        rover.flash.fail_after = None
+        await asyncio.sleep_ms(REPORT_MS + 1000)
+
+    live(rover, story)
+    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+
+
+def lack_of_memory_does_not_end_the_program():
+    """Whatever a save raises is told, and everything goes on."""
+    rover = new_rover()
+
+    def fail():
+        raise MemoryError("no room")
+
+    rover.parameters.dump = fail
+    _set_all(rover)
+    live(rover, _wait(1000))
+    assert len(rover.said("parameters are not saved")) == 1, rover.said()
+    polls = rover.port.polls
+    run(rover, 1000000)
+    assert rover.port.polls > polls
+
+
+def no_arming_before_a_restart():
+    """Between the answer to a restart and the restart itself, nobody arms; a forced restart disarms."""
+    rover = new_rover()
+    rover.arm(force=True)
+    assert rover.reboot() is not None
+    assert rover.is_armed
+    assert rover.reboot(force=True) is None
+    assert not rover.is_armed
+    assert rover.arm(force=True) is not None
+    assert not rover.is_armed
+
+
+def restart_saves_first():
+    """A restart over the link is acknowledged, waits for the save, and then resets the board, once."""
+    rover = new_rover()
+    station = rover.ground_station()
+    facts = PARAMETERS[-1]
+
+    async def story():
+        await asyncio.sleep_ms(300)
+        value = _other(facts) * facts["numerator"] / facts["denominator"]
+        station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
+        station.command(dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, dialect.REBOOT_SHUTDOWN_ACTION_REBOOT)
+        await asyncio.sleep_ms(10000)
+
+    assert live(rover, story), "no reset"
+    assert mock_time.elapsed_us() < 3000000
+    acks = station.received(messages.CommandAck)
+    assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], acks
+    assert getattr(new_rover(flash=rover.flash).parameters, facts["attribute"]) == _other(facts)
+
+
+CHECKS = (
+    ("storage", 1, all_values_survive),
+    ("storage", 2, absent_files_give_defaults),
+    ("storage", 2, damaged_files_give_defaults_and_a_warning),
+    ("storage", 2, what_is_not_understood_is_skipped),
+    ("storage", 3, power_cut_leaves_old_or_new),
+    ("storage", 3, sequence_wraps),
+    ("storage", 3, failed_write_keeps_the_old_values),
+    ("storage", 4, save_is_done_in_steps),
+    ("storage", 4, saving_waits_while_armed),
+    ("storage", 8, set_over_the_link_survives_a_restart),
+    ("services", 6, restart_saves_first),
+    ("services", 6, no_arming_before_a_restart),
+    ("storage", 4, save_waits_while_armed),
+    ("storage", 3, failed_save_is_tried_again),
+    ("storage", 1, lack_of_memory_does_not_end_the_program),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

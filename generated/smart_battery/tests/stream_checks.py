@@ -1,0 +1,229 @@
+# Generated from templates/tests/program/stream_checks.py: do not edit.
+# Inputs: b6d24fc49e26089c
+"""Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
+
+from program_bench import SECOND_US, GroundStation, Port, Sink, main, messages, mock_time, needs, new_rover, run
+from program_facts import LINKS_US, MEASURED, ON_REQUEST, SENT, SHORTEST_US, STREAMS
+
+import dialect
+
+STEP_US = 10000  # between passes while frames are counted: more often than any stream
+
+
+class Counter(Sink):
+    """A port that counts the frames of each message."""
+
+    def __init__(self):
+        Sink.__init__(self)
+        self.ids = {}
+
+    def write(self, frame):
+        """Take all."""
+        number = frame[7] | frame[8] << 8 | frame[9] << 16
+        self.ids[number] = self.ids.get(number, 0) + 1
+        return len(frame)
+
+
+def _counted(rover, port, seconds):
+    port.ids = {}
+    run(rover, seconds * SECOND_US, STEP_US)
+    return port.ids
+
+
+def _by_parameter():
+    found = [stream for stream in STREAMS if stream["parameter"] and stream["messages"]]
+    needs(found, "a stream with a parameter")
+    return found
+
+
+def _within(found, expected):
+    return abs(found - expected) <= (1 if expected else 0)
+
+
+def rates_by_parameter():
+    """Each rate, changed while the program runs, from the next pass on: so many frames in 20 seconds."""
+    for stream in _by_parameter():
+        port = Counter()
+        rover = new_rover(ports=[port])
+        run(rover, SECOND_US)
+        for steps in (0, stream["default"], 3, 7, stream["maximum"], stream["minimum"]):
+            if not stream["minimum"] <= steps <= stream["maximum"]:
+                continue
+            rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
+            rate = steps * stream["numerator"] / stream["denominator"]
+            found = _counted(rover, port, 20)
+            for number, instances, _ in stream["messages"]:
+                expected = round(20 * rate)
+                assert _within(found.get(number, 0) // instances, expected), (stream["name"], steps, found)
+
+
+def fixed_rates():
+    """What has a fixed rate, such as HEARTBEAT, keeps it for a minute."""
+    port = Counter()
+    rover = new_rover(ports=[port])
+    found = _counted(rover, port, 60)
+    for stream in STREAMS:
+        if stream["parameter"] is None:
+            for number, instances, _ in stream["messages"]:
+                expected = 60000 * stream["period_denominator"] // stream["period_numerator"]
+                assert _within(found.get(number, 0) // instances, expected), (stream["name"], found)
+
+
+def default_rates():
+    """Without any setting each stream has its default rate."""
+    port = Counter()
+    rover = new_rover(ports=[port])
+    found = _counted(rover, port, 60)
+    for stream in _by_parameter():
+        for number, instances, _ in stream["messages"]:
+            expected = round(60 * stream["default"] * stream["numerator"] / stream["denominator"])
+            assert _within(found.get(number, 0) // instances, expected), (stream["name"], found)
+
+
+def nothing_is_reported_without_the_monitor():
+    """Messages of a component that is not measured are not sent; all others are."""
+    port = Counter()
+    rover = new_rover(ports=[port])
+    needs([each for each in MEASURED if each["enabled"]], "a component that can be off")
+    for measured in MEASURED:
+        if measured["enabled"]:
+            setattr(getattr(rover.state, measured["component"]), measured["enabled"], False)
+    found = _counted(rover, port, 20)
+    for stream in STREAMS:
+        for number, _, may_be_off in stream["messages"]:
+            assert (number in found) != may_be_off or stream["default"] == 0, (number, found)
+
+
+def _two_links():
+    ports = [Port(), Port()]
+    rover = new_rover(ports=ports)
+    run(rover, 2 * LINKS_US)
+    return rover, [GroundStation(port) for port in ports]
+
+
+def _interval(rover, station, number):
+    station.command(dialect.MAV_CMD_GET_MESSAGE_INTERVAL, number)
+    run(rover, 4 * LINKS_US)
+    answer = station.received(messages.MessageInterval)
+    assert len(answer) == 1, answer
+    assert answer[0].message_id == number
+    return answer[0].interval_us
+
+
+def _frames_in(rover, port, number, seconds):
+    port.frames = []
+    run(rover, seconds * SECOND_US, STEP_US)
+    return len([frame for frame in port.frames if (frame[7] | frame[8] << 8 | frame[9] << 16) == number])
+
+
+def intervals_on_one_link():
+    """The table of intervals: asked for on one link it changes there only, and what is reported is what is sent."""
+    for stream in _by_parameter():
+        number, instances, _ = stream["messages"][0]
+        rate = stream["default"] * stream["numerator"] / stream["denominator"]
+        own = int(1000000 / rate) if rate else -1
+        fastest = SHORTEST_US[SENT.index(number)]
+        rover, (station, other) = _two_links()
+        assert _interval(rover, station, number) == own
+        slow = fastest * 5
+        for asked, expected in ((slow, slow), (-1, -1), (0, own), (fastest // 4, fastest), (0, own)):
+            station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, asked)
+            run(rover, 4 * LINKS_US)
+            acks = station.received(messages.CommandAck)
+            assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], (asked, acks)
+            assert _interval(rover, station, number) == expected, asked
+            count = 0 if expected < 0 else instances * 10 * SECOND_US // expected
+            assert _within(_frames_in(rover, station.port, number, 10), count), (asked, expected)
+            assert _interval(rover, other, number) == own
+
+
+def intervals_of_others():
+    """A message that the vehicle does not have: denied, and its interval is 0; what is sent on request is off."""
+    rover, (station, _) = _two_links()
+    station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, 9999, 100000)
+    run(rover, 4 * LINKS_US)
+    assert [ack.result for ack in station.received(messages.CommandAck)] == [dialect.MAV_RESULT_DENIED]
+    assert _interval(rover, station, 9999) == 0
+    for number in ON_REQUEST:
+        assert _interval(rover, station, number) == -1
+        station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 1000)
+        run(rover, 4 * LINKS_US)
+        assert _interval(rover, station, number) == SHORTEST_US[SENT.index(number)]
+
+
+def _request(station, data_stream, rate, start=1):
+    station.send(messages.RequestDataStream, req_stream_id=data_stream, req_message_rate=rate, start_stop=start)
+
+
+def data_streams_by_request():
+    """A rate for one stream or for all, on one link, up to the fastest; a stop is off; the parameter rules again."""
+    for stream in _by_parameter():
+        needs(stream["data_stream"] is not None, "a number of the stream")
+        number, instances, _ = stream["messages"][0]
+        own = stream["default"] * stream["numerator"] // stream["denominator"]
+        for data_stream in (stream["data_stream"], dialect.MAV_DATA_STREAM_ALL):
+            rover, (station, other) = _two_links()
+            fastest = stream["fastest_hz"]
+            for rate, start, expected in ((5, 1, 5), (0, 1, 0), (1000, 1, fastest), (5, 0, 0)):
+                _request(station, data_stream, rate, start)
+                run(rover, 4 * LINKS_US)
+                other.port.frames = []
+                found = _frames_in(rover, station.port, number, 10)
+                assert _within(found, instances * 10 * min(expected, fastest)), (stream["name"], rate, start, found)
+                seen = len([frame for frame in other.port.frames if frame[7] | frame[8] << 8 == number])
+                assert _within(seen, instances * 10 * own), (stream["name"], seen)
+            steps = stream["maximum"] if stream["default"] != stream["maximum"] else stream["minimum"]
+            rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
+            found = _frames_in(rover, station.port, number, 10)
+            assert _within(found, instances * 10 * steps * stream["numerator"] // stream["denominator"]), found
+
+
+def repeated_requests_keep_the_phase():
+    """Ground stations repeat their requests: that neither adds frames nor takes any away."""
+    stream = next((each for each in _by_parameter() if each["data_stream"] is not None), None)
+    needs(stream, "a stream that can be asked for")
+    number, instances, _ = stream["messages"][0]
+    rover, (station, _) = _two_links()
+    _request(station, stream["data_stream"], 3)
+    run(rover, SECOND_US)
+    count = 0
+    start_us = mock_time.elapsed_us()
+    for _ in range(100):
+        _request(station, stream["data_stream"], 3)
+        station.port.frames = []
+        run(rover, 70 * 1000)
+        count += len([frame for frame in station.port.frames if frame[7] | frame[8] << 8 == number])
+    expected = instances * 3 * (mock_time.elapsed_us() - start_us) // SECOND_US
+    assert abs(count - expected) <= instances, (count, expected)
+
+
+def streams_go_on_across_the_wrap():
+    """Rates hold where ticks_ms() starts again."""
+    port = Counter()
+    rover = new_rover(ports=[port], at_us=((1 << 30) - 10000) * 1000)
+    found = _counted(rover, port, 20)
+    for stream in STREAMS:
+        rate = stream["default"] * stream["numerator"] / stream["denominator"]
+        if stream["parameter"] is None:
+            rate = 1000 * stream["period_denominator"] / stream["period_numerator"]
+        for number, instances, _ in stream["messages"]:
+            assert _within(found.get(number, 0) // instances, round(20 * rate)), (stream["name"], found)
+    mock_time.set_ticks_us(0)
+
+
+CHECKS = (
+    ("telemetry", 2, rates_by_parameter),
+    ("telemetry", 9, rates_by_parameter),
+    ("telemetry", 2, default_rates),
+    ("telemetry", 8, fixed_rates),
+    ("telemetry", 8, streams_go_on_across_the_wrap),
+    ("telemetry", 1, nothing_is_reported_without_the_monitor),
+    ("storage", 7, rates_by_parameter),
+    ("services", 3, intervals_on_one_link),
+    ("services", 3, intervals_of_others),
+    ("services", 4, data_streams_by_request),
+    ("services", 4, repeated_requests_keep_the_phase),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)
