@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_path
 from codegen.model.dialect import Dialect, DialectFile
@@ -28,13 +28,23 @@ def write(tmp_path: Path) -> Callable[..., str]:
 
 @pytest.fixture
 def read(write: Callable[..., str]) -> Callable[..., SimpleNamespace]:
-    """Resolve XML text, later texts as overlays: dialect, files, report, and ``found`` as 'line:col rule'."""
+    """Resolve XML text, later texts on top of it: dialect, files, report, and ``found`` as 'line:col rule'."""
+    return reader(write, decode_dialect_files)
 
+
+@pytest.fixture
+def read_overlay(write: Callable[..., str]) -> Callable[..., SimpleNamespace]:
+    """The same, with later texts as overlays of the project."""
+    return reader(write, decode_overlay)
+
+
+def reader(write: Callable[..., str], decode_later: Callable[..., tuple]) -> Callable[..., SimpleNamespace]:
     def read(*texts: str | bytes, corrections: tuple = ()) -> SimpleNamespace:
         report = Report()
         files: tuple[DialectFile, ...] = ()
         for index, text in enumerate(texts):
-            files += decode_dialect_files(write(text, f"d{index or ''}.xml"), report)
+            decode = decode_later if index else decode_dialect_files
+            files += decode(write(text, f"d{index or ''}.xml"), report)
         dialect = resolve_dialect("d", files, corrections, report)
         found = [f"{one.place.line}:{one.place.column} {one.rule.id}" for one in report]
         return SimpleNamespace(dialect=dialect, report=report, files=files, found=found)

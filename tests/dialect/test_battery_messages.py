@@ -5,6 +5,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from overlay_codec import overlaid
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Report
@@ -13,41 +14,7 @@ from codegen.model.dialect import Dialect
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.wire import crc_mcrf4xx
 
-OVERLAY = Path(__file__).parents[2] / "specs" / "dialects" / "battery_v2.xml"
-
-V2_FIELDS = """
-<field type="uint8_t" name="id" instance="true"/>
-<field type="int16_t" name="temperature" units="cdegC" invalid="INT16_MAX"/>
-<field type="float" name="voltage" units="V" invalid="NaN"/>
-<field type="float" name="current" units="A" invalid="NaN"/>
-<field type="float" name="capacity_consumed" units="Ah" invalid="NaN"/>
-<field type="float" name="capacity_remaining" units="Ah" invalid="NaN"/>
-<field type="uint8_t" name="percent_remaining" units="%" invalid="UINT8_MAX"/>
-<field type="uint32_t" name="status_flags" display="bitmask"/>
-"""
-
-BATTERY_INFO = """
-<field type="uint8_t" name="id" instance="true"/>
-<field type="uint8_t" name="battery_function"/>
-<field type="uint8_t" name="type"/>
-<field type="uint8_t" name="state_of_health" units="%" invalid="UINT8_MAX"/>
-<field type="uint8_t" name="cells_in_series" invalid="0"/>
-<field type="uint16_t" name="cycle_count" invalid="UINT16_MAX"/>
-<field type="uint16_t" name="weight" units="g" invalid="0"/>
-<field type="float" name="discharge_minimum_voltage" units="V" invalid="0"/>
-<field type="float" name="charging_minimum_voltage" units="V" invalid="0"/>
-<field type="float" name="resting_minimum_voltage" units="V" invalid="0"/>
-<field type="float" name="charging_maximum_voltage" units="V" invalid="0"/>
-<field type="float" name="charging_maximum_current" units="A" invalid="0"/>
-<field type="float" name="nominal_voltage" units="V" invalid="0"/>
-<field type="float" name="discharge_maximum_current" units="A" invalid="0"/>
-<field type="float" name="discharge_maximum_burst_current" units="A" invalid="0"/>
-<field type="float" name="design_capacity" units="Ah" invalid="0"/>
-<field type="float" name="full_charge_capacity" units="Ah" invalid="NaN"/>
-<field type="char[9]" name="manufacture_date" invalid="[0]"/>
-<field type="char[32]" name="serial_number" invalid="[0]"/>
-<field type="char[50]" name="name" invalid="[0]"/>
-"""
+OVERLAY = Path(__file__).parents[2] / "specs" / "dialects" / "battery_upstream.xml"
 
 
 def message(number: int, name: str, fields: str) -> str:
@@ -72,6 +39,7 @@ def common_with_v2() -> Dialect:
         ("BATTERY_STATUS", 147, 154, 36, 54),
         ("SMART_BATTERY_INFO", 370, 75, 87, 109),
         ("BATTERY_STATUS_V2", 369, 145, 27, 27),
+        ("BATTERY_INFO", 372, 26, 140, 140),
     ],
 )
 def test_known_messages(
@@ -92,31 +60,38 @@ def test_overlay_has_upstreams_flags(common_with_v2: Dialect) -> None:
     assert extended.value == 2147483648
 
 
-def test_the_rfcs_draft_of_v2_is_another_message(read: Callable[..., SimpleNamespace]) -> None:
+def test_the_rfcs_draft_of_v2_is_another_message() -> None:
     """percent_remaining in place of state_of_charge: same id, other CRC_EXTRA, so receivers drop it."""
-    found = read(message(369, "BATTERY_STATUS_V2", V2_FIELDS))
-    assert found.found == []
-    draft = found.dialect.messages["BATTERY_STATUS_V2"]
-    assert (draft.crc_extra, draft.length) == (151, 24)
+    dialect, found = overlaid("battery_rfc_0018.xml", is_corrected=False)
+    draft = dialect.messages["BATTERY_STATUS_V2"]
+    assert (draft.id, draft.crc_extra, draft.length, found) == (369, 151, 24, [])
+    extended = dialect.enums["MAV_BATTERY_STATUS_FLAGS"].entry("MAV_BATTERY_STATUS_FLAGS_EXTENDED")
+    assert extended is not None
+    assert extended.value == 0xFFFFFFFF
 
 
-def test_battery_info(read: Callable[..., SimpleNamespace]) -> None:
-    """BATTERY_INFO as upstream has it: 26, 140 bytes."""
-    found = read(message(372, "BATTERY_INFO", BATTERY_INFO))
-    assert found.found == []
-    info = found.dialect.messages["BATTERY_INFO"]
-    assert (info.crc_extra, info.base_length, info.length) == (26, 140, 140)
-
-
-def test_the_rfcs_cell_voltages_cannot_be_sent(read: Callable[..., SimpleNamespace]) -> None:
+def test_the_rfcs_cell_voltages_cannot_be_sent() -> None:
     """2 + 2 + 252 bytes are 256, one more than the length byte of a frame can say."""
-    fields = (
-        '<field type="uint16_t" name="id"/><field type="uint16_t" name="index"/>'
-        '<field type="uint16_t[126]" name="voltages"/>'
-    )
-    found = read(message(371, "BATTERY_CELL_VOLTAGES", fields))
-    assert found.found == ["1:20 message-payload"]
-    assert "256 bytes" in next(iter(found.report)).message
+    dialect, found = overlaid("battery_cell_voltages_rfc_0018.xml", is_corrected=False)
+    drafted = dialect.messages["BATTERY_CELL_VOLTAGES"]
+    assert (drafted.id, drafted.length, found) == (371, 256, ["message-payload"])
+
+
+def test_the_rfcs_cell_voltages_repaired() -> None:
+    """The voltages are last on the wire, so that the zeros of missing cells are cut; the text says 12, too."""
+    dialect, found = overlaid("battery_cell_voltages_rfc_0018.xml", is_corrected=True)
+    repaired = dialect.messages["BATTERY_CELL_VOLTAGES"]
+    assert found == []
+    assert [(field.name, field.count) for field in repaired.fields] == [("id", 1), ("index", 1), ("voltages", 12)]
+    assert "126" not in repaired.definition.description
+
+
+def test_the_rfcs_cell_faults_lack_an_id() -> None:
+    """A draft without a number is left out until a correction gives it one."""
+    dialect, found = overlaid("battery_cell_faults_rfc_0018.xml", is_corrected=False)
+    assert ("BATTERY_CELL_VOLTAGES" in dialect.messages, found) == (False, ["message-id"])
+    dialect, found = overlaid("battery_cell_faults_rfc_0018.xml", is_corrected=True)
+    assert (dialect.messages["BATTERY_CELL_VOLTAGES"].length, found) == (10, [])
 
 
 def test_a_full_payload_is_no_error(read: Callable[..., SimpleNamespace]) -> None:

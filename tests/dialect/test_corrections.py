@@ -1,4 +1,4 @@
-"""Corrections change attributes of the dialect, never its wire, and every one of them has its grounds."""
+"""Corrections change attributes of the dialect, its wire only where an overlay adds it, and all have their grounds."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -61,6 +61,7 @@ def of_field(field: str, **attributes: str) -> Correction:
         ("state", "display", "", "is_bitmask", False),
         ("state", "enum", "STATE", "enum", "STATE"),
         ("flags", "enum", "", "enum", None),
+        ("volts", "description", "Of  all\n cells.", "description", "Of all cells."),
     ],
 )
 def test_attributes(field: str, attribute: str, text: str, key: str, value: object, read: Read) -> None:
@@ -72,6 +73,51 @@ def test_attributes(field: str, attribute: str, text: str, key: str, value: obje
     assert getattr(corrected.field(field).definition, key) == value
     assert getattr(plain.field(field).definition, key) != value
     assert (corrected.crc_extra, corrected.length) == (plain.crc_extra, plain.length)
+
+
+OVERLAY = """<mavlink><messages>
+<message id="2" name="N"><wip/><description>Old.</description>
+<field type="uint8_t" name="a"/><field type="uint16_t[3]" name="b" invalid="[0]"/></message>
+<message id="?" name="O"><field type="uint8_t" name="a"/></message>
+</messages></mavlink>"""
+
+
+def test_what_an_overlay_adds_can_change_on_the_wire(read_overlay: Read) -> None:
+    """Ids, one that was missing too, and types; layout, CRC_EXTRA and sentinels follow."""
+    before = read_overlay(XML, OVERLAY)
+    assert before.found == ["4:1 message-id"]
+    result = read_overlay(
+        XML,
+        OVERLAY,
+        corrections=(
+            correction(message="N", set={"id": " 70000 ", "description": " New.\n", "wip": ""}),
+            correction(message="N", field="b", set={"type": "uint32_t[4]"}),
+            correction(message="O", set={"id": "2"}),
+        ),
+    )
+    assert result.found == []
+    old, new = (found.dialect.messages["N"] for found in (before, result))
+    assert (new.id, new.length, result.dialect.messages["O"].id) == (70000, 17, 2)
+    assert (new.definition.description, new.definition.lifecycle.wip) == ("New.", False)
+    assert (old.definition.description, old.definition.lifecycle.wip) == ("Old.", True)
+    assert new.crc_extra != old.crc_extra
+    assert new.field("b").sentinel.values == (0, 0, 0, 0)
+    assert list(result.dialect.messages) == ["M", "O", "N"], "in order of id"
+
+
+def test_an_array_becomes_one_value(read_overlay: Read) -> None:
+    """A type without length; the sentinel has to fit it, too."""
+    one = correction(message="N", field="b", set={"type": "uint16_t", "invalid": "0"})
+    number = correction(message="O", set={"id": "3"})
+    result = read_overlay(XML, OVERLAY, corrections=(one, number))
+    assert result.found == []
+    assert not result.dialect.messages["N"].field("b").is_array
+
+
+def test_a_corrected_id_that_is_taken_is_reported_at_the_correction(read_overlay: Read) -> None:
+    """The XML is not to blame."""
+    result = read_overlay(XML, OVERLAY, corrections=(correction(message="O", set={"id": "1"}),))
+    assert [(one.rule.id, one.place) for one in result.report] == [("message-conflict", HERE)]
 
 
 def test_a_corrected_sentinel_stands_where_the_correction_stands(read: Read) -> None:
@@ -123,7 +169,7 @@ def test_corrections_are_applied_in_their_order(read: Read) -> None:
         ({"enum": "STAT", "entry": "STATE_A", "set": {"value": "3"}}, "correction-unknown", "STATE"),
         ({"enum": "STATE", "entry": "STATE_C", "set": {"value": "3"}}, "correction-unknown", "STATE_A"),
         ({"message": "M", "field": "volts", "set": {"unit": "mV"}}, "correction-attribute", "units"),
-        ({"message": "M", "field": "volts", "set": {"type": "int16_t"}}, "correction-attribute", "known"),
+        ({"message": "M", "field": "volts", "set": {"type": "int16_t"}}, "correction-attribute", "receivers know"),
         ({"message": "M", "field": "volts", "set": {"name": "v"}}, "correction-attribute", "known"),
         ({"message": "M", "field": "volts", "set": {}}, "correction-attribute", ""),
         ({"message": "M", "field": "volts", "set": {"instance": "yes"}}, "correction-value", ""),
@@ -133,7 +179,9 @@ def test_corrections_are_applied_in_their_order(read: Read) -> None:
         ({"enum": "STATE", "entry": "STATE_A", "set": {"value": "-1"}}, "correction-value", ""),
         ({"enum": "STATE", "entry": "STATE_A", "set": {"value": "2"}}, "correction-value", ""),
         ({"set": {"units": "mV"}}, "correction-target", ""),
-        ({"message": "M", "set": {"units": "mV"}}, "correction-target", ""),
+        ({"message": "M", "set": {"units": "mV"}}, "correction-attribute", "description"),
+        ({"message": "M", "set": {"id": "2"}}, "correction-attribute", "receivers know"),
+        ({"message": "N", "set": {"wip": ""}}, "correction-unknown", "known: M"),
         ({"field": "volts", "set": {"units": "mV"}}, "correction-target", ""),
         ({"message": "M", "entry": "STATE_A", "set": {"units": "mV"}}, "correction-target", ""),
         ({"message": "M", "field": "volts", "enum": "STATE", "set": {"units": "mV"}}, "correction-target", ""),

@@ -1,0 +1,92 @@
+"""A project with tables for each layout: the overlays in the project file choose, and the firmware sends that layout.
+
+draft_project/ is the specification without its dialects, which are those of the shipped specification.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from codegen.decode.spec import decode_spec
+from codegen.diagnostics import Report
+from codegen.model.system import System
+from codegen.pipeline import read_system
+
+HERE = Path(__file__).parent
+DIALECTS = HERE.parents[1] / "specs" / "dialects"
+UPSTREAM, DRAFT = "battery_upstream", "battery_rfc_0018"
+CELLS, FAULTS = "battery_cell_voltages_rfc_0018", "battery_cell_faults_rfc_0018"
+
+
+def project(folder: Path, *overlays: str) -> Path:
+    """A copy of the project, changed in one line of codegen.yaml; the path of that file."""
+    specs = folder / "specs"
+    shutil.copytree(HERE / "draft_project", specs)
+    shutil.copytree(DIALECTS, specs / "dialects")
+    file = specs / "codegen.yaml"
+    listed = ", ".join(f"dialects/{name}.xml" for name in overlays)
+    file.write_text(re.sub("(?m)^overlays: .*$", f"overlays: [{listed}]", file.read_text()))
+    return file
+
+
+def system(folder: Path, *overlays: str) -> System:
+    """The project resolved; nothing is found in it but that V2 has floats that change."""
+    report = Report()
+    found = read_system(str(project(folder, *overlays)), report)
+    assert {one.rule.id for one in report} <= {"allocating-field"}
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize(
+    ("overlays", "messages"),
+    [
+        ((UPSTREAM, CELLS), {"BATTERY_STATUS_V2": (369, 27), "BATTERY_CELL_VOLTAGES": (54371, 28)}),
+        ((DRAFT, CELLS), {"BATTERY_STATUS_V2": (369, 24), "BATTERY_CELL_VOLTAGES": (54371, 28)}),
+        ((DRAFT, FAULTS), {"BATTERY_STATUS_V2": (369, 24), "BATTERY_CELL_VOLTAGES": (54372, 10)}),
+        ((UPSTREAM,), {"BATTERY_STATUS_V2": (369, 27)}),
+        ((CELLS,), {"BATTERY_CELL_VOLTAGES": (54371, 28)}),
+    ],
+)
+def test_overlays_choose_tables_and_corrections(
+    overlays: tuple[str, ...], messages: dict[str, tuple[int, int]], tmp_path: Path
+) -> None:
+    """Two tables for one message are no contradiction while one of them is used, and no correction is left over."""
+    found = system(tmp_path, *overlays)
+    assert {message.name: (message.wire.id, message.wire.length) for message in found.messages} == messages
+
+
+def test_two_tables_in_use_for_one_message(tmp_path: Path) -> None:
+    """With both overlays it is open which table counts, and the messages of the XML contradict each other, too."""
+    report = Report()
+    read_system(str(project(tmp_path, UPSTREAM, DRAFT)), report)
+    assert {"duplicate-table", "message-conflict"} <= {one.rule.id for one in report}
+
+
+def test_files_of_other_overlays_are_known_to_be_unused(tmp_path: Path) -> None:
+    """Their tables count as read, so that no file is called misspelt; what they say wrongly is still found."""
+    file = project(tmp_path, UPSTREAM)
+    table = file.parent / "messages" / "battery_cell_faults.yaml"
+    table.write_text(table.read_text().replace("stream: battery", "streams: battery"))
+    report = Report()
+    spec = decode_spec(str(file), report)
+    assert spec is not None
+    assert str(table) in spec.files
+    assert [one.rule.id for one in report] == ["unknown-key"]
+
+
+@pytest.mark.parametrize("overlays", [(UPSTREAM, CELLS), (DRAFT, CELLS), (DRAFT, FAULTS)])
+def test_the_firmware_sends_the_chosen_layout(overlays: tuple[str, ...], tmp_path: Path) -> None:
+    """The generated suite is green on both interpreters; its oracle is mavgen's dialect of the corrected XML."""
+    project(tmp_path, *overlays)
+    command = [sys.executable, "-m", "codegen", "build"]
+    built = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert built.returncode == 0, built.stdout + built.stderr
+    suite = ["-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "generated/tests"]
+    done = subprocess.run([sys.executable, *suite], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-3000:]
+    assert "BATTERY_CELL_VOLTAGES" in (tmp_path / "generated" / "tests" / "cases.json").read_text()
