@@ -14,6 +14,9 @@ from codegen.targets.origin import copied_files, headed, origin_of
 
 _PROGRAM = "tests/program"
 
+LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
+"""What a further program's suite does without: it takes long, and is about modules that all programs share."""
+
 
 @dataclass(frozen=True, slots=True)
 class ProgramSuiteView:
@@ -30,6 +33,8 @@ class ProgramSuiteView:
 def render_program_suite(system: System, program: Program) -> dict[str, str]:
     """The files below ``tests/`` that are about the program."""
     files = {path.replace(_PROGRAM, "tests"): text for path, text in copied_files(_PROGRAM).items()}
+    if system.spec.program:
+        files = {path: text for path, text in files.items() if path not in LEFT_TO_THE_PROJECT}
     view = ProgramSuiteView(
         program=program_view(system, program),
         components=tuple(component for component in state_view(system).components if component.measured),

@@ -19,7 +19,17 @@ import asyncio  # noqa: E402  on MicroPython it runs on the clock of the mocks n
 import machine  # noqa: E402
 import messages  # noqa: E402
 from mavlink import Link  # noqa: E402
-from program_facts import COMPONENT_ID, CONTROL_US, FAILSAFES, LINKS_US, MEASURED, ON_REQUEST, SENT, SYSTEM_ID  # noqa: E402
+from program_facts import (  # noqa: E402
+    COMPONENT_ID,
+    CONTROL_US,
+    FAILSAFES,
+    FORCE_ARM,
+    LINKS_US,
+    MEASURED,
+    ON_REQUEST,
+    SENT,
+    SYSTEM_ID,
+)
 from texts import Texts  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
 
@@ -41,6 +51,11 @@ def needs(condition, what):
     """Leave a check out where it is about nothing."""
     if not condition:
         raise NotHereError(what)
+
+
+def needs_arming():
+    """Leave a check out where the program has nothing to arm."""
+    needs(FORCE_ARM is not None, "something to arm")
 
 
 class Flash:

@@ -2,7 +2,19 @@
 
 import asyncio
 
-from program_bench import Flash, good_count, live, main, messages, mock_time, needs, new_rover, run, save
+from program_bench import (
+    Flash,
+    good_count,
+    live,
+    main,
+    messages,
+    mock_time,
+    needs,
+    needs_arming,
+    new_rover,
+    run,
+    save,
+)
 from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS, REPORT_MS, STEP_LIMIT_US
 
 import dialect
@@ -174,6 +186,7 @@ def failed_write_keeps_the_old_values():
 
 def saving_waits_while_armed():
     """While armed nothing is written, which is told once; after disarming it is saved."""
+    needs_arming()
     rover = new_rover()
 
     async def story():
@@ -205,6 +218,7 @@ def what_is_not_understood_is_skipped():
 
 def save_waits_while_armed():
     """What is set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
+    needs_arming()
     rover = new_rover()
     steps = []
     step = rover.storage.step
@@ -265,6 +279,7 @@ def lack_of_memory_does_not_end_the_program():
 
 def no_arming_before_a_restart():
     """Between the answer to a restart and the restart itself, nobody arms; a forced restart disarms."""
+    needs_arming()
     rover = new_rover()
     rover.arm(force=True)
     assert rover.reboot() is not None

@@ -1,0 +1,132 @@
+"""Broken further programs: each is reported at its place and once, and generated/ stays as it was."""
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from codegen.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+OWN = "smart_battery/codegen.yaml"
+VEHICLE = "smart_battery/vehicle.yaml"
+PARAMETERS = "smart_battery/parameters.yaml"
+LIST = "  smart_battery: smart_battery/codegen.yaml"
+FAILSAFE = (
+    "failsafes:\n  battery:\n    quantity: voltage\n    low: {below: BATT_CAPACITY, action: BATT_MONITOR}\n"
+    "    critical: {below: BATT_CAPACITY, action: BATT_MONITOR}\n    after: BATT_CAPACITY\n    requirement: FR-00020\n"
+)
+
+
+@dataclass(frozen=True)
+class Case:
+    """``old`` of a file becomes ``new``, in which ``§`` marks the place of the finding, unless it is at ``at``."""
+
+    rule: str
+    file: str
+    old: str
+    new: str
+    says: str = ""
+    at: str = ""
+    exit_code: int = 1
+
+
+CASES = [
+    Case("bad-program-list", "codegen.yaml", LIST, "  firmware: §smart_battery/codegen.yaml", "folder firmware already"),
+    Case("bad-program-list", "codegen.yaml", LIST, "  receiver: §smart_battery/codegen.yaml", "folder receiver already"),
+    Case("bad-program-list", "codegen.yaml", LIST, "  Smart-Battery: §smart_battery/codegen.yaml", "no name"),
+    Case("bad-program-list", "codegen.yaml", LIST, "  twin: §codegen.yaml", "a folder of its own"),
+    Case("bad-program-list", "codegen.yaml", LIST, "  twin: §messages/heartbeat.yaml", "a folder of its own"),
+    Case("bad-program-list", "codegen.yaml", LIST, f"{LIST}\n  twin: §smart_battery/codegen.yaml", "folder of the program smart_battery"),
+    Case("file-not-found", "codegen.yaml", LIST, "  smart_battery: §smart_batterie/codegen.yaml", exit_code=2),
+    Case("bad-program-list", OWN, "base: ..", "base: §../messages", "not the folder of a project"),
+    Case("bad-program-list", OWN, "base: ..", "base: §.", "base: .."),
+    Case("unknown-key", OWN, "base: ..", "base: ..\n§programs: {more: more/codegen.yaml}"),
+    Case("missing-key", OWN, "base: ..\n", "", at="smart_battery/codegen.yaml:3:1"),
+    Case("no-table", OWN, "HEARTBEAT, ", "§HEARTBEET, ", "did you mean HEARTBEAT"),
+    Case("unknown-enum-entry", OWN, "MAV_COMP_ID_BATTERY", "§MAV_COMP_ID_BATERY", "did you mean MAV_COMP_ID_BATTERY"),
+    Case("bad-project", PARAMETERS, "default: 180", "default: §181", "MAV_COMP_ID_BATTERY (180)"),
+    Case("bad-project", PARAMETERS, "default: 180\n    min: 1", "default: 180\n    min: 0", "component id from 1", f"{VEHICLE}:4:15"),
+    Case("unknown-parameter", VEHICLE, "component_id: COMPID_BATT", "component_id: §COMPID", "COMPID_BATT"),
+    Case("bad-program", VEHICLE, "services:\n", f"§{FAILSAFE}services:\n", "without arming", f"{VEHICLE}:19:3"),
+    Case("bad-program", VEHICLE, "services:\n", "actions:\n  - §{value: 1, call: stop, doc: Stop.}\nservices:\n", "without arming"),
+    Case("bad-program", VEHICLE, "module: pack", "module: §vehicle", "cannot be the name of a module"),
+    Case("bad-program", VEHICLE, "class: Pack", "class: §Vehicle", "cannot be the name of a class"),
+    Case("bad-program", VEHICLE, "measure: 10 Hz", "measure: §0.001 Hz", "every 536 s"),
+    Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", "vehicle.yaml:23:3"),
+    Case("program-alone", "codegen.yaml", "project: pico-trail", "project: pico-trail\nbase: §.."),
+]  # fmt: skip
+
+
+@pytest.fixture
+def specification(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A copy of the shipped specification, with the working directory beside it."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path / "specs"
+
+
+def errors(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    """The lines of the findings."""
+    return [line for line in capsys.readouterr().out.splitlines() if ": error " in line]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case.rule}-{case.new[:40]}")
+def test_it_is_reported_at_its_place(case: Case, specification: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = specification / case.file
+    text = path.read_text()
+    assert text.count(case.old) == 1, case.old
+    text = text.replace(case.old, case.new)
+    place = case.at
+    if "§" in text:
+        before, _, after = text.partition("§")
+        place = place or f"{case.file}:{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}"
+        text = before + after
+    path.write_text(text)
+    assert main(["build"]) == case.exit_code
+    printed = capsys.readouterr().out
+    expected = f"specs/{place}: error {case.rule}: "
+    assert [line for line in printed.splitlines() if line.startswith(expected)], printed
+    assert case.says in printed, printed
+    assert not (specification.parent / "generated").exists()
+
+
+def test_what_is_wrong_in_a_shared_file_is_reported_once(
+    specification: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """state.yaml belongs to both programs."""
+    path = specification / "state.yaml"
+    path.write_text(path.read_text().replace("        stored: cA", "        stored: mAh"))
+    assert main(["check"]) == 1
+    assert len(errors(capsys)) == 1
+
+
+def test_a_finding_in_a_base_file_tells_for_which_program(
+    specification: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The rover's table is right for the rover; the battery has no such stream."""
+    path = specification / "smart_battery" / "codegen.yaml"
+    path.write_text(path.read_text().replace("messages: [", "messages: [SYS_STATUS, "))
+    assert main(["check"]) == 1
+    printed = capsys.readouterr().out
+    assert "specs/messages/sys_status.yaml:4:9: error unknown-stream" in printed
+    assert "specs/codegen.yaml:11:18: found for the program smart_battery" in printed
+
+
+def test_a_table_that_the_program_does_not_list_is_told(
+    specification: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing would come of it."""
+    shutil.copy(specification / "messages" / "sys_status.yaml", specification / "smart_battery" / "messages")
+    shutil.copy(specification / "scenarios.yaml", specification / "smart_battery")
+    assert main(["check"]) == 0
+    printed = capsys.readouterr().out
+    assert printed.count("warning unread-file") == 2
+    assert "hint: the program does not list its message" in printed
+
+
+def test_a_program_is_not_built_alone(specification: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Its output lies in that of the project which lists it."""
+    assert main(["--project", str(specification / "smart_battery" / "codegen.yaml"), "check"]) == 1
+    assert len(errors(capsys)) == 1

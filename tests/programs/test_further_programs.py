@@ -1,0 +1,137 @@
+"""A further program is built from its base and from what lies in its own folder, together with the project."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from codegen import stamp
+from codegen.diagnostics import Report
+from codegen.model.system import System
+from codegen.pipeline import read_systems
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A copy of the shipped specification, older than any build."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    for path in (tmp_path / "specs").rglob("*"):
+        os.utime(path, (1, 1))
+    return tmp_path
+
+
+def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """One command in the folder."""
+    command = [sys.executable, "-m", "codegen", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def read(folder: Path) -> tuple[System, System]:
+    """The systems of the rover and of the battery."""
+    report = Report()
+    rover, battery = read_systems(str(folder / "specs" / "codegen.yaml"), report)
+    assert list(report) == []
+    return rover, battery
+
+
+def test_own_files_win_and_the_base_has_the_others(project: Path) -> None:
+    """By file name, in the folder itself, in messages and in requirements."""
+    rover, battery = read(project)
+    assert battery.spec.program == "smart_battery"
+    assert battery.spec.path("board.yaml") == str(project / "specs" / "smart_battery" / "board.yaml")
+    assert battery.spec.path("state.yaml") == str(project / "specs" / "state.yaml")
+    assert battery.requirements.keys() == rover.requirements.keys()
+    tables = {message.name: message.population.place.file for message in battery.messages}
+    assert tables["HEARTBEAT"] == str(project / "specs" / "smart_battery" / "messages" / "heartbeat.yaml")
+    assert tables["AUTOPILOT_VERSION"] == str(project / "specs" / "messages" / "autopilot_version.yaml")
+
+
+def test_only_listed_messages_are_used(project: Path) -> None:
+    """SYS_STATUS is the rover's, and a change of its table is none of the battery's inputs."""
+    rover, battery = read(project)
+    assert "SYS_STATUS" in {message.name for message in rover.messages}
+    assert "SYS_STATUS" not in {message.name for message in battery.messages}
+    assert str(project / "specs" / "messages" / "sys_status.yaml") not in battery.spec.files
+    assert str(project / "specs" / "state.yaml") in battery.spec.files
+
+
+def test_all_messages_without_a_list(project: Path) -> None:
+    """A program with the base's streams needs to list nothing."""
+    folder = project / "specs" / "smart_battery"
+    shutil.rmtree(folder)
+    folder.mkdir()
+    (folder / "codegen.yaml").write_text("base: ..\nproject: twin\nmachine_code: false\n")
+    rover, twin = read_systems(str(project / "specs" / "codegen.yaml"), report := Report())
+    assert [finding for finding in report if finding.rule.severity == "error"] == []
+    assert [message.name for message in twin.messages] == [message.name for message in rover.messages]
+    assert (twin.spec.project.protocol, twin.spec.project.machine_code) == (2, False)
+    assert twin.spec.project.component_id == rover.spec.project.component_id
+
+
+def test_one_build_writes_all_programs(project: Path) -> None:
+    """One manifest; the schemas once; headers name the files that were read."""
+    assert run(project, "build").returncode == 0
+    output = project / "generated"
+    listed = json.loads((output / "manifest.json").read_text())["files"]
+    assert {"firmware/main.py", "smart_battery/firmware/main.py", "smart_battery/tests/cases.json"} <= listed.keys()
+    assert [path for path in listed if "schemas" in path and "smart_battery" in path] == []
+    assert not (output / "smart_battery" / "manifest.json").exists()
+    board = (output / "smart_battery" / "firmware" / "board.py").read_text()
+    assert board.startswith("# Generated from specs/smart_battery/board.yaml, ")
+    assert "specs/state.yaml" in board.splitlines()[0]
+    assert "import pack" in (output / "smart_battery" / "firmware" / "main.py").read_text()
+    assert run(project, "build", "--check").returncode == 0
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "specs/smart_battery/vehicle.yaml",
+        "specs/smart_battery/messages/heartbeat.yaml",
+        "specs/smart_battery/messages/new.yaml",
+        "specs/smart_battery/state.yaml",
+        "specs/smart_battery/requirements/FR-9.md",
+        "generated/smart_battery/firmware/state.py",
+    ],
+)
+def test_a_change_in_the_folder_of_a_program_is_noticed(project: Path, path: str) -> None:
+    """A build that seems unchanged is over before anything is read."""
+    assert run(project, "build").returncode == 0
+    main = str(project / "specs" / "codegen.yaml")
+    (project / "specs" / "smart_battery" / "requirements").mkdir(exist_ok=True)
+    if "requirements" in path:
+        os.utime(project / "specs" / "smart_battery", (1, 1))
+        assert run(project, "build").returncode == 0
+    elif stamp.unchanged(main) is None:  # the new folder has been noticed
+        assert run(project, "build").returncode == 0
+    assert stamp.unchanged(main) is not None
+    with (project / path).open("a") as file:
+        file.write("\n")
+    assert stamp.unchanged(main) is None
+
+
+def test_explain_tells_what_differs(project: Path) -> None:
+    """A message of both programs has two stories, a parameter of one has one, and what is the same is told once."""
+    both = run(project, "explain", "HEARTBEAT").stdout
+    assert both.index("MAV_TYPE_GROUND_ROVER") < both.index("In the program smart_battery:")
+    assert both.index("In the program smart_battery:") < both.index("MAV_TYPE_BATTERY")
+    own = run(project, "explain", "COMPID_BATT").stdout
+    assert own.startswith("In the program smart_battery:\nCOMPID_BATT\n")
+    assert "the component id" in own
+    assert "In the program" not in run(project, "explain", "AUTOPILOT_VERSION.uid").stdout
+
+
+def test_compiled_modules_of_a_program_lie_below_its_name(project: Path) -> None:
+    """build/ARCH for the rover, build/ARCH/smart_battery for the battery."""
+    done = run(project, "build", "--mpy", "armv6m")
+    assert done.returncode == 0, done.stdout
+    folder = project / "build" / "armv6m"
+    assert (folder / "vehicle.mpy").is_file()
+    assert (folder / "smart_battery" / "vehicle.mpy").is_file()
+    assert (folder / "smart_battery" / "main.py").is_file()
