@@ -271,7 +271,7 @@ def _followed(quantity: Quantity) -> str:
             f"the change of {quantity.trend.quantity} over {quantity.spec.window}, {quantity.trend.readings} readings"
         )
     if quantity.estimate is not None:
-        return f"{quantity.estimate.quantity}, by the discharge curve of {len(quantity.estimate.points)} points"
+        return f"{quantity.estimate.quantity}, by the discharge curve of {len(quantity.estimate.curves[0])} points"
     if quantity.enabled_by is not None:
         return f"true while {quantity.enabled_by.name} is not 0"
     return f"true while {quantity.while_known} is known" if quantity.while_known else ""

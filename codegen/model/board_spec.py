@@ -62,6 +62,24 @@ class LinkSpec(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class InstanceSpec(Written):
+    """One of several instances of a component, such as one of two batteries."""
+
+    prefix: str | None = described(
+        "Front of the names of its parameters, such as BATT2_; the first one's is the front of the names in "
+        "parameters.yaml.",
+        default=None,
+    )
+    doc: str | None = described("What this one is, for people.", default=None)
+    defaults: Mapping[str, Fraction] = described(
+        "Defaults of its parameters where they differ from those of the first instance.", default_factory=dict
+    )
+    facts: Mapping[str, str | Fraction] = described(
+        "Facts about it where they differ from those of the component.", default_factory=dict
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BoardSpec(Written):
     """``board.yaml``: the board and what is connected to it."""
 
@@ -71,6 +89,10 @@ class BoardSpec(Written):
     links: Mapping[str, LinkSpec] = described("Links to ground stations by name.", default_factory=dict)
     facts: Mapping[str, Mapping[str, str | Fraction]] = described(
         "Facts about the connected hardware by component: enum entries, numbers or amounts.", default_factory=dict
+    )
+    instances: Mapping[str, tuple[InstanceSpec, ...]] = described(
+        "Which instances of a component there are, in the order of their numbers; without an entry there is one.",
+        default_factory=dict,
     )
     discharge_curves: Mapping[str, Mapping[str, Fraction]] = described(
         "By chemistry (an entry of MAV_BATTERY_TYPE): the charge that remains, in %, by the voltage of one cell at "

@@ -50,6 +50,7 @@ class Failsafe:
     after: Parameter
     minimum_to_arm: Parameter | None
     health: Quantity | None
+    level: Quantity | None
     health_every_ms: int
     used: Quantity | None
     spec: FailsafeSpec

@@ -58,6 +58,9 @@ class FailsafeSpec(Written):
         "the watched quantity is unknown.",
         default=None,
     )
+    level: str | None = described(
+        "Quantity of the component that holds the level that was reached: 0 none, 1 low, 2 critical.", default=None
+    )
     health_every: Amount | None = described(
         "Shortest time between two texts about the health, such as 10 s; without it each change is told.", default=None
     )

@@ -122,10 +122,9 @@ class QuantitySpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComponentSpec(Written):
-    """A part of the vehicle state with its quantities; ``instances`` of it exist."""
+    """A part of the vehicle state with its quantities; board.yaml says which instances of it exist."""
 
     doc: str = described("What the component is, for people.")
-    instances: int = described("How many of them the vehicle has.", default=1)
     update_rate: Amount | None = described("How often its readings are taken, such as 10 Hz.", default=None)
     quantities: Mapping[str, QuantitySpec] = described("The quantities by name.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
@@ -170,6 +169,13 @@ class ParameterSpec(Written):
         "What single values mean, by the value; no others are accepted then.", default_factory=dict
     )
     reboot: bool = described("Whether a new value is used only after a restart.", default=False)
+    for_each: str | None = described(
+        "Component of which each instance has this parameter, with its own prefix in place of the first one's.",
+        default=None,
+    )
+    per_cell: bool = described(
+        "Whether the default is for one cell, to be multiplied with the fact cells of the instance.", default=False
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
 

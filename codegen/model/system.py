@@ -48,6 +48,14 @@ class FixedBinding:
 
 
 @dataclass(frozen=True, slots=True)
+class PartBinding:
+    """A fact that differs between the instances of the component: the binding of each, by number."""
+
+    covers: Elements
+    values: tuple[FixedBinding, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class InstanceBinding:
     """The index of the component's instance, from 0."""
 
@@ -103,7 +111,7 @@ class SplitBinding:
     unused: int
 
 
-Binding = FixedBinding | InstanceBinding | FlagsBinding | LiveBinding | SplitBinding
+Binding = FixedBinding | PartBinding | InstanceBinding | FlagsBinding | LiveBinding | SplitBinding
 
 
 def read_quantities(binding: Binding) -> tuple[Quantity, ...]:
@@ -191,6 +199,12 @@ class System:
         """The quantity written as ``component.name``, or None."""
         component, _, name = path.partition(".")
         return self.components[component].quantities.get(name) if component in self.components else None
+
+    def gpios(self, component: Component, channel: AdcChannel) -> tuple[int, ...]:
+        """The GPIO number by instance of a component, at first: pins may be parameters."""
+        names = channel.pin.siblings if channel.pin else ()
+        pins = [self.parameters[name].default for name in names if name in self.parameters]
+        return tuple(pins) or (channel.gpio,) * component.instances
 
     def measured(self) -> tuple[tuple[str, Quantity], ...]:
         """Each component that an ADC measures, with the quantity that it measures."""

@@ -62,7 +62,8 @@ class Parameter:
     """A parameter; the firmware keeps ``default``, ``minimum`` and ``maximum`` as whole ``steps``.
 
     ``step`` is the value of one step in ``unit``. ``choices`` are the only steps that are accepted, with what each
-    means; without any, every one within the limits is.
+    means; without any, every one within the limits is. One of a family belongs to an ``instance`` of a ``component``,
+    and ``siblings`` are the names of the family by instance.
     """
 
     name: str
@@ -74,6 +75,9 @@ class Parameter:
     choices: Mapping[int, str]
     spec: ParameterSpec
     citation: Citation | None
+    component: str | None = None
+    instance: int = 0
+    siblings: tuple[str, ...] = ()
 
     @property
     def path(self) -> str:
@@ -112,10 +116,10 @@ class Trend:
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """Percent of charge by pack voltage: ``points`` are (stored steps of ``quantity``, %), rising."""
+    """Percent of charge by pack voltage: for each instance the points (stored steps of ``quantity``, %), rising."""
 
     quantity: str
-    points: tuple[tuple[int, int], ...]
+    curves: tuple[tuple[tuple[int, int], ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,14 +161,31 @@ class Quantity(Cited):
 
 
 @dataclass(frozen=True, slots=True)
+class Instance:
+    """One instance of a component: its number from 0, the front of its parameters' names, and what is known of it."""
+
+    number: int
+    prefix: str
+    facts: Mapping[str, str | Fraction]
+
+
+@dataclass(frozen=True, slots=True)
 class Component(Cited):
-    """A part of the vehicle state; ``period_ms`` is the time between two updates, or None."""
+    """A part of the vehicle state; ``period_ms`` is the time between two updates, or None.
+
+    ``parts`` are its instances, one at least.
+    """
 
     name: str
-    instances: int
+    parts: tuple[Instance, ...]
     period_ms: int | None
     quantities: Mapping[str, Quantity]
     spec: ComponentSpec
+
+    @property
+    def instances(self) -> int:
+        """How many of it there are."""
+        return len(self.parts)
 
     @property
     def enabled(self) -> Quantity | None:

@@ -8,8 +8,10 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
 from codegen.model.spec import ComponentSpec, QuantitySpec, Spec
 from codegen.model.unit import NUMBER, UNITS, Unit, read_measure
-from codegen.model.vehicle import Estimate, Quantity, Trend
+from codegen.model.vehicle import Estimate, Instance, Quantity, Trend
+from codegen.resolve.instances import cells_of, fact_place
 from codegen.resolve.measure import UNIT_MISMATCH, read_time
+from codegen.source import Place
 
 BAD_TREND = Rule(
     "bad-trend",
@@ -67,9 +69,9 @@ def check_derived(spec: ComponentSpec, quantities: Mapping[str, Quantity], repor
 
 
 def resolve_estimate(
-    spec: QuantitySpec, component: str, whole: Spec, dialect: Dialect, report: Report
+    spec: QuantitySpec, component: str, parts: tuple[Instance, ...], whole: Spec, dialect: Dialect, report: Report
 ) -> Estimate | None:
-    """The curve of the pack by its voltage; None, perhaps with a finding, if the charge is not estimated."""
+    """The curve of each pack by its voltage; None, perhaps with a finding, if the charge is not estimated."""
     if spec.estimate_from is None:
         return None
     place = spec.at("estimate_from")
@@ -87,32 +89,45 @@ def resolve_estimate(
     if spec.unit != "%" or (spec.stored or "%") != "%" or volts is None:
         report.add(UNIT_MISMATCH, place, "an estimate is a share in %, from a voltage")
         return None
-    facts = whole.board.facts.get(component, {})
-    chemistry, cells = facts.get("chemistry"), facts.get("cells")
-    if not isinstance(chemistry, str) or not isinstance(cells, Fraction) or cells.denominator != 1 or cells < 1:
+    curves = []
+    for part in parts:
+        curve = _curve(component, part, place, whole, dialect, report)
+        if curve is None:
+            return None
+        cells = cells_of(part) or 1
+        curves.append(tuple((round(cell * cells * volts), percent) for cell, percent in curve))
+    return Estimate(spec.estimate_from, tuple(curves))
+
+
+def _curve(
+    component: str, part: Instance, place: Place, whole: Spec, dialect: Dialect, report: Report
+) -> list[tuple[Fraction, int]] | None:
+    """Volts of one cell and percent for the chemistry of an instance; None after a finding."""
+    chemistry = part.facts.get("chemistry")
+    if not isinstance(chemistry, str) or cells_of(part) is None:
         message = f"board.yaml does not state the chemistry and the cells of {component}"
         report.add(BAD_ESTIMATE, place, message, f"facts: {{{component}: {{chemistry: ..., cells: 3}}}}")
         return None
     enum = dialect.enums.get("MAV_BATTERY_TYPE")
     if enum is not None and enum.entry(chemistry) is None:
-        _report_chemistry(chemistry, f"{component}.chemistry", [entry.name for entry in enum.entries], whole, report)
+        _report_chemistry(chemistry, component, part, [entry.name for entry in enum.entries], whole, report)
         return None
     if chemistry not in whole.board.discharge_curves:
         hint = did_you_mean(chemistry, whole.board.discharge_curves) or "write it under discharge_curves in board.yaml"
         report.add(BAD_ESTIMATE, place, f"there is no discharge curve of {chemistry}", hint)
         return None
-    points = _points(chemistry, whole, report)
-    if points is None:
-        return None
-    return Estimate(spec.estimate_from, tuple((round(cell * cells * volts), percent) for cell, percent in points))
+    return _points(chemistry, whole, report)
 
 
-def _report_chemistry(chemistry: str, fact: str, names: list[str], whole: Spec, report: Report) -> None:
+def _report_chemistry(
+    chemistry: str, component: str, part: Instance, names: list[str], whole: Spec, report: Report
+) -> None:
     """An unknown chemistry; a message that sends it reports it, too, and better."""
     answers = (answer for population in whole.populations for answer in population.fields.values())
-    if not any(answer.board == fact for answer in answers):
+    if not any(answer.board == f"{component}.chemistry" for answer in answers):
         message = f"MAV_BATTERY_TYPE has no entry {chemistry}"
-        report.add(BAD_ESTIMATE, whole.board.at(f"facts.{fact}"), message, did_you_mean(chemistry, names))
+        place = fact_place(whole, component, part.number, "chemistry")
+        report.add(BAD_ESTIMATE, place, message, did_you_mean(chemistry, names))
 
 
 def _points(chemistry: str, whole: Spec, report: Report) -> list[tuple[Fraction, int]] | None:

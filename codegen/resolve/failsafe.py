@@ -59,9 +59,8 @@ class FailsafeResolver:
         if after is not None and (after.unit is not UNITS["s"] or after.step != 1 or after.minimum < 0):
             self.report.add(BAD_FAILSAFE, spec.at("after"), f"{after.name} is not a time in whole seconds")
         minimum = self._threshold(spec, "minimum_to_arm", spec.minimum_to_arm, quantity)
-        health = self._quantity(component, spec, "health", spec.health)
-        if health is not None and (health.kind is not QuantityKind.NUMBER or health.initial is None):
-            self.report.add(BAD_FAILSAFE, spec.at("health"), f"{health.path} is not a number with an initial value")
+        health = self._kept(component, spec, "health", spec.health)
+        level = self._kept(component, spec, "level", spec.level)
         used = self._quantity(component, spec, "used", spec.used)
         if used is not None and used.stored is not UNITS["mAh"]:
             self.report.add(BAD_FAILSAFE, spec.at("used"), f"{used.path} is not kept in mAh")
@@ -70,7 +69,14 @@ class FailsafeResolver:
         every = 0
         if spec.health_every is not None:
             every = read_time(spec.health_every, UNITS["ms"], spec.at("health_every"), self.report) or 0
-        return Failsafe(component, quantity, low, critical, after, minimum, health, every, used, spec, citation)
+        return Failsafe(component, quantity, low, critical, after, minimum, health, level, every, used, spec, citation)
+
+    def _kept(self, component: Component, spec: FailsafeSpec, key: str, name: str | None) -> Quantity | None:
+        """A quantity that the failsafe sets."""
+        quantity = self._quantity(component, spec, key, name)
+        if quantity is not None and (quantity.kind is not QuantityKind.NUMBER or quantity.initial is None):
+            self.report.add(BAD_FAILSAFE, spec.at(key), f"{quantity.path} is not a number with an initial value")
+        return quantity
 
     def _level(self, spec: FailsafeLevelSpec, quantity: Quantity) -> FailsafeLevel | None:
         citation: Citation | None = cite_optional(spec.requirement, spec.at("requirement"), self.index, self.report)

@@ -1,15 +1,16 @@
 """Answers that are known at build time: enum entries, flags, facts of the board and the dialect, unknown."""
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.board_spec import BoardSpec
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
-from codegen.model.spec import StateSpec
-from codegen.model.system import Elements, FixedBinding, FlagsBinding
+from codegen.model.spec import Spec, StateSpec
+from codegen.model.system import Elements, FixedBinding, FlagsBinding, PartBinding
 from codegen.model.unit import read_measure
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.resolve.constant import bind_constant, fits
+from codegen.resolve.instances import known_facts
 from codegen.resolve.state import UNKNOWN_ENTRY, UNKNOWN_ENUM, UNKNOWN_QUANTITY
 from codegen.source import Place
 
@@ -141,15 +142,47 @@ def find_quantity(
     return None
 
 
-def bind_fact(covers: Elements, path: str, board: BoardSpec, dialect: Dialect, report: Report) -> FixedBinding | None:
-    """A fact of board.yaml: an enum entry, a number or an amount."""
-    component, _, name = path.partition(".")
-    fact = board.facts.get(component, {}).get(name)
-    if fact is None:
-        known = [f"{owner}.{fact}" for owner, facts in board.facts.items() for fact in facts]
-        place = covers.answer.at("board")
-        report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", did_you_mean(path, known))
+def bind_fact(
+    covers: Elements,
+    path: str,
+    component: Component | None,
+    components: Mapping[str, Component],
+    spec: Spec,
+    dialect: Dialect,
+    report: Report,
+) -> FixedBinding | PartBinding | None:
+    """A fact of board.yaml: an enum entry, a number or an amount; of a message for each instance, that of each.
+
+    A message that is not sent for each instance has the fact of the first one.
+    """
+    owner, _, name = path.partition(".")
+    place = covers.answer.at("board")
+    parts = components[owner].parts if owner in components else ()
+    facts = [part.facts.get(name) for part in parts] or [spec.board.facts.get(owner, {}).get(name)]
+    if component is None or component.name != owner:
+        facts = facts[:1]
+    found = [fact for fact in facts if fact is not None]
+    if not found:
+        hint = did_you_mean(path, known_facts(spec, components))
+        report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", hint)
         return None
+    if len(found) < len(facts):
+        message = f"board.yaml has no fact {name} of {owner} {facts.index(None) + 1}"
+        report.add(UNKNOWN_FACT, place, message, f"state it under instances, or under facts for every {owner}")
+        return None
+    bindings = []
+    for fact in dict.fromkeys(found):
+        binding = _bind_value(covers, fact, dialect, report)
+        if binding is None:
+            return None
+        bindings.append(binding)
+    if len(bindings) == 1:
+        return bindings[0]
+    by_fact = dict(zip(dict.fromkeys(found), bindings, strict=True))
+    return PartBinding(covers, tuple(by_fact[fact] for fact in found))
+
+
+def _bind_value(covers: Elements, fact: str | Fraction, dialect: Dialect, report: Report) -> FixedBinding | None:
     if isinstance(fact, str) and read_measure(fact) is None and covers.field.type.kind is not Kind.CHAR:
         return bind_entry(covers, fact, "board", dialect, report)
     return bind_constant(covers, fact, "board", report)

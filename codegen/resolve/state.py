@@ -9,7 +9,16 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
 from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, Spec
 from codegen.model.unit import NUMBER, UNITS, Unit
-from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Component, Conversion, Parameter, Quantity, QuantityKind
+from codegen.model.vehicle import (
+    SMALL_INT_MAX,
+    AdcChannel,
+    Component,
+    Conversion,
+    Instance,
+    Parameter,
+    Quantity,
+    QuantityKind,
+)
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived, resolve_estimate, resolve_trend
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
@@ -20,7 +29,7 @@ BAD_QUANTITY = Rule(
     "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean or an enum has no unit "
     "and no limits, min <= initial <= max, and every limit fits a small integer of MicroPython in stored units.",
 )
-BAD_COMPONENT = Rule("bad-component", "A component has a lower-case identifier as its name and 1 to 16 instances.")
+BAD_COMPONENT = Rule("bad-component", "A component has a lower-case identifier as its name.")
 UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
 UNKNOWN_ENUM = Rule("unknown-enum", "A table names an enum that the dialect does not have.")
@@ -37,6 +46,7 @@ _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 def resolve_components(
     spec: Spec,
     dialect: Dialect,
+    instances: Mapping[str, tuple[Instance, ...]],
     channels: Mapping[str, AdcChannel],
     parameters: Mapping[str, Parameter],
     index: Mapping[str, Requirement],
@@ -53,13 +63,13 @@ def resolve_components(
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
             resolver = _QuantityResolver(name, quantity_name, quantity_spec, spec, report)
-            quantity = resolver.resolve(dialect, channels, parameters, index, period)
+            quantity = resolver.resolve(dialect, instances[name], channels, parameters, index, period)
             if quantity is not None:
                 quantities[quantity_name] = quantity
         _check_quantities(written, quantities, report)
         components[name] = Component(
             name=name,
-            instances=written.instances,
+            parts=instances[name],
             period_ms=period,
             quantities=quantities,
             spec=written,
@@ -72,8 +82,6 @@ def resolve_components(
 def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
     if not _is_name(name) or name in _RESERVED_COMPONENTS | _CONVERSIONS or name.startswith(("update_", "calibrate_")):
         report.add(BAD_COMPONENT, spec.place, f"{name} cannot be the name of a component", "choose another name")
-    if not 1 <= spec.instances <= 16:
-        report.add(BAD_COMPONENT, spec.at("instances"), f"{name} has {spec.instances} instances, not 1 to 16")
 
 
 def _is_name(name: str) -> bool:
@@ -128,6 +136,7 @@ class _QuantityResolver:
     def resolve(
         self,
         dialect: Dialect,
+        parts: tuple[Instance, ...],
         channels: Mapping[str, AdcChannel],
         parameters: Mapping[str, Parameter],
         index: Mapping[str, Requirement],
@@ -160,7 +169,7 @@ class _QuantityResolver:
         warn_above = None if spec.warn_above is None else self._in_steps("warn_above", spec.warn_above, steps)
         stale_after, warn_every = self._time("stale_after", spec.stale_after), self._time("warn_every", spec.warn_every)
         trend = resolve_trend(spec, stored, period_ms, self.whole.state.components[self.component], self.report)
-        estimate = resolve_estimate(spec, self.component, self.whole, dialect, self.report)
+        estimate = resolve_estimate(spec, self.component, parts, self.whole, dialect, self.report)
         if self.failed:
             return None
         return Quantity(

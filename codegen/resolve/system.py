@@ -11,7 +11,9 @@ from codegen.model.vehicle import Component, Parameter, Stream
 from codegen.resolve.citation import cite, index_requirements
 from codegen.resolve.constant import bind_constant
 from codegen.resolve.elements import answered_elements
+from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.fixed import bind_entry, bind_fact, bind_flags, bind_unknown, bind_version, find_quantity
+from codegen.resolve.instances import resolve_instances
 from codegen.resolve.links import resolve_links
 from codegen.resolve.live import bind_instance, bind_live
 from codegen.resolve.program import resolve_program
@@ -41,10 +43,11 @@ BAD_INSTANCE = Rule(
 def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     """Everything linked; what could not be resolved is left out and reported."""
     index = index_requirements(spec.requirements)
-    parameters = resolve_parameters(spec.parameters, index, report)
+    instances = resolve_instances(spec, report)
+    parameters = resolve_parameters(spec.parameters, ParameterFamilies(spec, instances, report), index, report)
     channels = resolve_channels(spec.board, spec.parameters, parameters, index, report)
     streams = resolve_streams(spec, dialect, parameters, index, report)
-    components = resolve_components(spec, dialect, channels, parameters, index, report)
+    components = resolve_components(spec, dialect, instances, channels, parameters, index, report)
     binder = _Binder(spec, dialect, components, parameters, report)
     messages = [
         message
@@ -204,7 +207,7 @@ class _Binder:
         if answer.parameter is not None:
             return self._bind_parameter(covers, answer.parameter)
         if answer.board is not None:
-            return bind_fact(covers, answer.board, self.spec.board, self.dialect, report)
+            return bind_fact(covers, answer.board, component, self.components, self.spec, self.dialect, report)
         if answer.enum is not None:
             return bind_entry(covers, answer.enum, "enum", self.dialect, report)
         if answer.flags is not None:

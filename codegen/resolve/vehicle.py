@@ -11,6 +11,7 @@ from codegen.model.spec import ParameterSpec, ParametersSpec, ParameterType, Req
 from codegen.model.unit import UNITS, decimal
 from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.families import Member, ParameterFamilies
 from codegen.resolve.measure import DAY_S, find_unit, read_amount, read_rate, read_time
 from codegen.source import Place
 
@@ -106,21 +107,33 @@ def find_parameter(
     return parameter
 
 
-def resolve_parameters(spec: ParametersSpec, index: Mapping[str, Requirement], report: Report) -> dict[str, Parameter]:
-    """The parameters by name."""
-    parameters = {}
+def resolve_parameters(
+    spec: ParametersSpec, families: ParameterFamilies, index: Mapping[str, Requirement], report: Report
+) -> dict[str, Parameter]:
+    """The parameters by name, those of families for each instance."""
+    parameters: dict[str, Parameter] = {}
     for name, written in spec.parameters.items():
         citation = cite_optional(written.requirement, written.at("requirement"), index, report)
-        parameter = _resolve_parameter(name, written, citation, report)
-        if parameter is not None:
-            parameters[name] = parameter
+        for member in families.members(name, written):
+            parameter = _resolve_parameter(member, citation, report)
+            if parameter is None and member.instance == 0:
+                break  # the others of the family would say the same
+            if parameter is None:
+                continue
+            if member.name in parameters or (member.instance and member.name in spec.parameters):
+                message = f"{member.name} is also the name of {name} for another instance"
+                report.add(BAD_PARAMETER, written.place, message)
+            parameters[member.name] = parameter
+    families.check_defaults()
     return parameters
 
 
-def _resolve_parameter(name: str, spec: ParameterSpec, citation: Citation | None, report: Report) -> Parameter | None:
+def _resolve_parameter(member: Member, citation: Citation | None, report: Report) -> Parameter | None:
+    name, spec = member.name, member.spec
     problems: list[tuple[str, str]] = []
     if not re.fullmatch(r"[A-Z][A-Z0-9_]{0,15}", name):
-        problems.append(("", f"{name} is not a parameter name"))
+        length = f": it has {len(name)} characters, and 16 are the most" if len(name) > 16 else ""
+        problems.append(("", f"{name} is not a parameter name{length}"))
     if spec.step <= 0:
         problems.append(("step", f"the step of {name} is not above 0"))
     else:
@@ -137,7 +150,7 @@ def _resolve_parameter(name: str, spec: ParameterSpec, citation: Citation | None
     problems += _type_problems(name, spec)
     choices = _choices(name, spec, problems)
     for key, message in problems:
-        report.add(BAD_PARAMETER, spec.at(key), message)
+        report.add(BAD_PARAMETER, member.at(key), message)
     unit = find_unit(spec.unit, spec.at("unit"), report)
     if problems or unit is None:
         return None
@@ -151,6 +164,9 @@ def _resolve_parameter(name: str, spec: ParameterSpec, citation: Citation | None
         choices={_in_steps(value, spec.step): meaning for value, meaning in choices.items()},
         spec=spec,
         citation=citation,
+        component=member.component,
+        instance=member.instance,
+        siblings=member.siblings,
     )
 
 

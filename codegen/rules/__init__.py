@@ -14,11 +14,11 @@ from codegen.rules import (
     overlay_id,
     overlay_text,
     protocol,
+    shared_pin,
     small_int,
     stale_reading,
     stream_beyond_links,
     stream_rate,
-    unmeasured_instance,
     unused_stream,
 )
 
@@ -32,11 +32,11 @@ RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
     overlay_id.check,
     overlay_text.check,
     protocol.check,
+    shared_pin.check,
     small_int.check,
     stale_reading.check,
     stream_beyond_links.check,
     stream_rate.check,
-    unmeasured_instance.check,
     unused_stream.check,
 )
 """The checks in the order of their names. To add one, write its module and list it here."""

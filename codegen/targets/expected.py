@@ -15,6 +15,7 @@ from codegen.model.system import (
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
+    PartBinding,
     PopulatedMessage,
     SplitBinding,
 )
@@ -75,6 +76,8 @@ def _number(value: int | float | str) -> int | float:
 def _values(binding: Binding, known: Known, instance: int) -> tuple[int | float | str, ...]:
     if isinstance(binding, FixedBinding):
         return binding.values
+    if isinstance(binding, PartBinding):
+        return binding.values[instance].values
     if isinstance(binding, InstanceBinding):
         return (instance,)
     if isinstance(binding, FlagsBinding):

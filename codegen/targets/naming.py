@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from codegen.model.system import PopulatedMessage
-    from codegen.model.vehicle import Component
+    from codegen.model.vehicle import Component, Parameter
 
 
 def class_name(message: str) -> str:
@@ -47,15 +47,23 @@ def parameter_attribute(parameter: str) -> str:
     return f"{name}_" if keyword.iskeyword(name) or name in ("get", "set", "names", "value") else name
 
 
+def family_constant(parameter: "Parameter") -> str:
+    """The constant with the attributes of a family by instance: BATT_LOW_VOLT -> _BATT_LOW_VOLT."""
+    return f"_{parameter.siblings[0]}"
+
+
+def parameter_expression(parameter: "Parameter", parameters: str, instance: str = "instance") -> str:
+    """The steps of a parameter; of a family those of the instance."""
+    if parameter.siblings:
+        return f"getattr({parameters}, {family_constant(parameter)}[{instance}])"
+    return f"{parameters}.{parameter_attribute(parameter.name)}"
+
+
 def instance_expression(component: "Component", is_for_each: bool) -> str:
     """How a builder reaches the component of its message: ``state.battery``, or one of a list of several."""
-    several = is_for_each and component.instances > 1
-    return f"state.{component.name}[instance]" if several else f"state.{first_instance(component)}"
-
-
-def first_instance(component: "Component") -> str:
-    """The component below the state, or the first of a list of several: the one that is measured."""
-    return component.name if component.instances == 1 else f"{component.name}[0]"
+    if component.instances == 1:
+        return f"state.{component.name}"
+    return f"state.{component.name}[{'instance' if is_for_each else 0}]"
 
 
 def quoted(text: str) -> str:

@@ -4,18 +4,29 @@ from dataclasses import dataclass
 
 from codegen.model.program import Program
 from codegen.model.system import System
+from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.render import render_template
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.program import ProgramView, program_view
 from codegen.targets.firmware.state import ComponentView, state_view
 from codegen.targets.firmware.streams import StreamsView, streams_view
+from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 
 _PROGRAM = "tests/program"
 
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
 """What a further program's suite does without: it takes long, and is about modules that all programs share."""
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredFamilies:
+    """Attributes of the parameters that each instance of a measured component has of its own, by instance."""
+
+    pin: tuple[str, ...]
+    multiplier: tuple[str, ...]
+    enabled_by: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +38,7 @@ class ProgramSuiteView:
     readers: tuple[ReaderView, ...]
     parameters: tuple[ParameterView, ...]
     streams: StreamsView
+    families: dict[str, MeasuredFamilies]
     requirements: dict[str, str]
 
 
@@ -41,12 +53,26 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         readers=board_view(system).readers,
         parameters=parameter_views(system),
         streams=streams_view(system),
+        families={name: _families(system.components[name], quantity) for name, quantity in system.measured()},
         requirements=_requirements(system, program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = render_template(f"{_PROGRAM}/program_facts.py.j2", view)
     files["tests/program_facts.py"] = headed(text, origin)
     return files
+
+
+def _families(component: Component, quantity: Quantity) -> MeasuredFamilies:
+    conversion, switch = quantity.conversion, component.enabled
+    return MeasuredFamilies(
+        pin=_attributes(conversion.channel.pin if conversion else None),
+        multiplier=_attributes(conversion.multiplier if conversion else None),
+        enabled_by=_attributes(switch.enabled_by if switch else None),
+    )
+
+
+def _attributes(parameter: Parameter | None) -> tuple[str, ...]:
+    return tuple(map(parameter_attribute, parameter.siblings)) if parameter else ()
 
 
 def _requirements(system: System, program: Program) -> dict[str, str]:
@@ -57,6 +83,7 @@ def _requirements(system: System, program: Program) -> dict[str, str]:
     component = system.components[measured.component] if measured else None
     stream = next((stream for stream in system.streams.values() if stream.citation and stream.parameter), None)
     return {
+        "instances": _instances(system),
         "failsafe": failsafe.citation.requirement.id if failsafe else "",
         "health": _document(failsafe.health.citation if failsafe and failsafe.health else None),
         "reading": _document(measured.conversion.channel.citation if measured and measured.conversion else None),
@@ -69,6 +96,13 @@ def _requirements(system: System, program: Program) -> dict[str, str]:
         "steady": _document(component.aspects.get("steady") if component else None),
         "scenarios": _document(component.aspects.get("scenarios") if component else None),
     }
+
+
+def _instances(system: System) -> str:
+    """The document on several instances: the one that asks for the level of each one's failsafe."""
+    failsafes = system.program.failsafes if system.program else ()
+    levels = [failsafe.level for failsafe in failsafes if failsafe.level and failsafe.component.instances > 1]
+    return _document(levels[0].citation) if levels else ""
 
 
 def _document(citation: object) -> str:

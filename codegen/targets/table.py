@@ -11,6 +11,7 @@ from codegen.model.system import (
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
+    PartBinding,
     PopulatedMessage,
     SplitBinding,
 )
@@ -69,6 +70,9 @@ def _story(binding: Binding) -> tuple[str, str, str]:
         shown = values.pop() if len(values) == 1 else ", ".join(_shown(value) for value in binding.values)
         text = "unknown" if binding.is_unknown else binding.meaning
         return text, f"= {shown}", ""
+    if isinstance(binding, PartBinding):
+        by_instance = (f"{part.meaning} = {_shown(part.values[0])}" for part in binding.values)
+        return "fact of each", ", ".join(by_instance), ""
     if isinstance(binding, InstanceBinding):
         return f"number of the {binding.component}", "", ""
     if isinstance(binding, FlagsBinding):

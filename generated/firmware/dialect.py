@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 98eb55492f00752e
+# Inputs: 7fddeeff9d437416
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_GET_MESSAGE_INTERVAL = 510

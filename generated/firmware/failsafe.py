@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 81eb060591773640
+# Inputs: 8be739dc167bc43c
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time
@@ -16,17 +16,28 @@ _HEALTH = (
 _LONGEST_MS = 1 << 24  # time below a threshold is not counted further
 _ABOVE = -1
 
+# Names of the parameters that each has of its own.
+_BATT_LOW_VOLT = ("batt_low_volt", "batt2_low_volt")
+_BATT_FS_LOW_ACT = ("batt_fs_low_act", "batt2_fs_low_act")
+_BATT_CRT_VOLT = ("batt_crt_volt", "batt2_crt_volt")
+_BATT_FS_CRT_ACT = ("batt_fs_crt_act", "batt2_fs_crt_act")
+_BATT_LOW_TIMER = ("batt_low_timer", "batt2_low_timer")
+_BATT_ARM_VOLT = ("batt_arm_volt", "batt2_arm_volt")
+
 
 class BatteryFailsafe:
-    """Watches the battery's voltage, FR-00020.
+    """Watches the voltage of one battery, FR-00020.
 
-    `level` is the highest that was reached: it stays until the next start, and only rises. A value of 0 or less, or an
-    unknown one, neither restarts a timer nor lets it go on.
+    `title` is what texts call it. `level` is the highest that was reached: it stays until the next start and only
+    rises. A value of 0 or less, or an unknown one, neither restarts a timer nor lets it go on.
     """
 
-    def __init__(self, state, texts):
+    def __init__(self, state, texts, instance=0):
         self._state = state
+        self._battery = state.battery[instance]
         self._texts = texts
+        self._instance = instance
+        self.title = f"Battery {instance + 1}"
         self.level = OK
         self._updated_ms = time.ticks_ms()
         self._low_ms = _ABOVE  # how long it has been below BATT_LOW_VOLT
@@ -36,9 +47,11 @@ class BatteryFailsafe:
 
     def update(self, now_ms):
         """Look at the latest value; return the level that is reached just now, else 0. Call it after each reading."""
+        if not self._battery.monitored:
+            return OK
         passed_ms = time.ticks_diff(now_ms, self._updated_ms)
         self._updated_ms = now_ms
-        value = self._state.battery.voltage_mv
+        value = self._battery.voltage_mv
         self._set_health(value, now_ms)
         if not self._state.vehicle.armed:
             self._low_ms = _ABOVE
@@ -46,12 +59,21 @@ class BatteryFailsafe:
             return OK
         if value is None or value <= 0:
             return OK
-        parameters = self._state.parameters
-        self._low_ms = _below(self._low_ms, passed_ms, value < parameters.batt_low_volt)  # FR-00020.1
-        self._critical_ms = _below(self._critical_ms, passed_ms, value < parameters.batt_crt_volt)  # FR-00020.2
-        return self._escalate(parameters.batt_low_timer * 1000)
+        self._low_ms = _below(self._low_ms, passed_ms, self._is_low(value))  # FR-00020.1
+        self._critical_ms = _below(self._critical_ms, passed_ms, self._is_critical(value))  # FR-00020.2
+        return self._escalate()
 
-    def _escalate(self, limit_ms):
+    def _is_low(self, value):
+        parameters = self._state.parameters
+        return value < getattr(parameters, _BATT_LOW_VOLT[self._instance])
+
+    def _is_critical(self, value):
+        parameters = self._state.parameters
+        return value < getattr(parameters, _BATT_CRT_VOLT[self._instance])
+
+    def _escalate(self):
+        parameters = self._state.parameters
+        limit_ms = getattr(parameters, _BATT_LOW_TIMER[self._instance]) * 1000
         if limit_ms <= 0:  # BATT_LOW_TIMER 0 switches both levels off
             return OK
         if self._critical_ms >= limit_ms and self.level < CRITICAL:
@@ -62,55 +84,66 @@ class BatteryFailsafe:
 
     def _reach(self, level, word):
         self.level = level
+        self._battery.failsafe_number = level
         self._texts.say(dialect.MAV_SEVERITY_WARNING, self._text(word))
         return level
 
     def _text(self, word):
-        battery = self._state.battery
+        battery = self._battery
         used = battery.consumed_mah or 0
-        return f"Battery 1 is {word} {battery.voltage:.2f}V used {used} mAh"
+        return f"{self.title} is {word} {battery.voltage:.2f}V used {used} mAh"
 
     def action(self):
         """Return the action of the level that was reached, 0 for none."""
         if self.level == CRITICAL:
-            return self._state.parameters.batt_fs_crt_act
+            return getattr(self._state.parameters, _BATT_FS_CRT_ACT[self._instance])
         if self.level == LOW:
-            return self._state.parameters.batt_fs_low_act
+            return getattr(self._state.parameters, _BATT_FS_LOW_ACT[self._instance])
         return 0
 
     def problem(self):
-        """Return why the vehicle must not be armed, as a text, or None."""
-        value = self._state.battery.voltage_mv
+        """Return why the vehicle must not be armed, as words to put behind the title, or None."""
+        battery = self._battery
+        if not battery.monitored:
+            return None
+        value = battery.voltage_mv
         if value is None:
-            return "Battery 1 unhealthy"
-        parameters = self._state.parameters
-        if value < parameters.batt_arm_volt:
-            return "Battery 1 below minimum arming voltage"
-        if value < parameters.batt_low_volt:
-            return "Battery 1 low voltage failsafe"
-        if value < parameters.batt_crt_volt:
-            return "Battery 1 critical voltage failsafe"
+            return "unhealthy"
+        if self._is_below_minimum(value):
+            return "below minimum arming voltage"
+        if self._is_low(value):
+            return "low voltage failsafe"
+        if self._is_critical(value):
+            return "critical voltage failsafe"
         if self.level != OK:
-            return "Battery 1 low voltage failsafe" if self.level == LOW else "Battery 1 critical voltage failsafe"
-        if 0 < parameters.batt_low_volt <= parameters.batt_crt_volt:
-            return "Battery 1 voltage failsafe critical >= low"
+            return "low voltage failsafe" if self.level == LOW else "critical voltage failsafe"
+        if self._is_inverted():
+            return "voltage failsafe critical >= low"
         return None
+
+    def _is_below_minimum(self, value):
+        parameters = self._state.parameters
+        return value < getattr(parameters, _BATT_ARM_VOLT[self._instance])
+
+    def _is_inverted(self):
+        parameters = self._state.parameters
+        low = getattr(parameters, _BATT_LOW_VOLT[self._instance])
+        return 0 < low <= getattr(parameters, _BATT_CRT_VOLT[self._instance])
 
     def _set_health(self, value, now_ms):
         health = self._health(value)
-        self._state.battery.health_number = health
+        self._battery.health_number = health
         if self._told_ms is not None and time.ticks_diff(now_ms, self._told_ms) >= 10000:
             self._told_ms = None  # at once, since ticks of long ago seem to lie ahead
         if health != self._told and self._told_ms is None:
             self._told = health
             self._told_ms = now_ms
-            self._texts.say(_HEALTH[health][0], "Battery 1 health: " + _HEALTH[health][1])
+            self._texts.say(_HEALTH[health][0], self.title + " health: " + _HEALTH[health][1])
 
     def _health(self, value):
-        parameters = self._state.parameters
-        if value is None or value < parameters.batt_crt_volt:
+        if value is None or self._is_critical(value):
             return CRITICAL
-        return LOW if value < parameters.batt_low_volt else OK
+        return LOW if self._is_low(value) else OK
 
 
 def _below(since_ms, passed_ms, is_below):

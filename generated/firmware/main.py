@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml: do not edit.
-# Inputs: 0fd8b5b7d2d4ee92
+# Inputs: e6cd48c057d64513
 """The program: what the board starts."""
 
 import asyncio

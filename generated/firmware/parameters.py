@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: cc7771edda41eaf5
+# Inputs: e46abb1b10111364
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -7,6 +7,16 @@ import struct
 from conversion import to_steps
 
 NAMES = (
+    "BATT2_ARM_VOLT",
+    "BATT2_CAPACITY",
+    "BATT2_CRT_VOLT",
+    "BATT2_FS_CRT_ACT",
+    "BATT2_FS_LOW_ACT",
+    "BATT2_LOW_TIMER",
+    "BATT2_LOW_VOLT",
+    "BATT2_MONITOR",
+    "BATT2_VOLT_MULT",
+    "BATT2_VOLT_PIN",
     "BATT_ARM_VOLT",
     "BATT_CAPACITY",
     "BATT_CRT_VOLT",
@@ -25,6 +35,116 @@ NAMES = (
 # name: (attribute, default, smallest, largest, numerator, denominator, type, used after a restart only, choices)
 # A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
 _TABLE = {
+    "BATT2_ARM_VOLT": (
+        "batt2_arm_volt",
+        0,
+        0,
+        100000,
+        1,
+        1000,
+        9,  # real32
+        False,
+        (),
+    ),
+    "BATT2_CAPACITY": (
+        "batt2_capacity",
+        3300,
+        0,
+        1000000,
+        1,
+        1,
+        6,  # int32
+        False,
+        (),
+    ),
+    "BATT2_CRT_VOLT": (
+        "batt2_crt_volt",
+        9900,
+        0,
+        100000,
+        1,
+        1000,
+        9,  # real32
+        False,
+        (),
+    ),
+    "BATT2_FS_CRT_ACT": (
+        "batt2_fs_crt_act",
+        2,
+        0,
+        5,
+        1,
+        1,
+        2,  # int8
+        False,
+        (0, 1, 2, 3, 4, 5),
+    ),
+    "BATT2_FS_LOW_ACT": (
+        "batt2_fs_low_act",
+        2,
+        0,
+        5,
+        1,
+        1,
+        2,  # int8
+        False,
+        (0, 1, 2, 3, 4, 5),
+    ),
+    "BATT2_LOW_TIMER": (
+        "batt2_low_timer",
+        10,
+        0,
+        120,
+        1,
+        1,
+        2,  # int8
+        False,
+        (),
+    ),
+    "BATT2_LOW_VOLT": (
+        "batt2_low_volt",
+        10500,
+        0,
+        100000,
+        1,
+        1000,
+        9,  # real32
+        False,
+        (),
+    ),
+    "BATT2_MONITOR": (
+        "batt2_monitor",
+        0,
+        0,
+        3,
+        1,
+        1,
+        2,  # int8
+        True,
+        (0, 3),
+    ),
+    "BATT2_VOLT_MULT": (
+        "batt2_volt_mult",
+        39500,
+        10000,
+        100000,
+        1,
+        10000,
+        9,  # real32
+        True,
+        (),
+    ),
+    "BATT2_VOLT_PIN": (
+        "batt2_volt_pin",
+        27,
+        26,
+        28,
+        1,
+        1,
+        2,  # int8
+        True,
+        (),
+    ),
     "BATT_ARM_VOLT": (
         "batt_arm_volt",
         0,
@@ -180,6 +300,26 @@ class Parameters:
 
     def __init__(self):
         self.changes = 0
+        # Least voltage to arm with; 0 switches the check off.
+        self.batt2_arm_volt = 0  # 0 V, in steps of 0.001 V
+        # Charge of the full pack.
+        self.batt2_capacity = 3300  # 3300 mAh
+        # Voltage below which the second failsafe acts; 0 switches it off.
+        self.batt2_crt_volt = 9900  # 9.9 V, in steps of 0.001 V
+        # What the second failsafe does.
+        self.batt2_fs_crt_act = 2  # 2: Hold
+        # What the first failsafe does.
+        self.batt2_fs_low_act = 2  # 2: Hold
+        # Time that the voltage stays below a threshold before its failsafe acts; 0 switches both failsafes off.
+        self.batt2_low_timer = 10  # 10 s
+        # Voltage below which the first failsafe acts; 0 switches it off.
+        self.batt2_low_volt = 10500  # 10.5 V, in steps of 0.001 V
+        # How the battery is measured; 0 leaves it out of measurements, checks and telemetry.
+        self.batt2_monitor = 0  # 0: Disabled
+        # Pack voltage over the voltage at the ADC pin, set by the divider and calibrated against a meter.
+        self.batt2_volt_mult = 39500  # 3.95, in steps of 0.0001
+        # GPIO number of the pin that the divided battery voltage is connected to.
+        self.batt2_volt_pin = 27  # 27
         # Least voltage to arm with; 0 switches the check off.
         self.batt_arm_volt = 0  # 0 V, in steps of 0.001 V
         # Charge of the full pack.

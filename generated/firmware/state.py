@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: d70da1227e13df2f
+# Inputs: 163126c4676e3c60
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -11,6 +11,10 @@ from conversion import product, to_steps
 from guard import Guard
 from parameters import Parameters
 from trend import Trend
+
+# Names of the parameters that each has of its own.
+_BATT_MONITOR = ("batt_monitor", "batt2_monitor")
+_BATT_VOLT_MULT = ("batt_volt_mult", "batt2_volt_mult")
 
 
 class BatteryState:
@@ -33,6 +37,8 @@ class BatteryState:
         self.trend_mv_s = None
         # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
         self.health_number = 2
+        # The level that the failsafe has reached, 0 none, 1 low, 2 critical
+        self.failsafe_number = 0
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
@@ -117,6 +123,15 @@ class BatteryState:
         self.health_number = to_steps(value, 1)
 
     @property
+    def failsafe(self):
+        """Number, or None while it is unknown; FR-00073.5."""
+        return self.failsafe_number
+
+    @failsafe.setter
+    def failsafe(self, value):
+        self.failsafe_number = to_steps(value, 1)
+
+    @property
     def healthy(self):
         """Whether the pack's voltage is known, FR-00067.3."""
         return self.voltage_mv is not None
@@ -193,22 +208,28 @@ class SystemState:
         self.parameters = parameters or Parameters()
         self._log = log
         self._guard = Guard()
-        self.battery = BatteryState()
-        self.battery.monitored = self.parameters.batt_monitor != 0
-        self._batt_volt_mult = self.parameters.batt_volt_mult  # a new one counts from the next start
+        self.battery = [BatteryState() for _ in range(2)]
+        for instance in range(2):
+            self.battery[instance].monitored = getattr(self.parameters, _BATT_MONITOR[instance]) != 0
+        # A multiplier that is changed counts from the next start.
+        self._batt_volt_mult = [getattr(self.parameters, _BATT_VOLT_MULT[instance]) for instance in range(2)]
         self.vehicle = VehicleState()
-        self._battery_is_logged = False
+        self._battery_is_logged = [False] * 2
 
     def update_battery(self, board):
-        """Take one reading; call it every 100 ms, FR-00067.1.
+        """Take one reading of each; call it every 100 ms, FR-00067.1.
 
         It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
         """
-        battery = self.battery
+        for instance in range(2):
+            self._update_battery(board, instance)
+
+    def _update_battery(self, board, instance):
+        battery = self.battery[instance]
         if not battery.monitored:
             return
-        count = self._read_battery(board)
-        if not self._is_good_battery(board, count):
+        count = self._read_battery(board, instance)
+        if not self._is_good_battery(board, count, instance):
             battery.failures += 1
             if battery.failures >= 5:
                 battery.forget()
@@ -216,39 +237,39 @@ class SystemState:
                 battery.keep()
             return
         battery.failures = 0
-        battery.set_count(count, self._batt_volt_mult)
+        battery.set_count(count, self._batt_volt_mult[instance])
         battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
-        if not self._battery_is_logged:
-            self._battery_is_logged = True
-            self._log(f"battery: voltage {battery.voltage:.2f} V")
-        self._warn_battery(battery, time.ticks_ms())
+        if not self._battery_is_logged[instance]:
+            self._battery_is_logged[instance] = True
+            self._log(f"battery {instance + 1}: voltage {battery.voltage:.2f} V")
+        self._warn_battery(battery, time.ticks_ms(), instance)
 
-    def _warn_battery(self, battery, now_ms):
+    def _warn_battery(self, battery, now_ms, instance):
         if battery.warned_ms is not None and time.ticks_diff(now_ms, battery.warned_ms) >= 10000:
             battery.warned_ms = None  # at once, since ticks of long ago seem to lie ahead
         if battery.voltage_mv > 13000 and battery.warned_ms is None:
             battery.warned_ms = now_ms
-            self._log("warning: the battery's voltage is above 13 V:", battery.voltage)
+            self._log(f"warning: battery {instance + 1}'s voltage is above 13 V:", battery.voltage)
 
-    def _read_battery(self, board):
+    def _read_battery(self, board, instance):
         with self._guard:
-            return board.read_battery_adc()
+            return board.read_battery_adc(instance)
 
-    def _is_good_battery(self, board, count):
+    def _is_good_battery(self, board, count, instance):
         if self._guard.error is not None:
-            if self.battery.failures == 0:
+            if self.battery[instance].failures == 0:
                 self._log("error: the board cannot read the battery:", self._guard.error)
             return False
-        return not board.battery_failures and isinstance(count, int) and 0 <= count <= 4095
+        return not board.battery_failures[instance] and isinstance(count, int) and 0 <= count <= 4095
 
-    def calibrate_battery(self, measured):
-        """Set BATT_VOLT_MULT to what a meter shows, in V; return whether it was accepted.
+    def calibrate_battery(self, measured, instance=0):
+        """Set its multiplier to what a meter shows, in V; return whether it was accepted.
 
         new = old * measured / reading, FR-00069.6; it counts from the next start.
         """
-        reading = self.battery.voltage
+        reading = self.battery[instance].voltage
         if not reading or measured is None:
             return False
-        steps = self._batt_volt_mult
-        old = self.parameters.value("BATT_VOLT_MULT", steps)
-        return self.parameters.set("BATT_VOLT_MULT", old * measured / reading)
+        name = ("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance]
+        old = self.parameters.value(name, self._batt_volt_mult[instance])
+        return self.parameters.set(name, old * measured / reading)

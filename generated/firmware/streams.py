@@ -2,7 +2,7 @@
 #   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: 2d218a1c663864d7
+# Inputs: 7f9a1f21eb62f847
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -192,8 +192,9 @@ class Streams:
         elif index == 1:
             link.send(telemetry.build_sys_status(state))
         elif index == 2:
-            if state.battery.monitored:  # what is not measured is not reported
-                link.send(telemetry.build_battery_status(state))
+            for instance in range(2):
+                if state.battery[instance].monitored:  # what is not measured is not reported
+                    link.send(telemetry.build_battery_status(state, instance))
         elif index == 3:
             link.send(telemetry.build_autopilot_version(state))
         elif index == 4:

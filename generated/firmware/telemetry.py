@@ -2,7 +2,7 @@
 #   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: ed3370b2789c5ae7
+# Inputs: 6de658320873043c
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -97,7 +97,7 @@ def build_sys_status(state):
     message = _sys_status
     live = message.live
     wire = message.wire
-    battery = state.battery
+    battery = state.battery[0]
     vehicle = state.vehicle
     if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
         battery.expire()
@@ -181,7 +181,7 @@ def _new_battery_status(instance):
     return message
 
 
-_battery_status = [_new_battery_status(instance) for instance in range(1)]
+_battery_status = [_new_battery_status(instance) for instance in range(2)]
 
 
 @micropython.native
@@ -189,7 +189,7 @@ def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
     message = _battery_status[instance]
     live = message.live
-    battery = state.battery
+    battery = state.battery[instance]
     if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
         battery.expire()
 

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 81eb060591773640
+# Inputs: 8be739dc167bc43c
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -51,7 +51,7 @@ class Vehicle:
         self._guard = Guard()
         self.board = Board(self.texts, self.parameters) if board is None else board
         self.state = SystemState(self.parameters, self.texts)
-        self.battery_failsafe = BatteryFailsafe(self.state, self.texts)
+        self.battery_failsafes = [BatteryFailsafe(self.state, self.texts, instance) for instance in range(2)]
         self._restart_ms = None
         self._reported = 0
         # The order within a pass (FR-00071.1): control, readings with their failsafes, arming checks, links.
@@ -100,10 +100,18 @@ class Vehicle:
 
     def arming_problem(self):
         """Return the first reason not to arm, as a text, or None; FR-00020.10."""
-        problem = self.battery_failsafe.problem() if self.state.battery.monitored else None
-        if problem is not None:
-            return problem
+        for failsafe in self.battery_failsafes:
+            problem = failsafe.problem()
+            if problem is not None:
+                return failsafe.title + " " + problem
         return self.check_arming()
+
+    def _is_ready(self):
+        """Return whether nothing speaks against arming, without making a text of what does."""
+        for failsafe in self.battery_failsafes:
+            if failsafe.problem() is not None:
+                return False
+        return self.check_arming() is None
 
     def arm(self, force=False):
         """Let the motors turn, unless a check says no; `force` passes over the checks. Return why not, or None."""
@@ -154,12 +162,28 @@ class Vehicle:
 
     def _watch_battery(self):
         self.state.update_battery(self.board)
-        if self.state.battery.monitored and self.battery_failsafe.update(time.ticks_ms()):
-            self._set_status()
-            self._act(self.battery_failsafe.action())
+        self._check_battery(time.ticks_ms())
         self.state.vehicle.ready = False  # a check that fails does not leave an old answer
-        self.state.vehicle.ready = self.arming_problem() is None
+        self.state.vehicle.ready = self._is_ready()
         self.state.vehicle.load_dpct = self.scheduler.load
+
+    def _check_battery(self, now_ms):
+        """Do what the highest level asks for that is reached just now, unless a higher one was reached before."""
+        before = self._highest_battery_level()
+        acting = None
+        for failsafe in self.battery_failsafes:
+            level = failsafe.update(now_ms)
+            if level and level >= before and (acting is None or level > acting.level):
+                acting = failsafe
+        if acting is not None:
+            self._set_status()
+            self._act(acting.action())
+
+    def _highest_battery_level(self):
+        highest = 0
+        for failsafe in self.battery_failsafes:
+            highest = max(highest, failsafe.level)
+        return highest
 
     def _communicate(self):
         now_ms = time.ticks_ms()
@@ -175,8 +199,9 @@ class Vehicle:
     def _set_status(self):
         vehicle = self.state.vehicle
         vehicle.status = dialect.MAV_STATE_ACTIVE if vehicle.armed else dialect.MAV_STATE_STANDBY
-        if self.battery_failsafe.level:
-            vehicle.status = dialect.MAV_STATE_CRITICAL
+        for failsafe in self.battery_failsafes:
+            if failsafe.level:
+                vehicle.status = dialect.MAV_STATE_CRITICAL
 
     def _act(self, action):
         if action == 1:

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: f7ee91158d1e9375
+# Inputs: 7b4cfbb5d0fd4c4f
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time
@@ -13,27 +13,28 @@ from board import Board  # noqa: E402
 class MockBoard(Board):
     """A board whose ADC reads what it is told; everything starts at count 0, without faults."""
 
-    def __init__(self, log=print, absent=False):
+    def __init__(self, log=print, absent=False, parameters=None):
         machine.reset_analog()
-        self._battery_input = machine.analog(26)
-        self._battery_input.absent = absent
-        Board.__init__(self, log)
+        self._battery_inputs = [machine.analog(gpio) for gpio in (26, 27)]
+        for analog in self._battery_inputs:
+            analog.absent = absent
+        Board.__init__(self, log, parameters)
 
-    def set_adc_value(self, count):
+    def set_adc_value(self, count, instance=0):
         """Let every sample of the battery read this count, 0 to 4095."""
-        self._battery_input.source = count
+        self._battery_inputs[instance].source = count
 
-    def set_adc_waveform(self, waveform):
+    def set_adc_waveform(self, waveform, instance=0):
         """Let samples follow a list of counts, or a function of the microseconds since the start."""
-        self._battery_input.source = waveform
+        self._battery_inputs[instance].source = waveform
 
-    def fail_adc(self, samples):
+    def fail_adc(self, samples, instance=0):
         """Let the next samples fail."""
-        self._battery_input.failures = samples
+        self._battery_inputs[instance].failures = samples
 
-    def delay_adc(self, microseconds):
+    def delay_adc(self, microseconds, instance=0):
         """Let every sample take so long."""
-        self._battery_input.delay_us = microseconds
+        self._battery_inputs[instance].delay_us = microseconds
 
 
 def scenario(name, readings=20):

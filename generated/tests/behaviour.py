@@ -6,7 +6,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
 #   dialect common: do not edit.
-# Inputs: 9cafbba250fe21b7
+# Inputs: 0235458f259fadcf
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -104,16 +104,16 @@ def battery_full_scale():
 def battery_failed_reading_keeps_the_last_value():
     board, state, log = fresh(3071)
     state.update_battery(board)
-    before = state.battery.voltage_mv
+    before = state.battery[0].voltage_mv
     assert before is not None
     board.set_adc_value(1023)
     board.fail_adc(1)
     state.update_battery(board)
-    assert state.battery.voltage_mv == before
+    assert state.battery[0].voltage_mv == before
     assert board.battery_failures == 1
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
-    assert state.battery.voltage_mv < before
+    assert state.battery[0].voltage_mv < before
     assert board.battery_failures == 0
 
 
@@ -122,13 +122,13 @@ def battery_repeated_failures_make_it_unknown():
     state.update_battery(board)
     board.fail_adc(5)
     for failures in range(1, 6):
-        assert state.battery.voltage_mv is not None
+        assert state.battery[0].voltage_mv is not None
         state.update_battery(board)
         assert board.battery_failures == failures
-    assert state.battery.voltage_mv is None
+    assert state.battery[0].voltage_mv is None
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
-    assert state.battery.voltage_mv is not None
+    assert state.battery[0].voltage_mv is not None
 
 
 def battery_absent_converter_is_no_reason_to_stop():
@@ -137,7 +137,7 @@ def battery_absent_converter_is_no_reason_to_stop():
     state = SystemState(log=log)
     for _ in range(10):
         state.update_battery(board)
-    assert state.battery.voltage_mv is None
+    assert state.battery[0].voltage_mv is None
     assert "warning" in log.lines[0], log.lines
 
 
@@ -160,27 +160,27 @@ def battery_broken_board_does_not_raise():
     for board in [None] + [BatteryOddity(result) for result in oddities]:
         good, state, log = fresh(3071)
         state.update_battery(good)
-        before = state.battery.voltage_mv
+        before = state.battery[0].voltage_mv
         state.update_battery(board)
-        assert state.battery.voltage_mv == before
+        assert state.battery[0].voltage_mv == before
         for _ in range(4):
             state.update_battery(board)
-        assert state.battery.voltage_mv is None
+        assert state.battery[0].voltage_mv is None
         assert len(log.lines) <= 1, log.lines
 
 
 def battery_late_reading_keeps_the_last_value():
     board, state, log = fresh(3071)
     state.update_battery(board)
-    before = state.battery.voltage_mv
+    before = state.battery[0].voltage_mv
     board.set_adc_value(1023)
     board.delay_adc(401)
     state.update_battery(board)
-    assert state.battery.voltage_mv == before
+    assert state.battery[0].voltage_mv == before
     assert len(log.lines) == 1, log.lines
     board.delay_adc(400)
     state.update_battery(board)
-    assert state.battery.voltage_mv < before
+    assert state.battery[0].voltage_mv < before
 
 
 def battery_old_reading_is_unknown():
@@ -194,10 +194,10 @@ def battery_old_reading_is_unknown():
             state.update_battery(board)
             mock_time.advance_us(1000 * 1000)
             build(state)
-            assert state.battery.voltage_mv is not None
+            assert state.battery[0].voltage_mv is not None
             mock_time.advance_us(1000)
             build(state)
-            assert state.battery.voltage_mv is None
+            assert state.battery[0].voltage_mv is None
     mock_time.set_ticks_us(0)
 
 
@@ -223,7 +223,7 @@ def battery_high_value_warns_now_and_then():
 def battery_formula_of_people_agrees():
     board, state, _ = fresh(3071)
     state.update_battery(board)
-    component = state.battery
+    component = state.battery[0]
     by_hand = component.voltage_from_adc(3071, state.parameters.get("BATT_VOLT_MULT"))
     assert abs(component.voltage - by_hand) < 0.001
 
@@ -231,14 +231,14 @@ def battery_formula_of_people_agrees():
 def battery_calibration():
     board, state, _ = fresh(3071)
     state.update_battery(board)
-    component = state.battery
+    component = state.battery[0]
     before = component.voltage_mv
     step = before / state.parameters.batt_volt_mult + 1  # what one step of the multiplier is worth
     assert state.calibrate_battery(component.voltage * 1.01)
     state.update_battery(board)
     assert component.voltage_mv == before  # a new multiplier counts from the next start
     state = SystemState(state.parameters, log=Log())
-    component = state.battery
+    component = state.battery[0]
     state.update_battery(board)
     assert abs(component.voltage_mv - before * 1.01) <= step
     component.voltage = None
@@ -252,7 +252,7 @@ def battery_scenarios():
         seen = []
         for _ in range(20):
             state.update_battery(board)
-            seen.append(state.battery.voltage_mv)
+            seen.append(state.battery[0].voltage_mv)
         assert seen == sorted(seen, reverse=name == "falling"), name
         assert (seen[0] != seen[-1]) == (name in ("rising", "falling")), name
 
@@ -261,7 +261,7 @@ def battery_steady_cycle_allocates_nothing():
     board, state, log = fresh(4095)
     links = [Link(Sink(), version=2), Link(Sink(), version=1)]
     state.update_battery(board)  # what there is to warn about at full scale is said now
-    first = state.battery.voltage_mv
+    first = state.battery[0].voltage_mv
     heap_lock()
     try:
         for count in range(4095, -1, -13):
@@ -282,7 +282,7 @@ def battery_steady_cycle_allocates_nothing():
     assert mem_total() == before
     assert links[0].sequence != links[0].tx_errors == 0
     assert board.battery_failures == 0
-    assert state.battery.voltage_mv < first // 50
+    assert state.battery[0].voltage_mv < first // 50
     assert len(log.lines) <= 1, log.lines
 
 
@@ -291,15 +291,16 @@ def every_value_allocates_nothing():
     link = Link(Sink())
     values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
     quantities = (
-        (state.battery, "voltage_mv"),
-        (state.battery, "current_ca"),
-        (state.battery, "consumed_mah"),
-        (state.battery, "energy_hj"),
-        (state.battery, "remaining_pct"),
-        (state.battery, "temperature_cdegc"),
-        (state.battery, "trend_mv_s"),
-        (state.battery, "health_number"),
-        (state.battery, "monitored"),
+        (state.battery[0], "voltage_mv"),
+        (state.battery[0], "current_ca"),
+        (state.battery[0], "consumed_mah"),
+        (state.battery[0], "energy_hj"),
+        (state.battery[0], "remaining_pct"),
+        (state.battery[0], "temperature_cdegc"),
+        (state.battery[0], "trend_mv_s"),
+        (state.battery[0], "health_number"),
+        (state.battery[0], "failsafe_number"),
+        (state.battery[0], "monitored"),
         (state.vehicle, "armed"),
         (state.vehicle, "ready"),
         (state.vehicle, "mode_number"),
@@ -373,6 +374,26 @@ def late_pass_sends_no_burst():
 
 def parameters_start_with_their_defaults():
     parameters = Parameters()
+    assert parameters.batt2_arm_volt == 0
+    assert abs(parameters.get("BATT2_ARM_VOLT") - 0.0) < 1e-5
+    assert parameters.batt2_capacity == 3300
+    assert abs(parameters.get("BATT2_CAPACITY") - 3300.0) < 1e-5
+    assert parameters.batt2_crt_volt == 9900
+    assert abs(parameters.get("BATT2_CRT_VOLT") - 9.9) < 1e-5
+    assert parameters.batt2_fs_crt_act == 2
+    assert abs(parameters.get("BATT2_FS_CRT_ACT") - 2.0) < 1e-5
+    assert parameters.batt2_fs_low_act == 2
+    assert abs(parameters.get("BATT2_FS_LOW_ACT") - 2.0) < 1e-5
+    assert parameters.batt2_low_timer == 10
+    assert abs(parameters.get("BATT2_LOW_TIMER") - 10.0) < 1e-5
+    assert parameters.batt2_low_volt == 10500
+    assert abs(parameters.get("BATT2_LOW_VOLT") - 10.5) < 1e-5
+    assert parameters.batt2_monitor == 0
+    assert abs(parameters.get("BATT2_MONITOR") - 0.0) < 1e-5
+    assert parameters.batt2_volt_mult == 39500
+    assert abs(parameters.get("BATT2_VOLT_MULT") - 3.95) < 1e-5
+    assert parameters.batt2_volt_pin == 27
+    assert abs(parameters.get("BATT2_VOLT_PIN") - 27.0) < 1e-5
     assert parameters.batt_arm_volt == 0
     assert abs(parameters.get("BATT_ARM_VOLT") - 0.0) < 1e-5
     assert parameters.batt_capacity == 3300
@@ -399,7 +420,7 @@ def parameters_start_with_their_defaults():
     assert abs(parameters.get("SR0_EXT_STAT") - 1.0) < 1e-5
     assert parameters.sysid_thismav == 1
     assert abs(parameters.get("SYSID_THISMAV") - 1.0) < 1e-5
-    assert len(parameters.names()) == 13
+    assert len(parameters.names()) == 23
 
 
 def parameters_keep_their_limits():

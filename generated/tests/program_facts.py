@@ -5,7 +5,7 @@
 #   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 6ddb5fc60f149434
+# Inputs: 3a6428800fc3c19c
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -22,6 +22,7 @@ VERSION = 2
 
 # The document that each topic's criteria are numbered in; "" where the specification cites none.
 REQUIREMENTS = {
+    "instances": "FR-00073",
     "failsafe": "FR-00020",
     "health": "FR-00021",
     "reading": "FR-00066",
@@ -39,7 +40,9 @@ REQUIREMENTS = {
 MEASURED = (
     {
         "component": "battery",
-        "first": "battery",
+        "first": "battery[0]",
+        "instances": 2,
+        "name": "voltage",
         "attribute": "voltage_mv",
         "gpio": 26,
         "pin": "batt_volt_pin",
@@ -60,6 +63,11 @@ MEASURED = (
         "period_us": 100000,
         "enabled": "monitored",
         "enabled_by": "batt_monitor",
+        "families": {
+            "pin": ["batt_volt_pin", "batt2_volt_pin"],
+            "multiplier": ["batt_volt_mult", "batt2_volt_mult"],
+            "enabled_by": ["batt_monitor", "batt2_monitor"],
+        },
         "trend": "trend_mv_s",
         "trend_half": 20,
         "estimate": None,
@@ -71,6 +79,7 @@ MEASURED = (
 FAILSAFES = (
     {
         "component": "battery",
+        "instances": 2,
         "title": "Battery 1",
         "quantity": "voltage",
         "attribute": "voltage_mv",
@@ -83,6 +92,14 @@ FAILSAFES = (
         "critical_scale": 1,
         "critical_action": "batt_fs_crt_act",
         "after": "batt_low_timer",
+        "families": {
+            "low": ["batt_low_volt", "batt2_low_volt"],
+            "critical": ["batt_crt_volt", "batt2_crt_volt"],
+            "low_action": ["batt_fs_low_act", "batt2_fs_low_act"],
+            "critical_action": ["batt_fs_crt_act", "batt2_fs_crt_act"],
+            "after": ["batt_low_timer", "batt2_low_timer"],
+        },
+        "level": "failsafe_number",
         "minimum": "batt_arm_volt",
         "minimum_scale": 1,
         "health": "health_number",
@@ -102,6 +119,126 @@ ACTIONS = (
 
 # Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
 PARAMETERS = (
+    {
+        "name": "BATT2_ARM_VOLT",
+        "attribute": "batt2_arm_volt",
+        "default": 0,
+        "minimum": 0,
+        "maximum": 100000,
+        "numerator": 1,
+        "denominator": 1000,
+        "type": 9,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT2_CAPACITY",
+        "attribute": "batt2_capacity",
+        "default": 3300,
+        "minimum": 0,
+        "maximum": 1000000,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 6,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT2_CRT_VOLT",
+        "attribute": "batt2_crt_volt",
+        "default": 9900,
+        "minimum": 0,
+        "maximum": 100000,
+        "numerator": 1,
+        "denominator": 1000,
+        "type": 9,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT2_FS_CRT_ACT",
+        "attribute": "batt2_fs_crt_act",
+        "default": 2,
+        "minimum": 0,
+        "maximum": 5,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": False,
+        "choices": (0, 1, 2, 3, 4, 5),
+    },
+    {
+        "name": "BATT2_FS_LOW_ACT",
+        "attribute": "batt2_fs_low_act",
+        "default": 2,
+        "minimum": 0,
+        "maximum": 5,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": False,
+        "choices": (0, 1, 2, 3, 4, 5),
+    },
+    {
+        "name": "BATT2_LOW_TIMER",
+        "attribute": "batt2_low_timer",
+        "default": 10,
+        "minimum": 0,
+        "maximum": 120,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT2_LOW_VOLT",
+        "attribute": "batt2_low_volt",
+        "default": 10500,
+        "minimum": 0,
+        "maximum": 100000,
+        "numerator": 1,
+        "denominator": 1000,
+        "type": 9,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT2_MONITOR",
+        "attribute": "batt2_monitor",
+        "default": 0,
+        "minimum": 0,
+        "maximum": 3,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": True,
+        "choices": (0, 3),
+    },
+    {
+        "name": "BATT2_VOLT_MULT",
+        "attribute": "batt2_volt_mult",
+        "default": 39500,
+        "minimum": 10000,
+        "maximum": 100000,
+        "numerator": 1,
+        "denominator": 10000,
+        "type": 9,
+        "after_restart": True,
+        "choices": (),
+    },
+    {
+        "name": "BATT2_VOLT_PIN",
+        "attribute": "batt2_volt_pin",
+        "default": 27,
+        "minimum": 26,
+        "maximum": 28,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": True,
+        "choices": (),
+    },
     {
         "name": "BATT_ARM_VOLT",
         "attribute": "batt_arm_volt",
@@ -261,7 +398,7 @@ PARAMETERS = (
 )
 
 # Streams: a fixed period in ms, numerator / denominator, or a parameter that sets the rate in Hz. Messages are
-# (id, instances, whether they are left out with the monitor off).
+# (id, instances that are on by default, whether they are left out with the monitor off).
 STREAMS = (
     {
         "name": "HEARTBEAT",

@@ -1,10 +1,22 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: dec4b7fcd86ec037
+# Inputs: 7f2a6cc61326c9d0
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
 
-from program_bench import Flash, good_count, live, main, messages, mock_time, needs, new_rover, run, save
+from program_bench import (
+    Flash,
+    good_count,
+    live,
+    main,
+    messages,
+    mock_time,
+    needs,
+    needs_arming,
+    new_rover,
+    run,
+    save,
+)
 from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS, REPORT_MS, STEP_LIMIT_US
 
 import dialect
@@ -176,6 +188,7 @@ def failed_write_keeps_the_old_values():
 
 def saving_waits_while_armed():
     """While armed nothing is written, which is told once; after disarming it is saved."""
+    needs_arming()
     rover = new_rover()
 
     async def story():
@@ -207,6 +220,7 @@ def what_is_not_understood_is_skipped():
 
 def save_waits_while_armed():
     """What is set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
+    needs_arming()
     rover = new_rover()
     steps = []
     step = rover.storage.step
@@ -267,6 +281,7 @@ def lack_of_memory_does_not_end_the_program():
 
 def no_arming_before_a_restart():
     """Between the answer to a restart and the restart itself, nobody arms; a forced restart disarms."""
+    needs_arming()
     rover = new_rover()
     rover.arm(force=True)
     assert rover.reboot() is not None

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: b6d24fc49e26089c
+# Inputs: f99d977fe442ea3e
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from program_bench import SECOND_US, GroundStation, Port, Sink, main, messages, mock_time, needs, new_rover, run
@@ -160,7 +160,7 @@ def data_streams_by_request():
     for stream in _by_parameter():
         needs(stream["data_stream"] is not None, "a number of the stream")
         number, instances, _ = stream["messages"][0]
-        own = stream["default"] * stream["numerator"] // stream["denominator"]
+        own = 10 * stream["default"] * stream["numerator"] // stream["denominator"]  # in 10 s
         for data_stream in (stream["data_stream"], dialect.MAV_DATA_STREAM_ALL):
             rover, (station, other) = _two_links()
             fastest = stream["fastest_hz"]
@@ -171,7 +171,7 @@ def data_streams_by_request():
                 found = _frames_in(rover, station.port, number, 10)
                 assert _within(found, instances * 10 * min(expected, fastest)), (stream["name"], rate, start, found)
                 seen = len([frame for frame in other.port.frames if frame[7] | frame[8] << 8 == number])
-                assert _within(seen, instances * 10 * own), (stream["name"], seen)
+                assert _within(seen, instances * own), (stream["name"], seen)
             steps = stream["maximum"] if stream["default"] != stream["maximum"] else stream["minimum"]
             rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
             found = _frames_in(rover, station.port, number, 10)

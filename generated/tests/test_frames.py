@@ -6,7 +6,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
 #   dialect common: do not edit.
-# Inputs: 9cafbba250fe21b7
+# Inputs: 0235458f259fadcf
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -61,8 +61,8 @@ PROGRAM_CHANGES = [
     ),
     (
         "parameters.yaml",
-        "default: 10.5",
-        "default: 10.8",
+        "default: 3.5",
+        "default: 3.6",
         {"firmware/parameters.py", DOCUMENT},
         ("BATT_LOW_VOLT", "default      10.8 V"),
     ),

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from codegen.model.board_spec import AdcSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
-from codegen.model.vehicle import AdcChannel
-from codegen.targets.naming import parameter_attribute, prose, quoted
+from codegen.model.vehicle import AdcChannel, Component, Parameter
+from codegen.targets.families import FamilyView, family_view
+from codegen.targets.naming import parameter_attribute, parameter_expression, prose, quoted
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,8 +20,13 @@ class ReaderView:
     """
 
     component: str
+    instances: int
+    several: bool
     gpio: int
+    gpios: tuple[int, ...]
     pin: str | None
+    gpio_expression: str
+    switch_expression: str | None
     shift: int
     spare_bits: int
     full_scale: int
@@ -48,6 +54,7 @@ class BoardView:
     board: str
     mcu: str
     readers: tuple[ReaderView, ...]
+    families: tuple[FamilyView, ...]
     links: tuple[LinkView, ...]
     imports: tuple[tuple[str, tuple[str, ...]], ...]
     is_timed: bool
@@ -57,7 +64,7 @@ class BoardView:
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
     readers = [
-        _reader(component, quantity.conversion.channel)
+        _reader(system.components[component], quantity.conversion.channel, system)
         for component, quantity in system.measured()
         if quantity.conversion is not None
     ]
@@ -67,18 +74,39 @@ def board_view(system: System) -> BoardView:
         board=prose(system.spec.board.board),
         mcu=prose(system.spec.board.mcu),
         readers=tuple(readers),
+        families=_families(system),
         links=links,
         imports=_imports(links),
         is_timed=is_timed,
-        has_pins=any(reader.pin for reader in readers),
+        has_pins=any(reader.pin or reader.switch_expression for reader in readers),
     )
 
 
-def _reader(component: str, channel: AdcChannel) -> ReaderView:
+def _families(system: System) -> tuple[FamilyView, ...]:
+    """The parameters that have the pin of each instance and that switch it on, once each."""
+    used: dict[str, Parameter] = {}
+    for name, quantity in system.measured():
+        pin = quantity.conversion.channel.pin if quantity.conversion else None
+        used |= {each.name: each for each in (pin, _switch(system.components[name])) if each and each.siblings}
+    return tuple(family_view(parameter) for parameter in used.values())
+
+
+def _switch(component: Component) -> Parameter | None:
+    """The parameter that switches one of several instances on: the pin of one that is off is left alone."""
+    return component.enabled.enabled_by if component.enabled and component.instances > 1 else None
+
+
+def _reader(component: Component, channel: AdcChannel, system: System) -> ReaderView:
+    switch = _switch(component)
     return ReaderView(
-        component=component,
+        component=component.name,
+        instances=component.instances,
+        several=component.instances > 1,
         gpio=channel.gpio,
+        gpios=system.gpios(component, channel),
         pin=parameter_attribute(channel.pin.name) if channel.pin else None,
+        gpio_expression=parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio),
+        switch_expression=parameter_expression(switch, "parameters") if switch else None,
         shift=16 - channel.bits,
         spare_bits=12 - channel.bits,
         full_scale=channel.full_scale,

@@ -5,7 +5,8 @@ from fractions import Fraction
 
 from codegen.model.program import Failsafe, Program
 from codegen.model.vehicle import Parameter, Quantity
-from codegen.targets.naming import class_name, first_instance, parameter_attribute
+from codegen.targets.families import FamilyView, family_view
+from codegen.targets.naming import class_name, parameter_attribute, parameter_expression
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,19 +26,21 @@ class LevelView:
     name: str
     number: int
     below: ThresholdView
+    names: tuple[str, ...]
     action: str
+    action_attribute: str
+    actions: tuple[str, ...]
     citation: str
 
 
 @dataclass(frozen=True, slots=True)
 class FailsafeView:
-    """A failsafe of one component, which ``path`` reaches below the state; ``divisor`` steps are one unit.
-
-    Of several instances the first is measured, and so watched.
-    """
+    """A failsafe of one component, for each of its ``instances``; ``divisor`` steps are one unit."""
 
     component: str
-    path: str
+    instances: int
+    several: bool
+    uses_instance: bool
     class_name: str
     title: str
     quantity: str
@@ -46,13 +49,31 @@ class FailsafeView:
     divisor: int
     levels: tuple[LevelView, ...]
     after: str
+    after_attribute: str
     after_name: str
+    afters: tuple[str, ...]
     minimum: ThresholdView | None
     health: str | None
+    level: str | None
     health_every_ms: int
     used: str | None
     enabled: str | None
     citation: str
+
+
+_INSTANCE = "self._instance"
+
+
+def parameters_of(failsafe: Failsafe) -> tuple[Parameter, ...]:
+    """The parameters of a failsafe, of families those of the first instance."""
+    levels = (failsafe.low.below, failsafe.low.action, failsafe.critical.below, failsafe.critical.action)
+    return (*levels, failsafe.after, *([failsafe.minimum_to_arm] if failsafe.minimum_to_arm else []))
+
+
+def failsafe_families(program: Program) -> tuple[FamilyView, ...]:
+    """The families of parameters that the failsafes read, once each."""
+    used = {parameter.name: parameter for failsafe in program.failsafes for parameter in parameters_of(failsafe)}
+    return tuple(family_view(parameter) for parameter in used.values() if parameter.siblings)
 
 
 def failsafe_views(program: Program) -> tuple[FailsafeView, ...]:
@@ -65,9 +86,11 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
     levels = (("low", 1, failsafe.low), ("critical", 2, failsafe.critical))
     return FailsafeView(
         component=component.name,
-        path=first_instance(component),
+        instances=component.instances,
+        several=component.instances > 1,
+        uses_instance=any(parameter.siblings for parameter in parameters_of(failsafe)),
         class_name=f"{class_name(component.name)}Failsafe",
-        title=f"{component.name.replace('_', ' ').capitalize()} 1",
+        title=component.name.replace("_", " ").capitalize(),
         quantity=quantity.name,
         attribute=quantity.attribute,
         unit=quantity.unit.name,
@@ -77,15 +100,21 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
                 name=name,
                 number=number,
                 below=_threshold(level.below, quantity),
-                action=parameter_attribute(level.action.name),
+                names=tuple(map(parameter_attribute, level.below.siblings)),
+                action=parameter_expression(level.action, "self._state.parameters", _INSTANCE),
+                action_attribute=parameter_attribute(level.action.name),
+                actions=tuple(map(parameter_attribute, level.action.siblings)),
                 citation=str(level.citation or failsafe.citation),
             )
             for name, number, level in levels
         ),
-        after=parameter_attribute(failsafe.after.name),
+        after=parameter_expression(failsafe.after, "parameters", _INSTANCE),
+        after_attribute=parameter_attribute(failsafe.after.name),
         after_name=failsafe.after.name,
+        afters=tuple(map(parameter_attribute, failsafe.after.siblings)),
         minimum=None if failsafe.minimum_to_arm is None else _threshold(failsafe.minimum_to_arm, quantity),
         health=failsafe.health.attribute if failsafe.health else None,
+        level=failsafe.level.attribute if failsafe.level else None,
         health_every_ms=failsafe.health_every_ms,
         used=failsafe.used.attribute if failsafe.used else None,
         enabled=component.enabled.name if component.enabled else None,
@@ -98,4 +127,5 @@ def _threshold(parameter: Parameter, quantity: Quantity) -> ThresholdView:
     scale = (parameter.unit.to(quantity.stored) or Fraction(1)) * parameter.step
     assert scale.denominator == 1, "the failsafe was resolved so"
     times = f" * {scale.numerator}" if scale != 1 else ""
-    return ThresholdView(parameter.name, attribute, f"parameters.{attribute}{times}", scale.numerator)
+    expression = parameter_expression(parameter, "parameters", _INSTANCE)
+    return ThresholdView(parameter.name, attribute, f"{expression}{times}", scale.numerator)

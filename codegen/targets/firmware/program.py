@@ -6,7 +6,8 @@ from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
-from codegen.targets.firmware.failsafe import FailsafeView, failsafe_views
+from codegen.targets.families import FamilyView
+from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
 from codegen.targets.naming import parameter_attribute, prose
 
 
@@ -55,6 +56,7 @@ class ProgramView:
     system_parameter: str | None
     component_parameter: str | None
     failsafes: tuple[FailsafeView, ...]
+    families: tuple[FamilyView, ...]
     actions: tuple[ActionView, ...]
     jobs: tuple[JobView, ...]
     has_ports: bool
@@ -84,6 +86,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         system_parameter=_attribute(system.system_parameter),
         component_parameter=_attribute(system.component_parameter),
         failsafes=failsafes,
+        families=failsafe_families(program),
         actions=tuple(_action(action) for action in program.actions),
         jobs=tuple(
             JobView(

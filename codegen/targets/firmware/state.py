@@ -9,7 +9,8 @@ from codegen.model.spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
-from codegen.targets.naming import first_instance, parameter_attribute, prose, state_class
+from codegen.targets.families import FamilyView, family_view
+from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,7 @@ class QuantityView:
     read_only: bool
     follows: str | None
     enabled_by: str | None
+    enabled_attribute: str
     enabled_by_name: str
     numerator: int
     denominator: int
@@ -46,6 +48,8 @@ class MeasuredView:
     citation: str
     multiplier: str
     multiplier_name: str
+    own_multiplier: str
+    names: tuple[str, ...]
     latched: bool
     numerator: int
     denominator: int
@@ -73,11 +77,11 @@ class TrendView:
 
 @dataclass(frozen=True, slots=True)
 class EstimateView:
-    """The charge that is estimated from what is measured; ``points`` are (stored steps, %), rising."""
+    """The charge that is estimated from what is measured; ``curves`` are, by instance, (stored steps, %), rising."""
 
     attribute: str
     name: str
-    points: tuple[tuple[int, int], ...]
+    curves: tuple[tuple[tuple[int, int], ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +92,7 @@ class ComponentView:
     class_name: str
     doc: str
     instances: int
-    first: str
+    several: bool
     quantities: tuple[QuantityView, ...]
     measured: MeasuredView | None
     trend: TrendView | None
@@ -104,6 +108,7 @@ class StateView:
     """The module: the components in order, and the names that it imports from conversion."""
 
     components: tuple[ComponentView, ...]
+    families: tuple[FamilyView, ...]
     conversions: tuple[str, ...]
     is_measured: bool
     uses_clock: bool
@@ -122,12 +127,21 @@ def state_view(system: System) -> StateView:
     measured = [component.measured for component in components if component.measured]
     return StateView(
         components,
-        tuple(sorted(used)),
+        families=_families(system),
+        conversions=tuple(sorted(used)),
         is_measured=bool(measured),
         uses_clock=any(reading.stale_after_ms is not None or reading.warn_every_ms for reading in measured),
         has_trend=any(component.trend for component in components),
         has_estimate=any(component.estimate for component in components),
     )
+
+
+def _families(system: System) -> tuple[FamilyView, ...]:
+    """The families of parameters that the state reads: those that switch a component on, and multipliers."""
+    quantities = [quantity for component in system.components.values() for quantity in component.quantities.values()]
+    switches = [quantity.enabled_by for quantity in quantities if quantity.enabled_by]
+    multipliers = [quantity.conversion.multiplier for quantity in quantities if quantity.conversion]
+    return tuple(family_view(parameter) for parameter in (*switches, *multipliers) if parameter.siblings)
 
 
 def _component(component: Component) -> ComponentView:
@@ -137,7 +151,7 @@ def _component(component: Component) -> ComponentView:
         class_name=state_class(component.name),
         doc=prose(component.spec.doc),
         instances=component.instances,
-        first=first_instance(component),
+        several=component.instances > 1,
         quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
         measured=measured[0] if measured else None,
         trend=next(filter(None, (_trend(quantity, component) for quantity in component.quantities.values())), None),
@@ -167,7 +181,8 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         has_property=quantity.attribute != quantity.name,
         read_only=bool(quantity.trend),
         follows=component.quantities[follows].attribute if follows else None,
-        enabled_by=parameter_attribute(quantity.enabled_by.name) if quantity.enabled_by else None,
+        enabled_by=parameter_expression(quantity.enabled_by, "self.parameters") if quantity.enabled_by else None,
+        enabled_attribute=parameter_attribute(quantity.enabled_by.name) if quantity.enabled_by else "",
         enabled_by_name=quantity.enabled_by.name if quantity.enabled_by else "",
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
@@ -185,7 +200,7 @@ def _trend(quantity: Quantity, component: Component) -> TrendView | None:
 
 def _estimate(quantity: Quantity) -> EstimateView | None:
     estimate = quantity.estimate
-    return None if estimate is None else EstimateView(quantity.attribute, quantity.name, estimate.points)
+    return None if estimate is None else EstimateView(quantity.attribute, quantity.name, estimate.curves)
 
 
 def _measured(quantity: Quantity) -> MeasuredView:
@@ -204,6 +219,8 @@ def _measured(quantity: Quantity) -> MeasuredView:
         citation=str(quantity.citation or ""),
         multiplier=parameter_attribute(multiplier.name),
         multiplier_name=multiplier.name,
+        own_multiplier=parameter_expression(multiplier, "self.parameters"),
+        names=multiplier.siblings,
         latched=multiplier.spec.reboot,
         numerator=conversion.numerator,
         denominator=conversion.denominator,

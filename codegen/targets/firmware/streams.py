@@ -17,6 +17,7 @@ class SentView:
     name: str
     function: str
     instances: int
+    at_first: int
     enabled: str | None
 
 
@@ -73,7 +74,7 @@ def streams_view(system: System) -> StreamsView:
     """The view of the whole module: the messages of the streams in their order, then those sent on request."""
     project = system.spec.project
     streams = stream_views(system)
-    asked = tuple(_sent(message) for message in system.messages if message.stream is None)
+    asked = tuple(_sent(message, system) for message in system.messages if message.stream is None)
     messages = tuple(message for stream in streams for message in stream.messages) + asked
     places = [stream.index for stream in streams for _ in stream.messages] + [None] * len(asked)
     shortest = {stream.index: 1000000 // stream.fastest_hz for stream in streams}
@@ -131,13 +132,29 @@ def _stream(index: int, stream: Stream, system: System) -> StreamView:
         maximum=parameter.maximum if parameter else 0,
         data_stream=stream.data_stream,
         fastest_hz=max(1, int(stream.fastest)),
-        messages=tuple(_sent(message) for message in system.messages if message.stream is stream),
+        messages=tuple(_sent(message, system) for message in system.messages if message.stream is stream),
     )
 
 
-def _sent(message: PopulatedMessage) -> SentView:
+def _sent(message: PopulatedMessage, system: System) -> SentView:
     component = message.component
     enabled = None
     if component is not None and component.enabled is not None:
-        enabled = f"{instance_expression(component, is_for_each=False)}.{component.enabled.name}"
-    return SentView(message.wire.id, message.name, builder_name(message), message.instances, enabled)
+        enabled = f"{instance_expression(component, is_for_each=True)}.{component.enabled.name}"
+    return SentView(
+        message.wire.id,
+        message.name,
+        builder_name(message),
+        message.instances,
+        _enabled_at_first(message, system),
+        enabled,
+    )
+
+
+def _enabled_at_first(message: PopulatedMessage, system: System) -> int:
+    """How many instances are reported while every parameter has its default."""
+    switch = message.component.enabled if message.component else None
+    if switch is None or switch.enabled_by is None:
+        return message.instances
+    names = switch.enabled_by.siblings or (switch.enabled_by.name,) * message.instances
+    return sum(system.parameters[name].default != 0 for name in names)

@@ -11,6 +11,7 @@ from codegen.model.system import (
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
+    PartBinding,
     PopulatedMessage,
     SplitBinding,
     System,
@@ -139,15 +140,28 @@ def _expires(component: Component) -> bool:
     return any(quantity.stale_after_ms is not None for quantity in component.quantities.values())
 
 
-def _fixed(binding: FixedBinding | FlagsBinding | InstanceBinding) -> FixedView:
+def _fixed(binding: FixedBinding | PartBinding | FlagsBinding | InstanceBinding) -> FixedView:
     covers = binding.covers
     field = covers.field
+    if isinstance(binding, PartBinding):
+        return _by_instance(binding)
     if isinstance(binding, InstanceBinding):
         return FixedView(_packed(field, covers.offset, "instance"), f"{covers.label}: the {binding.component}'s number")
     if isinstance(binding, FlagsBinding):
         words = " | ".join(binding.names) or "no flag"
         return _prefilled(covers, (binding.mask,) * covers.count, words)
     return _prefilled(covers, binding.values, binding.meaning)
+
+
+def _by_instance(binding: PartBinding) -> FixedView:
+    covers = binding.covers
+    field = covers.field
+    comment = f"{covers.label}: {', '.join(dict.fromkeys(part.meaning for part in binding.values))}"
+    values = [part.values[0] for part in binding.values]
+    if field.type.kind is Kind.CHAR:
+        listed = ", ".join(quoted(str(value)) for value in values)
+        return FixedView(f'message.set("{field.name}", ({listed})[instance])', comment)
+    return FixedView(_packed(field, covers.offset, f"({', '.join(map(number, values))})[instance]"), comment)
 
 
 def _prefilled(covers: Elements, values: tuple[int | float | str, ...], meaning: str) -> FixedView:

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 6583cd88e20a0f8f
+# Inputs: ddd717558cf5c5e5
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -33,6 +33,8 @@ class BatteryState:
         self.trend_mv_s = None
         # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
         self.health_number = 2
+        # The level that the failsafe has reached, 0 none, 1 low, 2 critical
+        self.failsafe_number = 0
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
@@ -117,6 +119,15 @@ class BatteryState:
         self.health_number = to_steps(value, 1)
 
     @property
+    def failsafe(self):
+        """Number, or None while it is unknown; FR-00073.5."""
+        return self.failsafe_number
+
+    @failsafe.setter
+    def failsafe(self, value):
+        self.failsafe_number = to_steps(value, 1)
+
+    @property
     def healthy(self):
         """Whether the pack's voltage is known, FR-00067.3."""
         return self.voltage_mv is not None
@@ -195,7 +206,8 @@ class SystemState:
         self._guard = Guard()
         self.battery = BatteryState()
         self.battery.monitored = self.parameters.batt_monitor != 0
-        self._batt_volt_mult = self.parameters.batt_volt_mult  # a new one counts from the next start
+        # A multiplier that is changed counts from the next start.
+        self._batt_volt_mult = self.parameters.batt_volt_mult
         self.vehicle = VehicleState()
         self._battery_is_logged = False
 
@@ -249,6 +261,5 @@ class SystemState:
         reading = self.battery.voltage
         if not reading or measured is None:
             return False
-        steps = self._batt_volt_mult
-        old = self.parameters.value("BATT_VOLT_MULT", steps)
+        old = self.parameters.value("BATT_VOLT_MULT", self._batt_volt_mult)
         return self.parameters.set("BATT_VOLT_MULT", old * measured / reading)

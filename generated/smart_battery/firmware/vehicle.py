@@ -1,13 +1,12 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: 1a83cbab5d6a5590
+# Inputs: 06105acdd081d1d6
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
 import gc
 import time
 
-import dialect
 import machine
 from board import Board
 from connection import Connection
@@ -69,11 +68,10 @@ class Vehicle:
     # What ground stations and the user's code ask for.
 
     def reboot(self, force=False):  # noqa: ARG002  nothing here has to be forced
-        """Save the parameters and start again soon; nothing keeps it from that, so that it returns None."""
+        """Save the parameters and start again soon. Nothing keeps it from that, so that it returns None."""
         if self._restart_ms is None:
             self._restart_ms = time.ticks_ms()
             self._failed_ms = None  # one more attempt to save
-        return None
 
     def run_pass(self):
         """Do what is due now; return the microseconds until the next pass."""

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 9fa48a6b3f4a6ec3
+# Inputs: 27cf91686cb5f38c
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time
@@ -13,27 +13,28 @@ from board import Board  # noqa: E402
 class MockBoard(Board):
     """A board whose ADC reads what it is told; everything starts at count 0, without faults."""
 
-    def __init__(self, log=print, absent=False):
+    def __init__(self, log=print, absent=False, parameters=None):
         machine.reset_analog()
-        self._battery_input = machine.analog(26)
-        self._battery_input.absent = absent
-        Board.__init__(self, log)
+        self._battery_inputs = [machine.analog(26)]
+        for analog in self._battery_inputs:
+            analog.absent = absent
+        Board.__init__(self, log, parameters)
 
     def set_adc_value(self, count):
         """Let every sample of the battery read this count, 0 to 4095."""
-        self._battery_input.source = count
+        self._battery_inputs[0].source = count
 
     def set_adc_waveform(self, waveform):
         """Let samples follow a list of counts, or a function of the microseconds since the start."""
-        self._battery_input.source = waveform
+        self._battery_inputs[0].source = waveform
 
     def fail_adc(self, samples):
         """Let the next samples fail."""
-        self._battery_input.failures = samples
+        self._battery_inputs[0].failures = samples
 
     def delay_adc(self, microseconds):
         """Let every sample take so long."""
-        self._battery_input.delay_us = microseconds
+        self._battery_inputs[0].delay_us = microseconds
 
 
 def scenario(name, readings=20):

@@ -7,7 +7,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
 #   dialect common: do not edit.
-# Inputs: 2d723d6fd4755cef
+# Inputs: d7abda7e3a47d800
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -299,6 +299,7 @@ def every_value_allocates_nothing():
         (state.battery, "temperature_cdegc"),
         (state.battery, "trend_mv_s"),
         (state.battery, "health_number"),
+        (state.battery, "failsafe_number"),
         (state.battery, "monitored"),
         (state.vehicle, "armed"),
         (state.vehicle, "ready"),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: bf5290ffd15cf74c
+# Inputs: d5ea14d2b973e8d1
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -21,7 +21,17 @@ import asyncio  # noqa: E402  on MicroPython it runs on the clock of the mocks n
 import machine  # noqa: E402
 import messages  # noqa: E402
 from mavlink import Link  # noqa: E402
-from program_facts import COMPONENT_ID, CONTROL_US, FAILSAFES, LINKS_US, MEASURED, ON_REQUEST, SENT, SYSTEM_ID  # noqa: E402
+from program_facts import (  # noqa: E402
+    COMPONENT_ID,
+    CONTROL_US,
+    FAILSAFES,
+    FORCE_ARM,
+    LINKS_US,
+    MEASURED,
+    ON_REQUEST,
+    SENT,
+    SYSTEM_ID,
+)
 from texts import Texts  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
 
@@ -43,6 +53,11 @@ def needs(condition, what):
     """Leave a check out where it is about nothing."""
     if not condition:
         raise NotHereError(what)
+
+
+def needs_arming():
+    """Leave a check out where the program has nothing to arm."""
+    needs(FORCE_ARM is not None, "something to arm")
 
 
 class Flash:
@@ -320,8 +335,9 @@ class Watch:
         needs(FAILSAFES, "a failsafe")
         self.facts = FAILSAFES[0]
         self.rover = new_rover(at_us=at_us, flash=flash)
-        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafe")
-        self.component = getattr(self.rover.state, self.facts["component"])
+        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafes")[0]
+        component = getattr(self.rover.state, self.facts["component"])
+        self.component = component if self.facts["instances"] == 1 else component[0]
         self.parameters = self.rover.parameters
         self.period_us = next(each for each in MEASURED if each["component"] == self.facts["component"])["period_us"]
         self.value = None

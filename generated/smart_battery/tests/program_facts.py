@@ -6,7 +6,7 @@
 #   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: ddaad797d74b86ea
+# Inputs: 645b9eeedc0dffe0
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -23,6 +23,7 @@ VERSION = 2
 
 # The document that each topic's criteria are numbered in; "" where the specification cites none.
 REQUIREMENTS = {
+    "instances": "",
     "failsafe": "",
     "health": "",
     "reading": "FR-00066",
@@ -41,6 +42,8 @@ MEASURED = (
     {
         "component": "battery",
         "first": "battery",
+        "instances": 1,
+        "name": "voltage",
         "attribute": "voltage_mv",
         "gpio": 26,
         "pin": "batt_volt_pin",
@@ -61,6 +64,11 @@ MEASURED = (
         "period_us": 100000,
         "enabled": "monitored",
         "enabled_by": "batt_monitor",
+        "families": {
+            "pin": [],
+            "multiplier": [],
+            "enabled_by": [],
+        },
         "trend": "trend_mv_s",
         "trend_half": 20,
         "estimate": None,
@@ -69,12 +77,10 @@ MEASURED = (
 )
 
 # Failsafes; a threshold in stored steps is the parameter's steps times its scale.
-FAILSAFES = (
-)
+FAILSAFES = ()
 
 # Actions: value of the parameter, call, drive mode (None: stays), whether the vehicle is disarmed.
-ACTIONS = (
-)
+ACTIONS = ()
 
 # Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
 PARAMETERS = (
@@ -177,7 +183,7 @@ PARAMETERS = (
 )
 
 # Streams: a fixed period in ms, numerator / denominator, or a parameter that sets the rate in Hz. Messages are
-# (id, instances, whether they are left out with the monitor off).
+# (id, instances that are on by default, whether they are left out with the monitor off).
 STREAMS = (
     {
         "name": "HEARTBEAT",

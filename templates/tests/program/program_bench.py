@@ -333,8 +333,9 @@ class Watch:
         needs(FAILSAFES, "a failsafe")
         self.facts = FAILSAFES[0]
         self.rover = new_rover(at_us=at_us, flash=flash)
-        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafe")
-        self.component = getattr(self.rover.state, self.facts["component"])
+        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafes")[0]
+        component = getattr(self.rover.state, self.facts["component"])
+        self.component = component if self.facts["instances"] == 1 else component[0]
         self.parameters = self.rover.parameters
         self.period_us = next(each for each in MEASURED if each["component"] == self.facts["component"])["period_us"]
         self.value = None

@@ -1,0 +1,101 @@
+"""Families of parameters: one is written in parameters.yaml, each instance of a component has its own."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.spec import ParameterSpec, Spec
+from codegen.model.vehicle import Instance
+from codegen.resolve.instances import BAD_INSTANCES, cells_of
+from codegen.source import Place
+
+BAD_FAMILY = Rule(
+    "bad-parameter-family",
+    "A parameter that exists for each instance of a component begins with the prefix of the first instance. A default "
+    "per cell needs the fact cells of each instance.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """One parameter of a family, or a parameter that stands alone; ``spec`` has its own default."""
+
+    name: str
+    spec: ParameterSpec
+    default_place: Place | None = None
+    component: str | None = None
+    instance: int = 0
+    siblings: tuple[str, ...] = ()
+
+    def at(self, key: str) -> Place:
+        """Where a key of it is written; a default may stand with the instance."""
+        return self.default_place if key == "default" and self.default_place else self.spec.at(key)
+
+
+class ParameterFamilies:
+    """Makes the members of each family."""
+
+    def __init__(self, spec: Spec, instances: Mapping[str, tuple[Instance, ...]], report: Report) -> None:
+        self._spec = spec
+        self._instances = instances
+        self._report = report
+
+    def members(self, name: str, spec: ParameterSpec) -> Iterator[Member]:
+        """The parameters that an entry of parameters.yaml stands for; none after a finding."""
+        if spec.for_each is None:
+            if spec.per_cell:
+                self._report.add(BAD_FAMILY, spec.at("per_cell"), f"{name} belongs to no component, and so to no cells")
+            yield Member(name, spec)
+            return
+        parts = self._instances.get(spec.for_each)
+        if parts is None:
+            hint = did_you_mean(spec.for_each, self._instances)
+            self._report.add(BAD_FAMILY, spec.at("for_each"), f"the state has no component {spec.for_each}", hint)
+            return
+        prefix = parts[0].prefix
+        if not name.startswith(prefix) or name == prefix:
+            message = f"{name} does not begin with {prefix}, the prefix of the first {spec.for_each}"
+            self._report.add(BAD_FAMILY, spec.place, message)
+            return
+        siblings = tuple(part.prefix + name.removeprefix(prefix) for part in parts)
+        for part, own in zip(parts, siblings, strict=True):
+            default, place = self._default(name, own, spec, part)
+            yield Member(
+                name=own,
+                spec=replace(spec, default=default),
+                default_place=place,
+                component=spec.for_each,
+                instance=part.number,
+                siblings=siblings if len(parts) > 1 else (),
+            )
+
+    def _default(self, name: str, own: str, spec: ParameterSpec, part: Instance) -> tuple[Fraction, Place | None]:
+        assert spec.for_each is not None
+        written = self._spec.board.instances.get(spec.for_each, ())
+        if part.number < len(written) and own in written[part.number].defaults:
+            each = written[part.number]
+            return each.defaults[own], each.at(f"defaults.{own}")
+        if not spec.per_cell:
+            return spec.default, None
+        cells = cells_of(part)
+        if cells is None:
+            message = f"{name} has a default per cell, and {spec.for_each} {part.number + 1} has no number of cells"
+            self._report.add(BAD_FAMILY, spec.at("per_cell"), message, "state it in board.yaml: facts: {cells: 3}")
+            return spec.default, None
+        return spec.default * cells, None
+
+    def check_defaults(self) -> None:
+        """Whether each default of board.yaml is for a parameter of its own instance."""
+        families = self._spec.parameters.parameters
+        for component, written in self._spec.board.instances.items():
+            parts = self._instances.get(component, ())
+            stems = [name.removeprefix(parts[0].prefix) for name in families if families[name].for_each == component]
+            for each, part in zip(written, parts, strict=False):
+                own = [part.prefix + stem for stem in stems]
+                for name in each.defaults:
+                    if name not in own:
+                        place = each.at(f"defaults.{name}")
+                        self._report.add(
+                            BAD_INSTANCES, place, f"{name} is no parameter of this {component}", did_you_mean(name, own)
+                        )

@@ -1,0 +1,83 @@
+"""Which instances of a component there are, and what is known of each."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.spec import Spec
+from codegen.model.vehicle import Component, Instance
+from codegen.source import Place
+
+BAD_INSTANCES = Rule(
+    "bad-instances",
+    "The instances of a component in board.yaml contradict themselves or the rest: there are 1 to 16, of a component "
+    "that state.yaml has; prefixes are different and of the form BATT2_; defaults are those of the instance's own "
+    "parameters, within their limits.",
+)
+MOST_INSTANCES = 16
+
+_PREFIX = re.compile(r"[A-Z][A-Z0-9_]{0,14}")
+
+
+def resolve_instances(spec: Spec, report: Report) -> dict[str, tuple[Instance, ...]]:
+    """The instances by component, one at least for each component of the state."""
+    board = spec.board
+    for name, written in board.instances.items():
+        place = board.at(f"instances.{name}")
+        if name not in spec.state.components:
+            hint = did_you_mean(name, spec.state.components)
+            report.add(BAD_INSTANCES, place, f"the state has no component {name}", hint)
+            continue
+        if not 1 <= len(written) <= MOST_INSTANCES:
+            report.add(BAD_INSTANCES, place, f"{name} has {len(written)} instances, not 1 to {MOST_INSTANCES}")
+        _check_prefixes(spec, name, report)
+    return {name: _parts(spec, name) for name in spec.state.components}
+
+
+def _parts(spec: Spec, name: str) -> tuple[Instance, ...]:
+    common = spec.board.facts.get(name, {})
+    written = spec.board.instances.get(name, ())[:MOST_INSTANCES]
+    parts = (Instance(number, each.prefix or "", {**common, **each.facts}) for number, each in enumerate(written))
+    return tuple(parts) or (Instance(0, "", common),)
+
+
+def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
+    written = spec.board.instances[name]
+    needs_prefix = any(parameter.for_each == name for parameter in spec.parameters.parameters.values())
+    owners: dict[str, Place] = {}
+    for each in written:
+        if each.prefix is None:
+            if needs_prefix:
+                report.add(BAD_INSTANCES, each.place, f"this {name} has no prefix for its parameters", "prefix: BATT2_")
+            continue
+        place = each.at("prefix")
+        if not _PREFIX.fullmatch(each.prefix):
+            report.add(BAD_INSTANCES, place, f"{each.prefix} cannot be the front of a parameter's name")
+        first = owners.setdefault(each.prefix, place)
+        if first is not place:
+            related = [(first, "it is taken here")]
+            report.add(BAD_INSTANCES, place, f"{each.prefix} is the prefix of another {name}", related=related)
+
+
+def cells_of(instance: Instance) -> int | None:
+    """How many cells in series an instance has; None where no fact says so."""
+    cells = instance.facts.get("cells")
+    return int(cells) if isinstance(cells, Fraction) and cells.denominator == 1 and cells > 0 else None
+
+
+def fact_place(spec: Spec, component: str, number: int, fact: str) -> Place:
+    """Where a fact of an instance is written: with the instance, or with the component."""
+    written = spec.board.instances.get(component, ())
+    if number < len(written) and fact in written[number].facts:
+        return written[number].at(f"facts.{fact}")
+    return spec.board.at(f"facts.{component}.{fact}")
+
+
+def known_facts(spec: Spec, components: Mapping[str, Component]) -> list[str]:
+    """Every fact that board.yaml states, as tables name them: ``battery.cells``."""
+    names = {f"{owner}.{fact}" for owner, facts in spec.board.facts.items() for fact in facts}
+    names |= {
+        f"{name}.{fact}" for name, component in components.items() for part in component.parts for fact in part.facts
+    }
+    return sorted(names)

@@ -1,0 +1,337 @@
+# Generated from templates/tests/program/instance_checks.py: do not edit.
+# Inputs: 401a300fa72d3ec5
+"""Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
+
+from program_bench import (
+    IS_MICROPYTHON,
+    SECOND_US,
+    Rover,
+    Sink,
+    good_count,
+    machine,
+    main,
+    mock_time,
+    needs,
+    new_rover,
+    run,
+    save,
+)
+from program_facts import ACTIONS, CONTROL_US, FAILSAFES, MEASURED, PARAMETERS, STREAMS
+
+import dialect
+
+try:
+    from micropython import heap_lock, heap_unlock, mem_total
+except ImportError:  # CPython has no heap to lock, and no check asks for one there
+    heap_lock = heap_unlock = mem_total = None
+
+LOW, CRITICAL = 1, 2
+
+
+def _several():
+    """Return what is measured of a component of which two instances at least can be on, each at its own pin."""
+    found = [each for each in MEASURED if each["instances"] > 1 and each["families"]["pin"]]
+    needs(found and found[0]["families"]["enabled_by"], "several instances with pins and switches of their own")
+    return found[0]
+
+
+def _watched():
+    """Return the same with its failsafe, in which each instance has thresholds, times and actions of its own."""
+    measured = _several()
+    facts = [each for each in FAILSAFES if each["component"] == measured["component"]]
+    needs(facts and all(facts[0]["families"].values()), "a failsafe with parameters for each instance")
+    return measured, facts[0]
+
+
+def _pins(measured):
+    """Return GPIO numbers with an ADC, for as many instances as there are."""
+    return [26, 27, 28][: measured["instances"]]
+
+
+def rover_with(measured, on=None, **arguments):
+    """Return a vehicle in which so many instances are on, or all that have pins, with a good value at each pin."""
+    pins = _pins(measured)
+    families = measured["families"]
+    first = new_rover()
+    for instance in range(measured["instances"]):
+        is_on = instance < (len(pins) if on is None else on)
+        switch = next(each for each in PARAMETERS if each["attribute"] == families["enabled_by"][0])
+        setattr(first.parameters, families["enabled_by"][instance], (switch["default"] or 1) if is_on else 0)
+        setattr(first.parameters, families["pin"][instance], pins[instance] if instance < len(pins) else pins[0])
+    save(first)
+    machine.reset_analog()
+    for gpio in pins:
+        machine.analog(gpio).source = good_count(measured)
+    return Rover(flash=first.flash, **arguments)
+
+
+def _components(rover, measured):
+    return getattr(rover.state, measured["component"])
+
+
+def _values(rover, measured):
+    return [getattr(component, measured["attribute"]) for component in _components(rover, measured)]
+
+
+def each_is_read_at_its_pin():
+    """Different voltages at the pins are different values, and one that changes leaves the others alone."""
+    measured = _several()
+    pins = _pins(measured)
+    rover = rover_with(measured)
+    for number, gpio in enumerate(pins):
+        machine.analog(gpio).source = good_count(measured) * (9 - number) // 10
+    run(rover, SECOND_US)
+    before = _values(rover, measured)[: len(pins)]
+    assert None not in before
+    assert sorted(set(before)) == before[::-1], before
+    for number, gpio in enumerate(pins):
+        machine.analog(gpio).source = good_count(measured) * 5 // 10
+        run(rover, SECOND_US)
+        after = _values(rover, measured)[: len(pins)]
+        assert [at for at in range(len(pins)) if after[at] != before[at]] == [number], (before, after)
+        before = after
+
+
+def each_is_told_once():
+    """The first value of each is logged, with its number."""
+    measured = _several()
+    rover = rover_with(measured)
+    run(rover, 5 * SECOND_US)
+    for number in range(1, len(_pins(measured)) + 1):
+        assert len(rover.said(f"{measured['component']} {number}: ")) == 1, rover.said()
+
+
+def each_has_its_own_multiplier():
+    """A calibration changes the multiplier of one instance, which counts from the next start if it is latched."""
+    measured = _several()
+    names = measured["families"]["multiplier"]
+    needs(names, "a multiplier for each instance")
+    rover = rover_with(measured)
+    run(rover, SECOND_US)
+    before = [getattr(rover.parameters, name) for name in names]
+    meter = getattr(_components(rover, measured)[1], measured["name"]) * 1.1
+    assert getattr(rover.state, "calibrate_" + measured["component"])(meter, 1)
+    changed = [at for at, name in enumerate(names) if getattr(rover.parameters, name) != before[at]]
+    assert changed == [1], changed
+    save(rover)
+    again = Rover(flash=rover.flash)
+    run(again, SECOND_US)
+    values = _values(again, measured)
+    assert values[0] == _values(rover, measured)[0]
+    assert abs(values[1] - values[0] * 1.1) <= values[0] // 1000, values
+
+
+def each_fails_by_itself():
+    """Failing readings of one make it unknown, are an error with its number once, and leave the others alone."""
+    measured = _several()
+    needs(measured["invalid_after"], "a limit for failed readings")
+    pins = _pins(measured)
+    for number, gpio in enumerate(pins):
+        rover = rover_with(measured)
+        run(rover, SECOND_US)
+        machine.analog(gpio).source = None
+        run(rover, 5 * SECOND_US)
+        unknown = [at for at, value in enumerate(_values(rover, measured)[: len(pins)]) if value is None]
+        assert unknown == [number], unknown
+        errors = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_ERROR]
+        assert len(errors) == 1, errors
+        assert f"{measured['component']} {number + 1}" in errors[0], errors
+
+
+def one_that_is_off_is_left_out():
+    """Its pin is not read, its value unknown, a missing converter there no warning, and arming does not wait."""
+    measured = _several()
+    rover = rover_with(measured, on=1)
+    for gpio in _pins(measured)[1:]:
+        machine.analog(gpio).absent = True
+    rover = Rover(flash=rover.flash)
+    reads = [machine.analog(gpio).reads for gpio in _pins(measured)[1:]]
+    run(rover, 10 * SECOND_US)
+    assert [machine.analog(gpio).reads for gpio in _pins(measured)[1:]] == reads
+    assert _values(rover, measured)[1:] == [None] * (measured["instances"] - 1)
+    assert not [text for severity, text in rover.said() if severity <= dialect.MAV_SEVERITY_WARNING], rover.said()
+    assert rover.arm() is None
+    machine.reset_analog()
+
+
+def _sent_in(rover, duration_us):
+    """Return how many frames of each message went out, by its id."""
+    rover.port.frames = []
+    run(rover, duration_us)
+    sent = {}
+    for frame in rover.port.frames:
+        number = frame[7] | frame[8] << 8 | frame[9] << 16
+        sent[number] = sent.get(number, 0) + 1
+    return sent
+
+
+def each_that_is_on_is_reported():
+    """Messages of instances go out once for each that is on; those that follow no switch are as many as before."""
+    measured = _several()
+    counts = [_sent_in(rover_with(measured, on=on), 20 * SECOND_US) for on in (1, len(_pins(measured)))]
+    of_instances = 0
+    for stream in STREAMS:
+        for number, _, is_switched in stream["messages"]:
+            one, several = (count.get(number, 0) for count in counts)
+            factor = len(_pins(measured)) if is_switched else 1
+            assert abs(several - factor * one) <= factor, (stream["name"], number, one, several)
+            of_instances += is_switched and one > 0
+    assert of_instances, "no message of an instance went out"
+
+
+def _watching(low=(), critical=()):
+    """Return an armed vehicle whose readings of these instances are below a level, and what calls it makes."""
+    measured, facts = _watched()
+    rover = rover_with(measured)
+    run(rover, SECOND_US)
+    assert rover.arm(force=True) is None
+    for instance in range(measured["instances"]):
+        families = facts["families"]
+        setattr(rover.parameters, families["after"][instance], 1)
+        value = _values(rover, measured)[instance]
+        for level, those in (("low", low), ("critical", critical)):
+            steps = (value + 1000) // facts[level + "_scale"] if instance in those else 0
+            setattr(rover.parameters, families[level][instance], steps)
+    for _, name, _, _ in ACTIONS:
+        setattr(rover, name, _note(rover, name))
+    rover.calls = []
+    return rover, measured, facts
+
+
+def _note(rover, name):
+    def call():
+        rover.calls.append(name)
+
+    return call
+
+
+def _two_actions():
+    calls = [(value, call) for value, call, _, disarms in ACTIONS if not disarms]
+    needs(len(calls) > 1, "two actions")
+    return calls[0], calls[1]
+
+
+def _levels(rover, facts):
+    return [failsafe.level for failsafe in getattr(rover, facts["component"] + "_failsafes")]
+
+
+def failsafe_of_one_is_its_own():
+    """One that stays too low has its level, text and action; the vehicle's status is critical, the others have none."""
+    (first, _), (second, call) = _two_actions()
+    rover, measured, facts = _watching(low=(1,))
+    setattr(rover.parameters, facts["families"]["low_action"][0], first)
+    setattr(rover.parameters, facts["families"]["low_action"][1], second)
+    run(rover, 3 * SECOND_US)
+    expected = [LOW if instance == 1 else 0 for instance in range(measured["instances"])]
+    assert _levels(rover, facts) == expected, _levels(rover, facts)
+    assert rover.calls == [call], rover.calls
+    title = facts["title"][:-1]
+    assert [text[1].partition(" is ")[0] for text in rover.said(title) if " is " in text[1]] == [title + "2"]
+    assert rover.state.vehicle.status == dialect.MAV_STATE_CRITICAL
+    if facts["level"]:
+        levels = [getattr(component, facts["level"]) for component in _components(rover, measured)]
+        assert levels == expected, levels
+
+
+def highest_of_two_acts():
+    """Two levels in one pass: both are told, and the action of the higher one is called, whichever comes first."""
+    (first, one), (second, other) = _two_actions()
+    for lows, criticals, expected in (((0,), (1,), other), ((1,), (0,), one)):
+        rover, _, facts = _watching(low=lows, critical=criticals)
+        for level in ("low_action", "critical_action"):
+            setattr(rover.parameters, facts["families"][level][0], first)
+            setattr(rover.parameters, facts["families"][level][1], second)
+        run(rover, 3 * SECOND_US)
+        assert sorted(_levels(rover, facts))[-2:] == [LOW, CRITICAL], _levels(rover, facts)
+        assert rover.calls == [expected], rover.calls
+
+
+def lower_level_does_not_act_later():
+    """After one is critical, another that gets low is told, but what the first asked for goes on."""
+    (first, one), (second, _) = _two_actions()
+    rover, measured, facts = _watching(critical=(0,))
+    setattr(rover.parameters, facts["families"]["critical_action"][0], first)
+    setattr(rover.parameters, facts["families"]["low_action"][1], second)
+    run(rover, 3 * SECOND_US)
+    assert rover.calls == [one], rover.calls
+    value = _values(rover, measured)[1]
+    setattr(rover.parameters, facts["families"]["low"][1], (value + 1000) // facts["low_scale"])
+    run(rover, 3 * SECOND_US)
+    assert _levels(rover, facts)[:2] == [CRITICAL, LOW], _levels(rover, facts)
+    assert rover.calls == [one], rover.calls
+
+
+def arming_says_which():
+    """A second that cannot be read, or is too low, keeps the vehicle from being armed, by its own name."""
+    measured, facts = _watched()
+    title = facts["title"][:-1] + "2"
+    rover = rover_with(measured)
+    machine.analog(_pins(measured)[1]).source = None
+    run(rover, SECOND_US)
+    assert rover.arm() == f"PreArm: {title} unhealthy", rover.arm()
+    assert not rover.state.vehicle.ready
+    rover = rover_with(measured)
+    run(rover, SECOND_US)
+    assert rover.arm() is None
+    rover.disarm()
+    value = _values(rover, measured)[1]
+    setattr(rover.parameters, facts["families"]["low"][1], (value + 1000) // facts["low_scale"])
+    assert rover.arm() == f"PreArm: {title} low {facts['quantity']} failsafe", rover.arm()
+
+
+def health_of_each_is_its_own():
+    """Each is judged by its own thresholds."""
+    measured, facts = _watched()
+    needs(facts["health"], "a health")
+    rover, _, _ = _watching(low=(0,), critical=(1,))
+    run(rover, SECOND_US)
+    found = [getattr(component, facts["health"]) for component in _components(rover, measured)[:2]]
+    assert found == [1, 2], found
+
+
+def several_allocate_nothing():
+    """The steady cycle with all of them on leaves the heap alone, while they are good and while they are too low."""
+    needs(IS_MICROPYTHON, "a heap that tells")
+    measured, facts = _watched()
+    for level in (0, 100000):
+        rover = rover_with(measured, ports=[Sink()])
+        for stream in STREAMS:
+            if stream["parameter"]:
+                setattr(rover.parameters, stream["parameter"], stream["maximum"])
+        run(rover, 5 * SECOND_US)
+        for name in facts["families"]["low"]:
+            setattr(rover.parameters, name, level // facts["low_scale"])
+        run(rover, 20 * SECOND_US)
+        heap_lock()
+        try:
+            _passes(rover)
+        finally:
+            heap_unlock()
+        before = mem_total()
+        _passes(rover)
+        assert mem_total() == before, mem_total() - before
+
+
+def _passes(rover):
+    for _ in range(800):
+        rover.run_pass()
+        mock_time.advance_us(CONTROL_US)
+
+
+CHECKS = (
+    ("instances", 3, each_is_read_at_its_pin),
+    ("instances", 3, each_is_told_once),
+    ("instances", 2, each_has_its_own_multiplier),
+    ("instances", 3, each_fails_by_itself),
+    ("instances", 7, one_that_is_off_is_left_out),
+    ("instances", 4, each_that_is_on_is_reported),
+    ("instances", 5, failsafe_of_one_is_its_own),
+    ("instances", 5, highest_of_two_acts),
+    ("instances", 5, lower_level_does_not_act_later),
+    ("instances", 5, arming_says_which),
+    ("instances", 5, health_of_each_is_its_own),
+    ("instances", 1, several_allocate_nothing),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

@@ -1,0 +1,75 @@
+"""Lists of instances and families of parameters that cannot be: each fault is reported where it was made.
+
+The cases are written as those of ``test_broken_tables``, and change the shipped specification with its two batteries.
+"""
+
+import pytest
+from test_broken_tables import BATTERY, Case, changed_copy, check_place, name_of
+
+from codegen.cli import main
+
+SECOND = "    - prefix: BATT2_\n      doc"
+FAMILY = "  BATT_CAPACITY:\n"
+EACH = FAMILY + "    doc: Charge of the full pack.\n    for_each: battery\n"
+LAST = "  SR0_EXT_STAT:\n"
+CASES = [
+    # the list
+    Case("bad-instances", "board.yaml", "instances:\n  battery:", "instances:\n  batery: §[]\n  battery:", "batery"),
+    Case("bad-instances", "board.yaml", "prefix: BATT2_", "prefix: §BATT_", "prefix", is_alone=False),
+    Case("bad-instances", "board.yaml", "prefix: BATT2_", "prefix: §batt2_", "batt2_", is_alone=False),
+    Case("bad-instances", "board.yaml", SECOND, "    - §doc", "no prefix", is_alone=False),
+    # defaults
+    Case("bad-instances", "board.yaml", "BATT2_VOLT_PIN: 27", "BATT2_VOLT_PN: §27", "BATT2_VOLT_PIN", is_alone=False),
+    Case("bad-instances", "board.yaml", "BATT2_VOLT_PIN: 27", "SR0_EXTRA1: §27", "SR0_EXTRA1", is_alone=False),
+    Case("bad-parameter", "board.yaml", "BATT2_VOLT_PIN: 27", "BATT2_VOLT_PIN: §29", "BATT2_VOLT_PIN"),
+    Case("bad-parameter", "board.yaml", "BATT2_VOLT_PIN: 27", "BATT2_VOLT_PIN: §26.5", "BATT2_VOLT_PIN"),
+    # facts and cells
+    Case("bad-parameter-family", "board.yaml", "    cells: 3\n", "", "cells", is_alone=False),
+    Case("bad-parameter-family", "board.yaml", "    cells: 3\n", "    cells: 2.5\n", "cells", is_alone=False),
+    # families
+    Case("bad-parameter-family", "parameters.yaml", FAMILY, "  §CAPACITY:\n", "BATT_", is_alone=False),
+    Case("bad-parameter-family", "parameters.yaml", EACH, EACH.replace("battery", "§bat"), "battery", is_alone=False),
+    Case("bad-parameter-family", "parameters.yaml", LAST, f"{LAST}    per_cell: §true\n", "no component"),
+    Case("bad-parameter", "parameters.yaml", FAMILY, "  §BATT_CAPACITY_ALL:\n", "BATT_CAPACITY_ALL", is_alone=False),
+    Case(
+        "bad-parameter",
+        "parameters.yaml",
+        FAMILY,
+        "  §BATT_CAPACITY_AL:\n",
+        "BATT2_CAPACITY_AL is not a parameter name: it has 17",
+        is_alone=False,
+    ),
+    # pins
+    Case("shared-pin", "board.yaml", SECOND, SECOND.replace("prefix", "§prefix"), "GPIO 26"),
+]
+
+
+@pytest.mark.parametrize("case", CASES, ids=name_of)
+def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
+    """The rule, the place and the words are right, the exit code is not 0, and nothing is written."""
+    if case.rule == "shared-pin":
+        both_on(tmp_path)
+    check_place(case, tmp_path, monkeypatch, capsys)
+
+
+def both_on(folder) -> None:
+    """Switch both batteries on by default, at the same pin."""
+    changed_copy(Case("", "board.yaml", "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n", ""), folder)
+
+
+def test_a_pin_of_its_own_or_a_monitor_that_is_off(tmp_path, monkeypatch, capsys):
+    """Either of the two defaults is enough: pins may be the same while one of the batteries is off."""
+    for defaults in ("{BATT2_MONITOR: 0}", "{BATT2_VOLT_PIN: 27}"):
+        folder = tmp_path / defaults.partition(":")[0][1:]
+        folder.mkdir()
+        changed_copy(Case("", "board.yaml", "{BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}", defaults), folder)
+        monkeypatch.chdir(folder)
+        assert main(["check"]) == 0, capsys.readouterr().out
+
+
+def test_two_instances_with_one_id(tmp_path, monkeypatch, capsys):
+    """Two batteries that receivers could not tell apart are an error."""
+    changed_copy(Case("same-instance", BATTERY, "id: {state: battery.instance", "id: {constant: 0"), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 1
+    assert " error same-instance: " in capsys.readouterr().out
