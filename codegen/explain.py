@@ -1,15 +1,16 @@
 """The whole story of one thing: a message, a field, a parameter, a quantity or a rule, as text for a terminal."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from textwrap import fill
 
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import WireMessage
-from codegen.model.system import PopulatedMessage, System
+from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
+from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
 from codegen.targets.table import FieldRow, field_rows
 
@@ -55,7 +56,7 @@ def _explain_part(topic: str, system: System) -> str | None:
     name, _, field = topic.partition(".")
     message = next((message for message in system.messages if message.name == name.upper()), None)
     if message is not None:
-        return _message(message) if not field else _field(message, field)
+        return _message(message, system) if not field else _field(message, field)
     if topic.upper() in system.dialect.messages:
         return _unpopulated(system.dialect.messages[topic.upper()])
     if name in system.requirements:
@@ -63,7 +64,9 @@ def _explain_part(topic: str, system: System) -> str | None:
     if topic in system.streams:
         return _stream(system.streams[topic], system)
     if topic in system.components:
-        return "\n".join(_quantity(quantity, system) for quantity in system.components[topic].quantities.values())
+        quantities = [_quantity(quantity, system) for quantity in system.components[topic].quantities.values()]
+        costs = _prices(lambda generations: generations.component.name == topic, system)
+        return "\n".join([*quantities, *costs[1:]]) + "\n" * bool(costs)
     if topic in system.parameters:
         return _parameter(system.parameters[topic], system)
     quantity = system.quantity(topic)
@@ -78,15 +81,17 @@ def _topics(system: System) -> list[str]:
     return [*known, *system.parameters, *rule_catalogue(), *system.dialect.messages]
 
 
-def _message(message: PopulatedMessage) -> str:
+def _message(message: PopulatedMessage, system: System) -> str:
     wire = message.wire
     extensions = f", {wire.length} with extensions" if wire.length != wire.base_length else ""
     lines = [
         f"{message.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes{extensions}",
         f"{_cited(message.citation)}",
         f"{_rate(message)}; {message.instances} of it",
+        *([f"sent at once {sent_at_once(message)}"] if message.is_announced else []),
         "",
         *_table(field_rows(message)),
+        *_prices(lambda generations: message.name in (*generations.old, *generations.new), system),
     ]
     return "\n".join(lines) + "\n"
 
@@ -198,7 +203,35 @@ def _parameter(parameter: Parameter, system: System) -> str:
         ("criterion", _cited(parameter.citation)),
         ("declared at", parameter.spec.place.shown()),
     ]
-    return "\n".join([parameter.name, parameter.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+    costs = _prices(lambda generations: generations.parameter is parameter, system)
+    return "\n".join([parameter.name, parameter.spec.doc.strip(), "", *_facts(facts), *costs]) + "\n"
+
+
+def _prices(concerns: Callable[[Generations], bool], system: System) -> list[str]:
+    """What the generations of messages cost that a topic concerns, each with an empty line before it."""
+    return [
+        line
+        for generations, table in zip(system.generations, generation_tables(system), strict=True)
+        if concerns(generations)
+        for line in _generations(table)
+    ]
+
+
+def _generations(table: GenerationTable) -> list[str]:
+    choices = [("bytes/s", *table.instances, table.on, "messages")]
+    choices += [(row.choice, *row.by_instance, row.whole, row.messages) for row in table.choices]
+    frames = [("message", "generation", "rate", *(f"bytes, {name}" for name in table.instances), "sent at once")]
+    for row in table.frames:
+        sizes = [*row.by_instance, *[""] * (len(table.instances) - len(row.by_instance))]
+        frames.append((row.message, row.generation, row.rate, *sizes, row.sent_at_once))
+    title = f"{table.component} messages of two generations, at the default rates ({table.chosen_by})"
+    return ["", title, "", *_columns(choices), "", *_columns(frames), "", fill(table.counted, 100)]
+
+
+def _columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
+    """Columns as wide as their widest cell."""
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    return ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
 
 
 def _quantity(quantity: Quantity, system: System) -> str:

@@ -63,8 +63,9 @@ class Program:
 
     ``services`` are the messages of the dialect that the services receive and send, ``sent`` the names of those that
     they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest
-    rate in Hz of messages without a stream. ``module`` and ``class_name`` are those of the user's code, which is asked
-    to measure every ``measure_us``, or not at all: None.
+    rate in Hz of messages without a stream, ``silence_ms`` the time without a HEARTBEAT after which a ground station
+    is gone. ``module`` and ``class_name`` are those of the user's code, which is asked to measure every ``measure_us``,
+    or not at all: None.
     """
 
     control_us: int
@@ -80,5 +81,6 @@ class Program:
     module: str
     class_name: str
     measure_us: int | None
+    silence_ms: int
     cited: Mapping[str, Citation]
     spec: VehicleSpec

@@ -125,6 +125,9 @@ class ComponentSpec(Written):
     """A part of the vehicle state with its quantities; board.yaml says which instances of it exist."""
 
     doc: str = described("What the component is, for people.")
+    first_number: str | None = described(
+        "Parameter with the number that messages give its first instance; without one that is 0.", default=None
+    )
     update_rate: Amount | None = described("How often its readings are taken, such as 10 Hz.", default=None)
     quantities: Mapping[str, QuantitySpec] = described("The quantities by name.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
@@ -203,11 +206,39 @@ class StreamSpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 
 
+class Generation(StrEnum):
+    """Which generation of messages is streamed and announced."""
+
+    OLD = "old"
+    NEW = "new"
+    BOTH = "both"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GenerationsSpec(Written):
+    """Two generations of messages about one component, only the chosen one of which is streamed and announced."""
+
+    doc: str = described("What the choice is for, for people.")
+    old: tuple[str, ...] = described("Messages that one generation of receivers understands.")
+    new: tuple[str, ...] = described("Messages that take their place.")
+    parameter: str | None = described(
+        "Parameter that chooses while the vehicle runs: 0 old, 1 new, 2 both.", default=None
+    )
+    send: Generation | None = described("The choice, where it is fixed: old, new or both.", default=None)
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+    ONE_OF: ClassVar[tuple[str, ...]] = ("parameter", "send")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StreamsSpec(Written):
-    """``streams.yaml``: the streams by name."""
+    """``streams.yaml``: the streams by name, and the generations of messages."""
 
     streams: Mapping[str, StreamSpec] = described("The streams by name.")
+    generations: Mapping[str, GenerationsSpec] = described(
+        "Messages of which there is an old and a new generation, by the component that they are about.",
+        default_factory=dict,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -255,6 +286,14 @@ class PopulationSpec(Written):
     for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
     stream: str | None = described(
         "Stream that the message belongs to; without one it is sent when a ground station asks for it.", default=None
+    )
+    on_connection: bool = described(
+        "Send it at once when a link starts, and when a ground station is heard for the first time or after a silence.",
+        default=False,
+    )
+    on_change: str | None = described(
+        "Quantity, component.quantity, whose change sends the message at once: that of the instance that changed.",
+        default=None,
     )
     fields: Mapping[str, FieldAnswer] = described("An answer for every field and element.")
 

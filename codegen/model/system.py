@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from codegen.model.dialect import Dialect, WireField, WireMessage
 from codegen.model.program import BoardLink, Program
-from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement, Rounding, Spec
+from codegen.model.spec import FieldAnswer, Generation, GenerationsSpec, PopulationSpec, Requirement, Rounding, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
 
 
@@ -128,7 +128,8 @@ class PopulatedMessage:
     """A message with a binding for every element; ``bindings`` are in the order of their offsets.
 
     ``component`` is the component that each instance of the message belongs to, or None for a single message.
-    Without a ``stream`` it is sent when a ground station asks for it.
+    Without a ``stream`` it is sent when a ground station asks for it. With ``on_connection`` it is announced, which is
+    to be sent at once, to who appears on a link; a change of the quantity ``on_change`` announces it, too.
     """
 
     wire: WireMessage
@@ -137,11 +138,23 @@ class PopulatedMessage:
     component: Component | None
     citation: Citation
     population: PopulationSpec
+    on_connection: bool = False
+    on_change: Quantity | None = None
 
     @property
     def name(self) -> str:
         """The name in the dialect."""
         return self.wire.name
+
+    @property
+    def pages(self) -> int:
+        """How many messages report one instance: 1 unless it takes several."""
+        return 1
+
+    @property
+    def is_announced(self) -> bool:
+        """Whether something other than time and requests sends it."""
+        return self.on_connection or self.on_change is not None
 
     @property
     def instances(self) -> int:
@@ -156,6 +169,33 @@ class PopulatedMessage:
             for binding in self.bindings
             if isinstance(binding, LiveBinding) and not binding.covers.field.type.is_integer
         )
+
+
+@dataclass(frozen=True, slots=True)
+class Generations:
+    """Two generations of messages about ``component``: ``parameter`` chooses at run time, or ``send`` has chosen.
+
+    ``old`` and ``new`` are names of messages. The parameter is 0 for the old ones, 1 for the new ones, 2 for both.
+    """
+
+    component: Component
+    old: tuple[str, ...]
+    new: tuple[str, ...]
+    parameter: Parameter | None
+    send: Generation | None
+    spec: GenerationsSpec
+    citation: Citation | None
+
+    @property
+    def default(self) -> Generation:
+        """What is sent until somebody chooses otherwise."""
+        if self.parameter is None:
+            return self.send or Generation.BOTH
+        return tuple(Generation)[self.parameter.default]
+
+    def names(self, choice: Generation) -> tuple[str, ...]:
+        """The messages that are sent with a choice."""
+        return {Generation.OLD: self.old, Generation.NEW: self.new, Generation.BOTH: self.old + self.new}[choice]
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +220,7 @@ class System:
     links: tuple[BoardLink, ...]
     program: Program | None
     requirements: Mapping[str, Requirement]
+    generations: tuple[Generations, ...] = ()
 
     @property
     def wires(self) -> tuple[WireMessage, ...]:

@@ -85,6 +85,12 @@ class Parameter:
         return self.name
 
 
+def by_instance(parameter: Parameter, parameters: Mapping[str, Parameter], instances: int) -> tuple[Parameter, ...]:
+    """The parameter of each instance: one of its family for each, or the same for all."""
+    names = parameter.siblings or (parameter.name,) * instances
+    return tuple(parameters.get(name, parameter) for name in names)
+
+
 class QuantityKind(Enum):
     """What a quantity of the vehicle state holds."""
 
@@ -173,11 +179,13 @@ class Instance:
 class Component(Cited):
     """A part of the vehicle state; ``period_ms`` is the time between two updates, or None.
 
-    ``parts`` are its instances, one at least.
+    ``parts`` are its instances, one at least. ``first_number`` is the parameter with the number of the first one in
+    messages, or None where that is 0.
     """
 
     name: str
     parts: tuple[Instance, ...]
+    first_number: Parameter | None
     period_ms: int | None
     quantities: Mapping[str, Quantity]
     spec: ComponentSpec

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.spec import ParameterSpec, Spec
-from codegen.model.vehicle import Instance
+from codegen.model.vehicle import Instance, Parameter
 from codegen.resolve.instances import BAD_INSTANCES, cells_of
 from codegen.source import Place
 
@@ -31,6 +31,14 @@ class Member:
     def at(self, key: str) -> Place:
         """Where a key of it is written; a default may stand with the instance."""
         return self.default_place if key == "default" and self.default_place else self.spec.at(key)
+
+
+def check_single(parameter: Parameter, place: Place, report: Report) -> None:
+    """Whether a parameter is one for the whole vehicle, and not one of each instance."""
+    if parameter.siblings:
+        message = f"each {parameter.component} has its own {parameter.name}, and one is needed here"
+        related = [(parameter.spec.at("for_each"), f"{parameter.name} is declared here")]
+        report.add(BAD_FAMILY, place, message, related=related)
 
 
 class ParameterFamilies:

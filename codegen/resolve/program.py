@@ -81,7 +81,10 @@ def resolve_program(
         if period_us > LONGEST_PERIOD_US:
             report.add(BAD_PROGRAM, record.at(key), "a job of the main loop is due every 536 s at least")
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
+    silence_ms = read_time(spec.services.silence, UNITS["ms"], spec.services.at("silence"), report)
     if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
+        return None
+    if silence_ms is None:
         return None
     if links > control:
         message = f"links are served in a pass of the main loop, and that runs at {spec.control.rate} only"
@@ -100,6 +103,7 @@ def resolve_program(
         module=code.module,
         class_name=code.class_name,
         measure_us=round(Fraction(1000000) / measure) if measure else None,
+        silence_ms=silence_ms,
         cited=cited,
         spec=spec,
     )

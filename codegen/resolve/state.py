@@ -29,7 +29,11 @@ BAD_QUANTITY = Rule(
     "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean or an enum has no unit "
     "and no limits, min <= initial <= max, and every limit fits a small integer of MicroPython in stored units.",
 )
-BAD_COMPONENT = Rule("bad-component", "A component has a lower-case identifier as its name.")
+BAD_COMPONENT = Rule(
+    "bad-component",
+    "A component has a lower-case identifier as its name; the number of its first instance is a parameter of whole "
+    "numbers from 0 to 255.",
+)
 UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
 UNKNOWN_ENUM = Rule("unknown-enum", "A table names an enum that the dialect does not have.")
@@ -37,7 +41,17 @@ UNKNOWN_ENTRY = Rule("unknown-enum-entry", "A table names an entry that the enum
 
 _IDENTIFIER = re.compile(r"[a-z][a-z0-9_]*")
 # Names that the generated code uses itself, beside Python's own.
-_RESERVED_QUANTITIES = {"instance", "failures", "expires_ms", "warned_ms", "expire", "set_count", "forget", "keep"}
+_RESERVED_QUANTITIES = {
+    "instance",
+    "number",
+    "failures",
+    "expires_ms",
+    "warned_ms",
+    "expire",
+    "set_count",
+    "forget",
+    "keep",
+}
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 _CONVERSIONS = {"limited", "spill", *Rounding}
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
@@ -70,6 +84,7 @@ def resolve_components(
         components[name] = Component(
             name=name,
             parts=instances[name],
+            first_number=_first_number(written, spec, parameters, report),
             period_ms=period,
             quantities=quantities,
             spec=written,
@@ -77,6 +92,18 @@ def resolve_components(
             aspects=cite_aspects(written, index, report),
         )
     return components
+
+
+def _first_number(
+    spec: ComponentSpec, whole: Spec, parameters: Mapping[str, Parameter], report: Report
+) -> Parameter | None:
+    if spec.first_number is None:
+        return None
+    place = spec.at("first_number")
+    parameter = find_parameter(spec.first_number, place, whole.parameters, parameters, report)
+    if parameter is not None and (parameter.step != 1 or parameter.minimum < 0 or parameter.maximum > 255):
+        report.add(BAD_COMPONENT, place, f"{parameter.name} is not a whole number from 0 to 255")
+    return parameter
 
 
 def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:

@@ -13,6 +13,7 @@ from codegen.resolve.constant import bind_constant
 from codegen.resolve.elements import answered_elements
 from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.fixed import bind_entry, bind_fact, bind_flags, bind_unknown, bind_version, find_quantity
+from codegen.resolve.generations import resolve_generations, resolve_on_change
 from codegen.resolve.instances import resolve_instances
 from codegen.resolve.links import resolve_links
 from codegen.resolve.live import bind_instance, bind_live
@@ -54,6 +55,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         for population in spec.populations
         if (message := _resolve_message(population, binder, streams, index)) is not None
     ]
+    generations = resolve_generations(spec, messages, components, parameters, index, report)
     _check_output(spec, report)
     system_id, system_parameter = _system_id(spec, parameters, report)
     component_id = _component_id(spec, dialect, report)
@@ -75,6 +77,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         links=resolve_links(spec.board, index, report),
         program=program,
         requirements=index,
+        generations=generations,
     )
 
 
@@ -172,13 +175,23 @@ def _resolve_message(
             hint = did_you_mean(population.for_each, binder.components)
             place = population.at("for_each")
             report.add(UNKNOWN_COMPONENT, place, f"the state has no component {population.for_each}", hint)
+    on_change = resolve_on_change(population, component, binder.spec, binder.components, report)
     if wire is None or citation is None:
         return None
     elements = answered_elements(population, wire, citation, index, report)
     bindings = [binding for covers in elements if (binding := binder.bind(covers, component)) is not None]
     if stream is None and population.stream is not None:
         return None
-    return PopulatedMessage(wire, tuple(bindings), stream, component, citation, population)
+    return PopulatedMessage(
+        wire=wire,
+        bindings=tuple(bindings),
+        stream=stream,
+        component=component,
+        citation=citation,
+        population=population,
+        on_connection=population.on_connection,
+        on_change=on_change,
+    )
 
 
 class _Binder:

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from codegen.diagnostics import Diagnostic
 from codegen.model.system import System
 from codegen.rules import (
+    both_generations,
     enum_constant,
     full_scale,
     instance_field,
@@ -23,6 +24,7 @@ from codegen.rules import (
 )
 
 RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
+    both_generations.check,
     enum_constant.check,
     full_scale.check,
     instance_field.check,

@@ -6,6 +6,7 @@ from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.render import render_template
+from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
@@ -22,6 +23,7 @@ class MessageDocument:
     base_length: int
     length: int
     rate: str
+    sent_at_once: str
     citation: str
     table: str
     rows: tuple[FieldRow, ...]
@@ -72,6 +74,7 @@ class TelemetryDocument:
     quantities: tuple[QuantityRow, ...]
     parameters: tuple[ParameterRow, ...]
     streams: tuple[StreamRow, ...]
+    generations: tuple[GenerationTable, ...]
     links: tuple[LinkRow, ...]
     program: ProgramSection | None
     criteria: tuple[CitedCriterion, ...]
@@ -93,6 +96,7 @@ def render_documents(system: System) -> dict[str, str]:
         ),
         parameters=tuple(_parameter(parameter, system) for parameter in system.parameters.values()),
         streams=stream_rows(system),
+        generations=generation_tables(system),
         links=link_rows(system),
         program=program_section(system),
         criteria=tuple(_criteria(system)),
@@ -108,6 +112,7 @@ def _message(message: PopulatedMessage, system: System) -> MessageDocument:
         base_length=message.wire.base_length,
         length=message.wire.length,
         rate=_rate(message.stream),
+        sent_at_once=sent_at_once(message),
         citation=str(message.citation),
         table=source_name(system, message.population.place.file),
         rows=field_rows(message),

@@ -31,6 +31,9 @@ def _messages(parameter: Parameter, system: System) -> Iterator[str]:
     for stream in system.streams.values():
         if stream.parameter is parameter:
             yield f"the rate of stream {stream.name}"
+    for generations in system.generations:
+        if generations.parameter is parameter:
+            yield f"which generation of {generations.component.name} messages is sent"
     for message in system.messages:
         for binding in message.bindings:
             if isinstance(binding, LiveBinding) and binding.source is parameter:

@@ -135,6 +135,7 @@ def program_section(system: System) -> ProgramSection | None:
         if spec.arming
         else "There is nothing to arm: the command for it is unknown, and parameters are saved at any time.",
         f"Messages without a stream are sent at most at {decimal(program.fastest)} Hz{cited.get('services', '')}.",
+        f"A ground station that was silent for {program.silence_ms} ms is told anew what is sent on connection.",
         f"The system id is {system.system_id}{_default_of(system.system_parameter)}.",
         *(
             [f"The component id is {system.component_id}{_default_of(system.component_parameter)}."]

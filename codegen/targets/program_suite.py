@@ -11,6 +11,7 @@ from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.program import ProgramView, program_view
 from codegen.targets.firmware.state import ComponentView, state_view
 from codegen.targets.firmware.streams import StreamsView, streams_view
+from codegen.targets.generation_facts import GenerationFacts, MessageFacts, generation_facts, message_facts
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 
@@ -39,6 +40,8 @@ class ProgramSuiteView:
     parameters: tuple[ParameterView, ...]
     streams: StreamsView
     families: dict[str, MeasuredFamilies]
+    generations: tuple[GenerationFacts, ...]
+    messages: tuple[MessageFacts, ...]
     requirements: dict[str, str]
 
 
@@ -54,6 +57,8 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         parameters=parameter_views(system),
         streams=streams_view(system),
         families={name: _families(system.components[name], quantity) for name, quantity in system.measured()},
+        generations=generation_facts(system),
+        messages=message_facts(system),
         requirements=_requirements(system, program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
@@ -90,6 +95,8 @@ def _requirements(system: System, program: Program) -> dict[str, str]:
         "update": _document(component.citation if component else None),
         "telemetry": _document(stream.citation if stream else None),
         "conversion": _document(measured.citation if measured else None),
+        "generations": _document(next((each.citation for each in system.generations), None)),
+        "announcements": _document(next((each.citation for each in system.messages if each.is_announced), None)),
         "services": cited.get("services", ""),
         "loop": cited.get("control", ""),
         "storage": cited.get("storage", ""),

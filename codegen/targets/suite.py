@@ -9,6 +9,7 @@ from codegen.targets.firmware.board import BoardView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
+from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
 
@@ -27,6 +28,8 @@ class SuiteView:
     builders: tuple[str, ...]
     steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
+    choosers: tuple[str, ...]
+    has_program: bool
     parameters: tuple[ParameterView, ...]
     expiring: dict[str, tuple[str, ...]]
 
@@ -47,6 +50,8 @@ def render_suite(system: System) -> dict[str, str]:
         builders=tuple(message.name.lower() for message in system.messages),
         steady=tuple(message.name.lower() for message in system.messages if not message.live_floats),
         streams=stream_views(system),
+        choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
+        has_program=system.program is not None,
         parameters=parameter_views(system),
         expiring={component.name: _readers(component.name, system) for component in state.components},
     )

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 163126c4676e3c60
+# Inputs: a92c01b179b889cb
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

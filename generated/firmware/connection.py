@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py: do not edit.
-# Inputs: 1061664ca3db9cdb
+# Inputs: bab2ce9c902e2249
 """One port of the vehicle: what arrives is answered, and what is due is sent.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -60,6 +60,8 @@ class Connection:
         self._note(now_ms)
         with self._guard:
             self.streams.run(now_ms)
+            if self.port.is_up:
+                self.streams.announce()
         self._note(now_ms)
         with self._guard:
             self.services.run()

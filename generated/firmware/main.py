@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml: do not edit.
-# Inputs: e6cd48c057d64513
+# Inputs: 0de8dcac2c7eac86
 """The program: what the board starts."""
 
 import asyncio

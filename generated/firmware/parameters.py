@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: e46abb1b10111364
+# Inputs: 63581424ce2c2635
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -25,9 +25,11 @@ NAMES = (
     "BATT_LOW_TIMER",
     "BATT_LOW_VOLT",
     "BATT_MONITOR",
+    "BATT_REPORT",
     "BATT_VOLT_MULT",
     "BATT_VOLT_PIN",
     "SR0_EXTRA1",
+    "SR0_EXTRA3",
     "SR0_EXT_STAT",
     "SYSID_THISMAV",
 )
@@ -233,6 +235,17 @@ _TABLE = {
         True,
         (0, 3),
     ),
+    "BATT_REPORT": (
+        "batt_report",
+        0,
+        0,
+        2,
+        1,
+        1,
+        2,  # int8
+        False,
+        (0, 1, 2),
+    ),
     "BATT_VOLT_MULT": (
         "batt_volt_mult",
         39500,
@@ -258,6 +271,17 @@ _TABLE = {
     "SR0_EXTRA1": (
         "sr0_extra1",
         2,
+        0,
+        50,
+        1,
+        1,
+        4,  # int16
+        False,
+        (),
+    ),
+    "SR0_EXTRA3": (
+        "sr0_extra3",
+        1,
         0,
         50,
         1,
@@ -336,12 +360,16 @@ class Parameters:
         self.batt_low_volt = 10500  # 10.5 V, in steps of 0.001 V
         # How the battery is measured; 0 leaves it out of measurements, checks and telemetry.
         self.batt_monitor = 3  # 3: Analog Voltage Only
+        # Which generation of battery messages is sent; the other one is sent when a ground station asks for it.
+        self.batt_report = 0  # 0: Old
         # Pack voltage over the voltage at the ADC pin, set by the divider and calibrated against a meter.
         self.batt_volt_mult = 39500  # 3.95, in steps of 0.0001
         # GPIO number of the pin that the divided battery voltage is connected to.
         self.batt_volt_pin = 26  # 26
         # Rate of the EXTRA1 stream; 0 switches it off.
         self.sr0_extra1 = 2  # 2 Hz
+        # Rate of the EXTRA3 stream; 0 switches it off.
+        self.sr0_extra3 = 1  # 1 Hz
         # Rate of the EXTENDED_STATUS stream; 0 switches it off.
         self.sr0_ext_stat = 1  # 1 Hz
         # MAVLink system id of the vehicle.

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 163126c4676e3c60
+# Inputs: a92c01b179b889cb
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -39,6 +39,8 @@ class BatteryState:
         self.health_number = 2
         # The level that the failsafe has reached, 0 none, 1 low, 2 critical
         self.failsafe_number = 0
+        # How often the pack was exchanged since the start
+        self.swaps_number = 0
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
@@ -130,6 +132,15 @@ class BatteryState:
     @failsafe.setter
     def failsafe(self, value):
         self.failsafe_number = to_steps(value, 1)
+
+    @property
+    def swaps(self):
+        """Number, or None while it is unknown; FR-00073.8."""
+        return self.swaps_number
+
+    @swaps.setter
+    def swaps(self, value):
+        self.swaps_number = to_steps(value, 1)
 
     @property
     def healthy(self):

@@ -1,8 +1,9 @@
 # Generated from specs/codegen.yaml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: 7f9a1f21eb62f847
+#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/streams.yaml: do not edit.
+# Inputs: b0cab9b8130e52a3
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -15,18 +16,21 @@ from mavlink import Link
 SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it
 COMPONENT_ID = 1  # MAV_COMP_ID_AUTOPILOT1
 VERSION = 2
-LONGEST = 78  # bytes of the longest payload; a link keeps a view of each length
+LONGEST = 140  # bytes of the longest payload; a link keeps a view of each length
 
 OFF = -1
 
 # What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
-_IDS = (0, 1, 147, 148, 300)
-_STREAMS = (0, 1, 2, None, None)
-_SHORTEST_US = (20000, 20000, 20000, 100000, 100000)
+_IDS = (0, 1, 147, 369, 370, 372, 148, 300)
+_STREAMS = (0, 1, 2, 3, 4, 4, None, None)
+_SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000)
+
+# Generations of messages: 1 the old one, 2 the new one, 3 what is sent in any case.
+_GENERATIONS = (3, 3, 1, 2, 1, 2, 3, 3)
 
 # Streams: the number by which REQUEST_DATA_STREAM asks for each (None: it cannot) and the highest rate in Hz.
-_DATA_STREAMS = (None, 2, 10)
-_FASTEST_HZ = (50, 50, 50)
+_DATA_STREAMS = (None, 2, 10, 12, None)
+_FASTEST_HZ = (50, 50, 50, 50, 1)
 
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):
@@ -34,11 +38,86 @@ def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):
     return Link(stream, system_id, COMPONENT_ID, VERSION, known, LONGEST)
 
 
+def _send_heartbeat(state, link):
+    link.send(telemetry.build_heartbeat(state))
+
+
+def _send_sys_status(state, link):
+    link.send(telemetry.build_sys_status(state))
+
+
+def _send_battery_status(state, link):
+    for instance in range(2):
+        if state.battery[instance].monitored:  # what is not measured is not reported
+            link.send(telemetry.build_battery_status(state, instance))
+
+
+def _send_battery_status_v2(state, link):
+    for instance in range(2):
+        if state.battery[instance].monitored:  # what is not measured is not reported
+            link.send(telemetry.build_battery_status_v2(state, instance))
+
+
+def _send_smart_battery_info(state, link):
+    for instance in range(2):
+        if state.battery[instance].monitored:  # what is not measured is not reported
+            link.send(telemetry.build_smart_battery_info(state, instance))
+
+
+def _send_battery_info(state, link):
+    for instance in range(2):
+        if state.battery[instance].monitored:  # what is not measured is not reported
+            link.send(telemetry.build_battery_info(state, instance))
+
+
+def _send_autopilot_version(state, link):
+    link.send(telemetry.build_autopilot_version(state))
+
+
+def _send_protocol_version(state, link):
+    link.send(telemetry.build_protocol_version(state))
+
+
+_SENDERS = (
+    _send_heartbeat,
+    _send_sys_status,
+    _send_battery_status,
+    _send_battery_status_v2,
+    _send_smart_battery_info,
+    _send_battery_info,
+    _send_autopilot_version,
+    _send_protocol_version,
+)
+
+
+def _announce_smart_battery_info(state, link, instance, _page):
+    if state.battery[instance].monitored:
+        link.send(telemetry.build_smart_battery_info(state, instance))
+
+
+def _announce_battery_info(state, link, instance, _page):
+    if state.battery[instance].monitored:
+        link.send(telemetry.build_battery_info(state, instance))
+
+
+# What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.
+# The first _ON_CONNECTION of them are for who appears on the link.
+_ANNOUNCED = (
+    (4, _announce_smart_battery_info, 0, 0),
+    (4, _announce_smart_battery_info, 1, 0),
+    (5, _announce_battery_info, 0, 0),
+    (5, _announce_battery_info, 1, 0),
+)
+_ON_CONNECTION = 4
+
+
 class Streams:
     """The streams of one link, all due at once when they start.
 
     A message's rate is that of its stream: fixed, or set by a parameter. request() overrides it for a stream until the
     parameter changes, set_interval() for a message until it is called again.
+
+    Of two generations of messages only the chosen one is streamed and announced; send() and set_interval() reach both.
     """
 
     def __init__(self, state, link):
@@ -54,14 +133,79 @@ class Streams:
         # The period that _find_period() found, in milliseconds.
         self._numerator = 0
         self._denominator = 1
+        self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
+        self._seen = [state.battery[0].swaps_number, state.battery[1].swaps_number]
+        self.connect()
 
     def run(self, now_ms):
         """Send what is due; call it in every pass of the main loop with time.ticks_ms()."""
         if self._state.parameters.changes != self._changes:
             self._follow_parameters(now_ms)
-        for index in range(5):
+        for index in range(8):
             if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
                 self._send_due(index, now_ms)
+
+    def connect(self):
+        """Let everything be announced that who appears on the link has to know."""
+        for place in range(_ON_CONNECTION):
+            self._waits[place] = 1
+
+    def announce(self):
+        """Send at most one of the messages that wait to be announced; call it in every pass while the port is up."""
+        self._look_for_changes()
+        for place in range(len(_ANNOUNCED)):
+            if self._waits[place]:
+                self._waits[place] = 0  # before it can raise: so a faulty one goes
+                if self._is_off(_ANNOUNCED[place][0]):
+                    continue
+                if not self._send_announced(place):
+                    self._waits[place] = 1
+                return
+
+    def _look_for_changes(self):
+        """Let what tells about an instance be announced where a quantity of the instance has changed."""
+        state = self._state
+        seen = self._seen
+        for instance in range(2):  # battery.swaps
+            value = state.battery[instance].swaps_number
+            if value != seen[instance]:
+                seen[instance] = value
+                self._await(4, instance)  # SMART_BATTERY_INFO
+                self._await(5, instance)  # BATTERY_INFO
+
+    def _await(self, index, instance):
+        for place in range(len(_ANNOUNCED)):
+            if _ANNOUNCED[place][0] == index and _ANNOUNCED[place][2] == instance:
+                self._waits[place] = 1
+
+    def _is_off(self, index):
+        """Return whether a message is left out: by its generation, or because a ground station has switched it off."""
+        return self._interval_us[index] < 0 or not self._is_chosen(index)
+
+    def _is_announced_soon(self, index):
+        """Return whether a message waits; then all of its instances do, so that its stream need not send it, too."""
+        found = False
+        for place in range(len(_ANNOUNCED)):
+            if _ANNOUNCED[place][0] == index and self._waits[place]:
+                found = True
+        if found:
+            for place in range(len(_ANNOUNCED)):
+                if _ANNOUNCED[place][0] == index:
+                    self._waits[place] = 1
+        return found
+
+    def _send_announced(self, place):
+        """Send one frame; return False if the port did not take it, so that it is not counted as lost either."""
+        link = self._link
+        sequence = link.sequence
+        errors = link.tx_errors
+        announced = _ANNOUNCED[place]
+        announced[1](self._state, link, announced[2], announced[3])
+        if link.tx_errors == errors:
+            return True
+        link.sequence = sequence
+        link.tx_errors = errors
+        return False
 
     def send(self, message_id):
         """Send a message once, each of its instances; return whether this vehicle has it."""
@@ -121,7 +265,7 @@ class Streams:
     def _parameter_steps(self):
         """Return what the parameters of the streams are, in steps."""
         parameters = self._state.parameters
-        return [parameters.sr0_ext_stat, parameters.sr0_extra1]
+        return [parameters.sr0_ext_stat, parameters.sr0_extra1, parameters.sr0_extra3]
 
     def _follow_parameters(self, now_ms):
         """Drop what was asked for where the stream's parameter has changed."""
@@ -133,6 +277,9 @@ class Streams:
         if steps[1] != self._steps[1]:
             self._override(2, OFF, now_ms)
             self._restart_stream(2, now_ms)
+        if steps[2] != self._steps[2]:
+            self._override(3, OFF, now_ms)
+            self._restart_stream(3, now_ms)
         self._steps = steps
 
     def _restart_stream(self, stream, now_ms):
@@ -154,6 +301,8 @@ class Streams:
             due_ms = time.ticks_add(now_ms, parts // self._denominator)
         self._due_ms[index] = due_ms
         self._rest[index] = parts % self._denominator
+        if not self._is_off(index) and self._is_announced_soon(index):
+            return
         self._send(index)
 
     def _find_period(self, index):
@@ -164,7 +313,7 @@ class Streams:
             self._denominator = 1000
             return interval_us > 0
         stream = _STREAMS[index]
-        if stream is None:
+        if stream is None or not self._is_chosen(index):
             return False
         if self._asked_hz[stream] >= 0:
             self._numerator = 1000
@@ -172,6 +321,12 @@ class Streams:
         else:
             self._find_own_period(stream)
         return self._denominator > 0
+
+    def _is_chosen(self, index):
+        """Return whether the generation of a message is sent without being asked for."""
+        parameters = self._state.parameters
+        # BATT_REPORT is 0 for the old ones, 1 for the new ones, 2 for both (FR-00072.2)
+        return _GENERATIONS[index] & (parameters.batt_report + 1) != 0
 
     def _find_own_period(self, stream):
         if stream == 0:  # HEARTBEAT: 1 Hz (FR-00068.8)
@@ -183,22 +338,15 @@ class Streams:
         elif stream == 2:  # EXTRA1: SR0_EXTRA1 sets the rate (FR-00068.2)
             self._numerator = 1000
             self._denominator = self._state.parameters.sr0_extra1
+        elif stream == 3:  # EXTRA3: SR0_EXTRA3 sets the rate (FR-00072)
+            self._numerator = 1000
+            self._denominator = self._state.parameters.sr0_extra3
+        elif stream == 4:  # INFO: 0.05 Hz (FR-00076.6)
+            self._numerator = 20000
+            self._denominator = 1
 
     def _send(self, index):
-        state = self._state
-        link = self._link
-        if index == 0:
-            link.send(telemetry.build_heartbeat(state))
-        elif index == 1:
-            link.send(telemetry.build_sys_status(state))
-        elif index == 2:
-            for instance in range(2):
-                if state.battery[instance].monitored:  # what is not measured is not reported
-                    link.send(telemetry.build_battery_status(state, instance))
-        elif index == 3:
-            link.send(telemetry.build_autopilot_version(state))
-        elif index == 4:
-            link.send(telemetry.build_protocol_version(state))
+        _SENDERS[index](self._state, self._link)
 
 
 def _index(message_id):

@@ -1,8 +1,9 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 6de658320873043c
+#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
+# Inputs: e4c951a0c11f0977
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -14,7 +15,9 @@ from struct import pack_into
 
 import messages
 import micropython
-from conversion import spill
+from conversion import limited, spill
+
+NAN = float("nan")
 
 
 def _new_heartbeat():
@@ -311,3 +314,155 @@ _protocol_version = _new_protocol_version()
 def build_protocol_version(_state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
     return _protocol_version
+
+
+def _new_battery_status_v2(instance):
+    message = messages.BatteryStatusV2(live=("temperature",), unknown=False)
+    wire = message.wire
+    pack_into("<f", wire, 12, NAN)  # capacity_remaining: unknown (NaN)
+    # status_flags: no flag, 0
+    wire[26] = instance  # id: the battery's number
+    return message
+
+
+_battery_status_v2 = [_new_battery_status_v2(instance) for instance in range(2)]
+
+
+@micropython.native
+def build_battery_status_v2(state, instance=0):
+    """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
+    message = _battery_status_v2[instance]
+    live = message.live
+    wire = message.wire
+    if state.battery[instance].expires_ms is not None and time.ticks_diff(time.ticks_ms(), state.battery[instance].expires_ms) > 0:
+        state.battery[instance].expire()
+
+    # voltage [V]: battery.voltage [mV] (FR-00072.4)
+    value = state.battery[instance].voltage_mv
+    if value is None:
+        value = NAN  # unknown
+    else:
+        value = limited(value, -1073741823, 1073741823)
+        value = value / 1000
+    pack_into("<f", wire, 0, value)
+
+    # current [A]: battery.current [cA] (FR-00072.4)
+    value = state.battery[instance].current_ca
+    if value is None:
+        value = NAN  # unknown
+    else:
+        value = limited(value, -1073741823, 1073741823)
+        value = value / 100
+    pack_into("<f", wire, 4, value)
+
+    # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
+    value = state.battery[instance].consumed_mah
+    if value is None:
+        value = NAN  # unknown
+    else:
+        value = limited(value, -1073741823, 1073741823)
+        value = value / 1000
+    pack_into("<f", wire, 8, value)
+
+    # state_of_charge [%]: battery.remaining (FR-00072.4)
+    value = state.battery[instance].remaining_pct
+    if value is None:
+        value = NAN  # unknown
+    else:
+        value = limited(value, 0, 100)
+        value = value / 1
+    pack_into("<f", wire, 16, value)
+
+    # temperature [cdegC]: battery.temperature (FR-00072.4)
+    value = state.battery[instance].temperature_cdegc
+    if value is None:
+        value = 32767  # unknown
+    elif value < -32768:
+        value = -32768
+    elif value > 32766:
+        value = 32766
+    live[0] = value
+    return message
+
+
+def _new_smart_battery_info(instance):
+    message = messages.SmartBatteryInfo(live=("capacity_full_specification",), unknown=False)
+    wire = message.wire
+    pack_into("<i", wire, 4, -1)  # capacity_full: unknown (-1)
+    pack_into("<H", wire, 8, 65535)  # cycle_count: unknown (UINT16_MAX)
+    pack_into("<H", wire, 10, 250)  # weight: 250 g
+    pack_into("<H", wire, 12, 3300)  # discharge_minimum_voltage: 3.3 V
+    pack_into("<H", wire, 14, 3000)  # charging_minimum_voltage: 3.0 V
+    pack_into("<H", wire, 16, 3600)  # resting_minimum_voltage: 3.6 V
+    wire[18] = instance  # id: the battery's number
+    wire[19] = 1  # battery_function: MAV_BATTERY_FUNCTION_ALL
+    wire[20] = 1  # type: MAV_BATTERY_TYPE_LIPO
+    # serial_number: unknown ([0])
+    message.set("device_name", "generic_3S-3300")  # device_name: text
+    pack_into("<H", wire, 87, 4200)  # charging_maximum_voltage: 4.2 V
+    wire[89] = 3  # cells_in_series: 3
+    pack_into("<I", wire, 90, 66000)  # discharge_maximum_current: 66 A
+    pack_into("<I", wire, 94, 132000)  # discharge_maximum_burst_current: 132 A
+    # manufacture_date: unknown ([0])
+    return message
+
+
+_smart_battery_info = [_new_smart_battery_info(instance) for instance in range(2)]
+
+
+@micropython.native
+def build_smart_battery_info(state, instance=0):
+    """Return SMART_BATTERY_INFO (370), FR-00076.1."""
+    message = _smart_battery_info[instance]
+    live = message.live
+
+    # capacity_full_specification [mAh]: BATT_CAPACITY (FR-00076.1)
+    value = state.parameters.batt_capacity
+    if value < 0:
+        value = 0
+    elif value > 1000000:
+        value = 1000000
+    live[0] = value
+    return message
+
+
+def _new_battery_info(instance):
+    message = messages.BatteryInfo(unknown=False)
+    wire = message.wire
+    pack_into("<f", wire, 0, 3.3)  # discharge_minimum_voltage: 3.3 V
+    pack_into("<f", wire, 4, 3.0)  # charging_minimum_voltage: 3.0 V
+    pack_into("<f", wire, 8, 3.6)  # resting_minimum_voltage: 3.6 V
+    pack_into("<f", wire, 12, 4.2)  # charging_maximum_voltage: 4.2 V
+    pack_into("<f", wire, 16, 3.3)  # charging_maximum_current: 3.3 A
+    pack_into("<f", wire, 20, 11.1)  # nominal_voltage: 11.1 V
+    pack_into("<f", wire, 24, 66.0)  # discharge_maximum_current: 66 A
+    pack_into("<f", wire, 28, 132.0)  # discharge_maximum_burst_current: 132 A
+    pack_into("<f", wire, 36, NAN)  # full_charge_capacity: unknown (NaN)
+    pack_into("<H", wire, 40, 65535)  # cycle_count: unknown (UINT16_MAX)
+    pack_into("<H", wire, 42, 250)  # weight: 250 g
+    wire[44] = instance  # id: the battery's number
+    wire[45] = 1  # battery_function: MAV_BATTERY_FUNCTION_ALL
+    wire[46] = 1  # type: MAV_BATTERY_TYPE_LIPO
+    wire[47] = 255  # state_of_health: unknown (UINT8_MAX)
+    wire[48] = 3  # cells_in_series: 3
+    # manufacture_date: unknown ([0])
+    # serial_number: unknown ([0])
+    message.set("name", "generic_3S-3300")  # name: text
+    return message
+
+
+_battery_info = [_new_battery_info(instance) for instance in range(2)]
+
+
+@micropython.native
+def build_battery_info(state, instance=0):
+    """Return BATTERY_INFO (372), FR-00076.2."""
+    message = _battery_info[instance]
+    wire = message.wire
+
+    # design_capacity [Ah]: BATT_CAPACITY [mAh] (FR-00076.2)
+    value = state.parameters.batt_capacity
+    value = limited(value, 1, 1000000)
+    value = value / 1000
+    pack_into("<f", wire, 32, value)
+    return message

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 8be739dc167bc43c
+# Inputs: 2e5ee3cbc9d71e24
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -39,6 +39,7 @@ class Vehicle:
     """
 
     FORCE_ARM = 21196  # in the command to arm: passes over the checks
+    SILENCE_MS = 10000  # without a HEARTBEAT: then a ground station is gone
 
     def __init__(self, board=None, ports=None, texts=None):
         self.texts = Texts() if texts is None else texts

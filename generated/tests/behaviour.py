@@ -2,11 +2,12 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
-#   dialect common: do not edit.
-# Inputs: 0235458f259fadcf
+#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
+#   specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: 0b393393e9286016
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -187,6 +188,7 @@ def battery_old_reading_is_unknown():
     for build in [
         telemetry.build_sys_status,
         telemetry.build_battery_status,
+        telemetry.build_battery_status_v2,
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
@@ -300,6 +302,7 @@ def every_value_allocates_nothing():
         (state.battery[0], "trend_mv_s"),
         (state.battery[0], "health_number"),
         (state.battery[0], "failsafe_number"),
+        (state.battery[0], "swaps_number"),
         (state.battery[0], "monitored"),
         (state.vehicle, "armed"),
         (state.vehicle, "ready"),
@@ -332,6 +335,7 @@ def sent_in_40_seconds(state, message_id):
     streams = Streams(state, Link(stream))
     for _ in range(16000):
         streams.run(time.ticks_ms())
+        streams.announce()
         mock_time.advance_us(2500)
     mock_time.set_ticks_us(0)
     return stream.ids.count(message_id)
@@ -339,11 +343,13 @@ def sent_in_40_seconds(state, message_id):
 
 def heartbeat_stream_keeps_its_rate():
     state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
     assert abs(sent_in_40_seconds(state, 0) - 1 * 40) <= 1
 
 
 def extended_status_stream_keeps_its_rate():
     state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
     for rate in (0, 1, 50):
         state.parameters.sr0_ext_stat = rate
         expected = 1 * 40 * rate * 1 // 1
@@ -352,10 +358,35 @@ def extended_status_stream_keeps_its_rate():
 
 def extra1_stream_keeps_its_rate():
     state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
+    for instance in range(2):
+        state.battery[instance].monitored = True
     for rate in (0, 2, 50):
         state.parameters.sr0_extra1 = rate
-        expected = 1 * 40 * rate * 1 // 1
+        expected = 2 * 40 * rate * 1 // 1
         assert abs(sent_in_40_seconds(state, 147) - expected) <= (expected > 0), rate
+
+
+def extra3_stream_keeps_its_rate():
+    state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
+    for instance in range(2):
+        state.battery[instance].monitored = True
+    for rate in (0, 1, 50):
+        state.parameters.sr0_extra3 = rate
+        expected = 2 * 40 * rate * 1 // 1
+        assert abs(sent_in_40_seconds(state, 369) - expected) <= (expected > 0), rate
+
+
+def info_stream_keeps_its_rate():
+    state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
+    for instance in range(2):
+        state.battery[instance].monitored = True
+    assert abs(sent_in_40_seconds(state, 370) - 2 * 2) <= 1
+    for instance in range(2):
+        state.battery[instance].monitored = True
+    assert abs(sent_in_40_seconds(state, 372) - 2 * 2) <= 1
 
 
 def late_pass_sends_no_burst():
@@ -410,17 +441,21 @@ def parameters_start_with_their_defaults():
     assert abs(parameters.get("BATT_LOW_VOLT") - 10.5) < 1e-5
     assert parameters.batt_monitor == 3
     assert abs(parameters.get("BATT_MONITOR") - 3.0) < 1e-5
+    assert parameters.batt_report == 0
+    assert abs(parameters.get("BATT_REPORT") - 0.0) < 1e-5
     assert parameters.batt_volt_mult == 39500
     assert abs(parameters.get("BATT_VOLT_MULT") - 3.95) < 1e-5
     assert parameters.batt_volt_pin == 26
     assert abs(parameters.get("BATT_VOLT_PIN") - 26.0) < 1e-5
     assert parameters.sr0_extra1 == 2
     assert abs(parameters.get("SR0_EXTRA1") - 2.0) < 1e-5
+    assert parameters.sr0_extra3 == 1
+    assert abs(parameters.get("SR0_EXTRA3") - 1.0) < 1e-5
     assert parameters.sr0_ext_stat == 1
     assert abs(parameters.get("SR0_EXT_STAT") - 1.0) < 1e-5
     assert parameters.sysid_thismav == 1
     assert abs(parameters.get("SYSID_THISMAV") - 1.0) < 1e-5
-    assert len(parameters.names()) == 23
+    assert len(parameters.names()) == 25
 
 
 def parameters_keep_their_limits():
@@ -441,6 +476,9 @@ BUILDERS = (
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
+    telemetry.build_battery_status_v2,
+    telemetry.build_smart_battery_info,
+    telemetry.build_battery_info,
 )
 
 STEADY = (  # those without live float fields, which allocate
@@ -449,6 +487,7 @@ STEADY = (  # those without live float fields, which allocate
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
+    telemetry.build_smart_battery_info,
 )
 
 CHECKS = (
@@ -468,6 +507,8 @@ CHECKS = (
     ("FR-00068.8", heartbeat_stream_keeps_its_rate),
     ("FR-00068.9", extended_status_stream_keeps_its_rate),
     ("FR-00068.2", extra1_stream_keeps_its_rate),
+    ("FR-00072", extra3_stream_keeps_its_rate),
+    ("FR-00076.6", info_stream_keeps_its_rate),
     ("", every_value_allocates_nothing),
     ("", late_pass_sends_no_burst),
     ("", parameters_start_with_their_defaults),

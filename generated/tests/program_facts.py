@@ -2,14 +2,17 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_status.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 3a6428800fc3c19c
+#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
+#   specs/streams.yaml, specs/vehicle.yaml: do not edit.
+# Inputs: c7d4485ed9714e28
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
 LINKS_US = 10000
+SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
 HEALTH_MS = 10000
@@ -29,6 +32,8 @@ REQUIREMENTS = {
     "update": "FR-00067",
     "telemetry": "FR-00068",
     "conversion": "FR-00069",
+    "generations": "FR-00072",
+    "announcements": "FR-00076",
     "services": "FR-00070",
     "loop": "FR-00071",
     "storage": "NFR-00061",
@@ -336,6 +341,18 @@ PARAMETERS = (
         "choices": (0, 3),
     },
     {
+        "name": "BATT_REPORT",
+        "attribute": "batt_report",
+        "default": 0,
+        "minimum": 0,
+        "maximum": 2,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": False,
+        "choices": (0, 1, 2),
+    },
+    {
         "name": "BATT_VOLT_MULT",
         "attribute": "batt_volt_mult",
         "default": 39500,
@@ -363,6 +380,18 @@ PARAMETERS = (
         "name": "SR0_EXTRA1",
         "attribute": "sr0_extra1",
         "default": 2,
+        "minimum": 0,
+        "maximum": 50,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 4,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "SR0_EXTRA3",
+        "attribute": "sr0_extra3",
+        "default": 1,
         "minimum": 0,
         "maximum": 50,
         "numerator": 1,
@@ -443,11 +472,139 @@ STREAMS = (
         "maximum": 50,
         "data_stream": 10,
         "fastest_hz": 50,
-        "messages": [(147, 1, True)],
+        "messages": [(147, 2, True)],
+    },
+    {
+        "name": "EXTRA3",
+        "period_numerator": 0,
+        "period_denominator": 1,
+        "parameter": "sr0_extra3",
+        "parameter_name": "SR0_EXTRA3",
+        "numerator": 1,
+        "denominator": 1,
+        "default": 1,
+        "minimum": 0,
+        "maximum": 50,
+        "data_stream": 12,
+        "fastest_hz": 50,
+        "messages": [(369, 2, True)],
+    },
+    {
+        "name": "INFO",
+        "period_numerator": 20000,
+        "period_denominator": 1,
+        "parameter": None,
+        "parameter_name": "",
+        "numerator": 1,
+        "denominator": 1,
+        "default": 0,
+        "minimum": 0,
+        "maximum": 0,
+        "data_stream": None,
+        "fastest_hz": 1,
+        "messages": [(370, 2, True), (372, 2, True)],
     },
 )
 
 # Ids of the messages that are sent on request only, and the shortest interval of each message in microseconds.
 ON_REQUEST = [148, 300]
-SENT = (0, 1, 147, 148, 300)
-SHORTEST_US = (20000, 20000, 20000, 100000, 100000)
+SENT = (0, 1, 147, 369, 370, 372, 148, 300)
+SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000)
+
+# Generations of messages: the parameter that chooses ("" for a fixed choice), the ids of each, bytes per second of the
+# old one, the new one and both: the least and the most.
+GENERATIONS = (
+    {
+        "parameter": "BATT_REPORT",
+        "attribute": "batt_report",
+        "default": 0,
+        "old": (147, 370),
+        "new": (369, 372),
+        "prices": ((99.45, 101.45), (33.85, 43.85), (133.3, 145.3)),
+    },
+)
+
+# Messages by id: the component that they are about with the boolean that switches it on, the default rate in Hz, the
+# least and the most bytes of a frame by instance, and what announces them.
+MESSAGES = {
+    0: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 1.0,
+        "frames": ((21, 21),),
+        "on_connection": False,
+        "watched": None,
+    },
+    1: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 1.0,
+        "frames": ((20, 43),),
+        "on_connection": False,
+        "watched": None,
+    },
+    147: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 2,
+        "pages": 1,
+        "rate": 2.0,
+        "frames": ((47, 48), (47, 48)),
+        "on_connection": False,
+        "watched": None,
+    },
+    148: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.0,
+        "frames": ((32, 32),),
+        "on_connection": False,
+        "watched": None,
+    },
+    300: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.0,
+        "frames": ((17, 17),),
+        "on_connection": False,
+        "watched": None,
+    },
+    369: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 2,
+        "pages": 1,
+        "rate": 1.0,
+        "frames": ((28, 38), (39, 39)),
+        "on_connection": False,
+        "watched": None,
+    },
+    370: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 2,
+        "pages": 1,
+        "rate": 0.05,
+        "frames": ((109, 109), (109, 109)),
+        "on_connection": True,
+        "watched": ("battery", "swaps_number"),
+    },
+    372: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 2,
+        "pages": 1,
+        "rate": 0.05,
+        "frames": ((117, 117), (117, 117)),
+        "on_connection": True,
+        "watched": ("battery", "swaps_number"),
+    },
+}

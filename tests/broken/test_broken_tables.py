@@ -507,7 +507,7 @@ def test_a_message_without_stream_needs_a_program(tmp_path, monkeypatch, capsys)
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
     (tmp_path / "specs" / "vehicle.yaml").unlink()
     monkeypatch.chdir(tmp_path)
-    found = findings(capsys)
+    found = [line for line in findings(capsys) if " error bad-announcement: " not in line]
     assert [line.partition(": ")[0] for line in found] == [
         f"specs/messages/{name}.yaml:2:1" for name in ("autopilot_version", "protocol_version")
     ]

@@ -1,5 +1,7 @@
 """explain tells the whole story of anything that has a name in the project."""
 
+import re
+
 import pytest
 
 from codegen.cli import main
@@ -25,6 +27,8 @@ STORIES = [
     ("FR-00068.4", ["BATTERY_STATUS.current_battery", "SYS_STATUS.current_battery"]),
     ("FR-zxxlp", ["FR-00068 | "]),
     ("GPS_RAW_INT", ["no table populates it", "satellites_visible"]),
+    ("BATT_REPORT", ["0 Old, 1 New, 2 Both", "which generation of battery messages is sent", "old by default"]),
+    ("SMART_BATTERY_INFO", ["sent at once on connection, when battery.swaps changes", "BATT_REPORT: 0 old, 1 new"]),
     ("sentinel-contradiction", ["error", "unknown"]),
 ]
 
@@ -43,3 +47,22 @@ def test_nothing_is_called_so(topic, hint, capsys):
     """Exit code 2, and what may have been meant."""
     assert main(["explain", topic]) == 2
     assert hint in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("topic", ["battery", "BATT_REPORT", "BATTERY_STATUS", "BATTERY_STATUS_V2"])
+def test_the_price_of_generations(topic, capsys):
+    """Bytes per second of old, new and both: sums of rates and frames, of which each is told, too.
+
+    BATTERY_STATUS of battery 1 is 47 or 48 bytes: the charge left, its last base byte, may be 0. SMART_BATTERY_INFO is
+    109: its manufacturing date is not known, and the byte before it is one of a current.
+    """
+    assert main(["explain", topic]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    rows = {line.split()[0]: re.split(r"  +", line) for line in lines if line}
+    assert rows["old"][1] == "99.5 to 101.5"
+    assert rows["BATTERY_STATUS"][2:4] == ["2 Hz", "47 to 48"]
+    assert rows["SMART_BATTERY_INFO"][2:4] == ["0.05 Hz", "109"]
+    old, new, both = ([float(number) for number in rows[name][1].split(" to ")] for name in ("old", "new", "both"))
+    assert both == pytest.approx([old[0] + new[0], old[1] + new[1]], abs=0.11)
+    assert old == pytest.approx([2 * 47 + 0.05 * 109, 2 * 48 + 0.05 * 109], abs=0.06)
+    assert any("without the zeros" in line for line in lines)

@@ -53,6 +53,7 @@ class ProgramView:
     measure_hz: str
     module: str
     class_name: str
+    silence_ms: int
     system_parameter: str | None
     component_parameter: str | None
     failsafes: tuple[FailsafeView, ...]
@@ -85,6 +86,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         class_name=program.class_name,
         system_parameter=_attribute(system.system_parameter),
         component_parameter=_attribute(system.component_parameter),
+        silence_ms=program.silence_ms,
         failsafes=failsafes,
         families=failsafe_families(program),
         actions=tuple(_action(action) for action in program.actions),

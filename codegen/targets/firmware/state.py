@@ -93,6 +93,7 @@ class ComponentView:
     doc: str
     instances: int
     several: bool
+    first_number: str | None
     quantities: tuple[QuantityView, ...]
     measured: MeasuredView | None
     trend: TrendView | None
@@ -152,6 +153,7 @@ def _component(component: Component) -> ComponentView:
         doc=prose(component.spec.doc),
         instances=component.instances,
         several=component.instances > 1,
+        first_number=parameter_attribute(component.first_number.name) if component.first_number else None,
         quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
         measured=measured[0] if measured else None,
         trend=next(filter(None, (_trend(quantity, component) for quantity in component.quantities.values())), None),

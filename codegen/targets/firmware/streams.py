@@ -1,9 +1,11 @@
 """View of streams.py: which messages go out at which rate."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from codegen.model.system import PopulatedMessage, System
+from codegen.model.spec import Generation
+from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Stream
 from codegen.targets.naming import builder_name, instance_expression, parameter_attribute
@@ -11,14 +13,47 @@ from codegen.targets.naming import builder_name, instance_expression, parameter_
 
 @dataclass(frozen=True, slots=True)
 class SentView:
-    """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true."""
+    """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true.
+
+    ``identifier`` is its name within those of functions; ``call`` builds it, for an ``instance`` of several and a
+    ``page`` of several. ``never`` is for the generation that was not chosen for good.
+    """
 
     id: int
     name: str
-    function: str
+    identifier: str
+    call: str
     instances: int
-    at_first: int
+    pages: int
+    component: str | None
+    never: bool
     enabled: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class WatchView:
+    """A quantity whose change announces messages, with their places; its last values are kept from ``first`` on."""
+
+    path: str
+    instances: int
+    expression: str
+    first: int
+    messages: tuple[tuple[int, str], ...]
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
+class AnnouncementView:
+    """What is sent at once: literals of the frames, (message, what sends it, instance, page).
+
+    The first ``on_connection`` of the frames are for who appears on the link.
+    """
+
+    frames: tuple[str, ...]
+    on_connection: int
+    messages: tuple[SentView, ...]
+    watches: tuple[WatchView, ...]
+    seen: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +103,11 @@ class StreamsView:
     shortest_us: str
     data_streams: str
     fastest_hz: str
+    generation_of: str
+    chosen: str
+    chosen_comments: tuple[str, ...]
+    announced: AnnouncementView | None
+    has_program: bool
 
 
 def streams_view(system: System) -> StreamsView:
@@ -96,7 +136,102 @@ def streams_view(system: System) -> StreamsView:
         shortest_us=_tuple([on_request if place is None else shortest[place] for place in places]),
         data_streams=_tuple([stream.data_stream for stream in streams]),
         fastest_hz=_tuple([stream.fastest_hz for stream in streams]),
+        generation_of=_generation_of(messages, system) if system.generations else "",
+        chosen=_chosen(system),
+        chosen_comments=_chosen_comments(system),
+        announced=_announcements(messages, system),
+        has_program=system.program is not None,
     )
+
+
+def _generation_of(messages: tuple[SentView, ...], system: System) -> str:
+    """Bits of a message: 1 old, 2 new, shifted where several parameters choose; 3 is in any case, 0 on request."""
+    return _tuple([_generation_bits(message.name, system) for message in messages])
+
+
+def _generation_bits(name: str, system: System) -> int:
+    for generations in system.generations:
+        if name not in generations.names(Generation.BOTH):
+            continue
+        if generations.send is not None:
+            return 3 if name in generations.names(generations.send) else 0
+        return (1 if name in generations.old else 2) << 2 * _choosing(system).index(generations)
+    return 3
+
+
+def _choosing(system: System) -> list[Generations]:
+    return [generations for generations in system.generations if generations.parameter is not None]
+
+
+def _chosen(system: System) -> str:
+    """The bits that the parameters choose, as an expression; "" where none does."""
+    terms = []
+    for place, generations in enumerate(_choosing(system)):
+        assert generations.parameter is not None
+        name = f"parameters.{parameter_attribute(generations.parameter.name)}"
+        terms.append(f"({name} + 1 << {2 * place})" if place else f"({name} + 1)")
+    return f"({' | '.join(terms)})" if len(terms) > 1 else "".join(terms)
+
+
+def _chosen_comments(system: System) -> tuple[str, ...]:
+    return tuple(
+        f"{generations.parameter.name if generations.parameter else ''} is 0 for the old ones, 1 for the new ones, "
+        f"2 for both{f' ({generations.citation})' if generations.citation else ''}"
+        for generations in _choosing(system)
+    )
+
+
+def _announcements(messages: tuple[SentView, ...], system: System) -> AnnouncementView | None:
+    populated = {message.name: message for message in system.messages}
+    announced = [(place, view) for place, view in enumerate(messages) if populated[view.name].is_announced]
+    if not announced:
+        return None
+    announced.sort(key=lambda found: not populated[found[1].name].on_connection)
+    frames = [
+        (populated[view.name].on_connection, f"({place}, _announce_{view.identifier}, {instance}, {page})")
+        for place, view in announced
+        for instance in range(view.instances)
+        for page in range(view.pages)
+    ]
+    watches, seen = _watches(announced, populated, system)
+    return AnnouncementView(
+        frames=tuple(text for _, text in frames),
+        on_connection=sum(is_first for is_first, _ in frames),
+        messages=tuple(view for _, view in announced),
+        watches=watches,
+        seen=seen,
+    )
+
+
+def _watches(
+    announced: list[tuple[int, SentView]], populated: Mapping[str, PopulatedMessage], system: System
+) -> tuple[tuple[WatchView, ...], tuple[str, ...]]:
+    """The watched quantities, and what each of their instances is at the start."""
+    watches: list[WatchView] = []
+    seen: list[str] = []
+    changes = {
+        quantity.path: quantity for _, view in announced if (quantity := populated[view.name].on_change) is not None
+    }
+    for path, quantity in changes.items():
+        component = system.components[quantity.component]
+        messages = [(place, view.name) for place, view in announced if populated[view.name].on_change is quantity]
+        watches.append(
+            WatchView(
+                path=path,
+                instances=component.instances,
+                expression=f"{instance_expression(component, is_for_each=True)}.{quantity.attribute}",
+                first=len(seen),
+                messages=tuple(messages),
+                citation=str(populated[messages[0][1]].citation),
+            )
+        )
+        parts = (
+            [component.name]
+            if component.instances == 1
+            else [f"{component.name}[{instance}]" for instance in range(component.instances)]
+        )
+        seen += [f"state.{part}.{quantity.attribute}" for part in parts]
+    return tuple(watches), tuple(seen)
 
 
 def _tuple(values: list[int] | list[int | None]) -> str:
@@ -141,20 +276,17 @@ def _sent(message: PopulatedMessage, system: System) -> SentView:
     enabled = None
     if component is not None and component.enabled is not None:
         enabled = f"{instance_expression(component, is_for_each=True)}.{component.enabled.name}"
+    arguments = ["state"] + ["instance"] * (message.instances > 1)
+    if message.pages > 1:
+        arguments.append("page" if message.instances > 1 else "page=page")
     return SentView(
-        message.wire.id,
-        message.name,
-        builder_name(message),
-        message.instances,
-        _enabled_at_first(message, system),
-        enabled,
+        id=message.wire.id,
+        name=message.name,
+        identifier=message.name.lower(),
+        call=f"telemetry.{builder_name(message)}({', '.join(arguments)})",
+        instances=message.instances,
+        pages=message.pages,
+        component=component.name if component else None,
+        never=_generation_bits(message.name, system) == 0,
+        enabled=enabled,
     )
-
-
-def _enabled_at_first(message: PopulatedMessage, system: System) -> int:
-    """How many instances are reported while every parameter has its default."""
-    switch = message.component.enabled if message.component else None
-    if switch is None or switch.enabled_by is None:
-        return message.instances
-    names = switch.enabled_by.siblings or (switch.enabled_by.name,) * message.instances
-    return sum(system.parameters[name].default != 0 for name in names)

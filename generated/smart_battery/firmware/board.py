@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ddd717558cf5c5e5
+# Inputs: ca60484ab05f426a
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import time

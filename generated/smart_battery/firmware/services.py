@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py: do not edit.
-# Inputs: 80d2e38f6e4a6e2b
+# Inputs: b59fdaae76dc8915
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -7,6 +7,7 @@ import time
 import dialect
 import messages
 from commands import Commands
+from listeners import Listeners
 from parameter_service import ParameterService
 
 _HEAD = 12  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
@@ -51,6 +52,7 @@ class Services:
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
         self.heard_ms = None
+        self._listeners = Listeners(vehicle.SILENCE_MS)
         self._pong = messages.Ping()
         self._refusal = FtpHead()
         self._for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
@@ -67,6 +69,7 @@ class Services:
     def run(self):
         """Go on with what takes several passes."""
         self.parameters.run()
+        self._listeners.forget_silent(time.ticks_ms())
 
     def handle(self, message):
         """Answer a message, if it is for this vehicle and not its own."""
@@ -89,6 +92,8 @@ class Services:
         if message.raw("type") == dialect.MAV_TYPE_GCS:
             self.ground_station = (message.source_system, message.source_component)
             self.heard_ms = time.ticks_ms()
+            if self._listeners.hear(message.source_system, message.source_component, self.heard_ms):
+                self._connection.streams.connect()
 
     def _answer_ping(self, message):
         # An addressed PING is the answer to one: it has come back, and is not answered again.

@@ -34,6 +34,31 @@ def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMP
     return Link(stream, system_id, component_id, VERSION, known, LONGEST)
 
 
+def _send_heartbeat(state, link):
+    link.send(telemetry.build_heartbeat(state))
+
+
+def _send_battery_status(state, link):
+    if state.battery.monitored:  # what is not measured is not reported
+        link.send(telemetry.build_battery_status(state))
+
+
+def _send_autopilot_version(state, link):
+    link.send(telemetry.build_autopilot_version(state))
+
+
+def _send_protocol_version(state, link):
+    link.send(telemetry.build_protocol_version(state))
+
+
+_SENDERS = (
+    _send_heartbeat,
+    _send_battery_status,
+    _send_autopilot_version,
+    _send_protocol_version,
+)
+
+
 class Streams:
     """The streams of one link, all due at once when they start.
 
@@ -62,6 +87,13 @@ class Streams:
         for index in range(4):
             if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
                 self._send_due(index, now_ms)
+
+    def connect(self):
+        """Let everything be announced that who appears on the link has to know."""
+        # No message is sent on connection.
+
+    def announce(self):
+        """Send what waits to be announced: nothing ever does."""
 
     def send(self, message_id):
         """Send a message once, each of its instances; return whether this vehicle has it."""
@@ -179,17 +211,7 @@ class Streams:
             self._denominator = self._state.parameters.batt_status_rate
 
     def _send(self, index):
-        state = self._state
-        link = self._link
-        if index == 0:
-            link.send(telemetry.build_heartbeat(state))
-        elif index == 1:
-            if state.battery.monitored:  # what is not measured is not reported
-                link.send(telemetry.build_battery_status(state))
-        elif index == 2:
-            link.send(telemetry.build_autopilot_version(state))
-        elif index == 3:
-            link.send(telemetry.build_protocol_version(state))
+        _SENDERS[index](self._state, self._link)
 
 
 def _index(message_id):

@@ -7,7 +7,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
 #   dialect common: do not edit.
-# Inputs: d7abda7e3a47d800
+# Inputs: 80d1f9c3684abe2b
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -300,6 +300,7 @@ def every_value_allocates_nothing():
         (state.battery, "trend_mv_s"),
         (state.battery, "health_number"),
         (state.battery, "failsafe_number"),
+        (state.battery, "swaps_number"),
         (state.battery, "monitored"),
         (state.vehicle, "armed"),
         (state.vehicle, "ready"),
@@ -332,6 +333,7 @@ def sent_in_40_seconds(state, message_id):
     streams = Streams(state, Link(stream))
     for _ in range(16000):
         streams.run(time.ticks_ms())
+        streams.announce()
         mock_time.advance_us(2500)
     mock_time.set_ticks_us(0)
     return stream.ids.count(message_id)

@@ -6,11 +6,12 @@
 #   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: 645b9eeedc0dffe0
+# Inputs: 8ad3d3e16fe67a7f
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
 LINKS_US = 50000
+SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
 HEALTH_MS = 0
@@ -30,6 +31,8 @@ REQUIREMENTS = {
     "update": "FR-00067",
     "telemetry": "FR-00074",
     "conversion": "FR-00069",
+    "generations": "",
+    "announcements": "",
     "services": "FR-00070",
     "loop": "FR-00071",
     "storage": "NFR-00061",
@@ -221,3 +224,53 @@ STREAMS = (
 ON_REQUEST = [148, 300]
 SENT = (0, 147, 148, 300)
 SHORTEST_US = (100000, 100000, 100000, 100000)
+
+# Generations of messages: the parameter that chooses ("" for a fixed choice), the ids of each, bytes per second of the
+# old one, the new one and both: the least and the most.
+GENERATIONS = (
+)
+
+# Messages by id: the component that they are about with the boolean that switches it on, the default rate in Hz, the
+# least and the most bytes of a frame by instance, and what announces them.
+MESSAGES = {
+    0: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 1.0,
+        "frames": ((21, 21),),
+        "on_connection": False,
+        "watched": None,
+    },
+    147: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.5,
+        "frames": ((47, 48),),
+        "on_connection": False,
+        "watched": None,
+    },
+    148: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.0,
+        "frames": ((32, 32),),
+        "on_connection": False,
+        "watched": None,
+    },
+    300: {
+        "component": None,
+        "enabled": None,
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.0,
+        "frames": ((17, 17),),
+        "on_connection": False,
+        "watched": None,
+    },
+}

@@ -1,9 +1,9 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: f99d977fe442ea3e
+# Inputs: 0bbe0afc5213236c
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from program_bench import SECOND_US, GroundStation, Port, Sink, main, messages, mock_time, needs, new_rover, run
-from program_facts import LINKS_US, MEASURED, ON_REQUEST, SENT, SHORTEST_US, STREAMS
+from program_facts import GENERATIONS, LINKS_US, MEASURED, MESSAGES, ON_REQUEST, SENT, SHORTEST_US, STREAMS
 
 import dialect
 
@@ -36,8 +36,41 @@ def _by_parameter():
     return found
 
 
-def _within(found, expected):
-    return abs(found - expected) <= (1 if expected else 0)
+def _owners(rover, component):
+    """Return the instances of a component."""
+    owner = getattr(rover.state, component)
+    return owner if isinstance(owner, list) else [owner]
+
+
+def _frames(rover, number):
+    """Return how many frames one turn of a message takes: one for each page of each instance that is reported."""
+    facts = MESSAGES[number]
+    if any(number in each["old"] + each["new"] for each in GENERATIONS) and not _is_chosen(rover, number):
+        return 0
+    if facts["component"] is None or facts["enabled"] is None:
+        return facts["instances"] * facts["pages"]
+    owners = _owners(rover, facts["component"])
+    return len([owner for owner in owners if getattr(owner, facts["enabled"])]) * facts["pages"]
+
+
+def _is_chosen(rover, number):
+    for each in GENERATIONS:
+        choice = getattr(rover.parameters, each["attribute"]) if each["attribute"] else each["default"]
+        if number in (each["old"], each["new"], each["old"] + each["new"])[choice]:
+            return True
+    return False
+
+
+def _both_generations(rover):
+    """Let the rover send all that there is."""
+    for each in GENERATIONS:
+        if each["parameter"]:
+            rover.parameters.set(each["parameter"], 2)
+
+
+def _within(found, expected, frames=1):
+    """Return whether so many were found, give or take the frames of one turn, which may just fall into the time."""
+    return abs(found - expected) <= (frames if expected else 0)
 
 
 def rates_by_parameter():
@@ -45,6 +78,7 @@ def rates_by_parameter():
     for stream in _by_parameter():
         port = Counter()
         rover = new_rover(ports=[port])
+        _both_generations(rover)
         run(rover, SECOND_US)
         for steps in (0, stream["default"], 3, 7, stream["maximum"], stream["minimum"]):
             if not stream["minimum"] <= steps <= stream["maximum"]:
@@ -52,9 +86,9 @@ def rates_by_parameter():
             rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
             rate = steps * stream["numerator"] / stream["denominator"]
             found = _counted(rover, port, 20)
-            for number, instances, _ in stream["messages"]:
-                expected = round(20 * rate)
-                assert _within(found.get(number, 0) // instances, expected), (stream["name"], steps, found)
+            for number, _, _ in stream["messages"]:
+                expected = round(20 * rate) * _frames(rover, number)
+                assert _within(found.get(number, 0), expected, _frames(rover, number)), (stream["name"], steps, found)
 
 
 def fixed_rates():
@@ -64,9 +98,9 @@ def fixed_rates():
     found = _counted(rover, port, 60)
     for stream in STREAMS:
         if stream["parameter"] is None:
-            for number, instances, _ in stream["messages"]:
-                expected = 60000 * stream["period_denominator"] // stream["period_numerator"]
-                assert _within(found.get(number, 0) // instances, expected), (stream["name"], found)
+            for number, _, _ in stream["messages"]:
+                expected = 60000 * stream["period_denominator"] // stream["period_numerator"] * _frames(rover, number)
+                assert _within(found.get(number, 0), expected, _frames(rover, number)), (stream["name"], found)
 
 
 def default_rates():
@@ -75,28 +109,33 @@ def default_rates():
     rover = new_rover(ports=[port])
     found = _counted(rover, port, 60)
     for stream in _by_parameter():
-        for number, instances, _ in stream["messages"]:
+        for number, _, _ in stream["messages"]:
             expected = round(60 * stream["default"] * stream["numerator"] / stream["denominator"])
-            assert _within(found.get(number, 0) // instances, expected), (stream["name"], found)
+            frames = _frames(rover, number)
+            assert _within(found.get(number, 0), expected * frames, frames), (stream["name"], found)
 
 
 def nothing_is_reported_without_the_monitor():
     """Messages of a component that is not measured are not sent; all others are."""
     port = Counter()
     rover = new_rover(ports=[port])
+    _both_generations(rover)
     needs([each for each in MEASURED if each["enabled"]], "a component that can be off")
     for measured in MEASURED:
         if measured["enabled"]:
-            setattr(getattr(rover.state, measured["component"]), measured["enabled"], False)
+            for owner in _owners(rover, measured["component"]):
+                setattr(owner, measured["enabled"], False)
     found = _counted(rover, port, 20)
     for stream in STREAMS:
         for number, _, may_be_off in stream["messages"]:
-            assert (number in found) != may_be_off or stream["default"] == 0, (number, found)
+            is_off = may_be_off or _frames(rover, number) == 0
+            assert (number in found) != is_off or (stream["parameter"] and stream["default"] == 0), (number, found)
 
 
 def _two_links():
     ports = [Port(), Port()]
     rover = new_rover(ports=ports)
+    _both_generations(rover)
     run(rover, 2 * LINKS_US)
     return rover, [GroundStation(port) for port in ports]
 
@@ -119,11 +158,13 @@ def _frames_in(rover, port, number, seconds):
 def intervals_on_one_link():
     """The table of intervals: asked for on one link it changes there only, and what is reported is what is sent."""
     for stream in _by_parameter():
-        number, instances, _ = stream["messages"][0]
+        number = stream["messages"][0][0]
         rate = stream["default"] * stream["numerator"] / stream["denominator"]
         own = int(1000000 / rate) if rate else -1
         fastest = SHORTEST_US[SENT.index(number)]
         rover, (station, other) = _two_links()
+        frames = _frames(rover, number)
+        needs(frames, "a message that is sent")
         assert _interval(rover, station, number) == own
         slow = fastest * 5
         for asked, expected in ((slow, slow), (-1, -1), (0, own), (fastest // 4, fastest), (0, own)):
@@ -132,8 +173,8 @@ def intervals_on_one_link():
             acks = station.received(messages.CommandAck)
             assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], (asked, acks)
             assert _interval(rover, station, number) == expected, asked
-            count = 0 if expected < 0 else instances * 10 * SECOND_US // expected
-            assert _within(_frames_in(rover, station.port, number, 10), count), (asked, expected)
+            count = 0 if expected < 0 else frames * 10 * SECOND_US // expected
+            assert _within(_frames_in(rover, station.port, number, 10), count, frames), (asked, expected)
             assert _interval(rover, other, number) == own
 
 
@@ -159,31 +200,38 @@ def data_streams_by_request():
     """A rate for one stream or for all, on one link, up to the fastest; a stop is off; the parameter rules again."""
     for stream in _by_parameter():
         needs(stream["data_stream"] is not None, "a number of the stream")
-        number, instances, _ = stream["messages"][0]
-        own = 10 * stream["default"] * stream["numerator"] // stream["denominator"]  # in 10 s
+        number = stream["messages"][0][0]
+        own = stream["default"] * stream["numerator"] / stream["denominator"]
         for data_stream in (stream["data_stream"], dialect.MAV_DATA_STREAM_ALL):
             rover, (station, other) = _two_links()
+            frames = _frames(rover, number)
             fastest = stream["fastest_hz"]
             for rate, start, expected in ((5, 1, 5), (0, 1, 0), (1000, 1, fastest), (5, 0, 0)):
                 _request(station, data_stream, rate, start)
                 run(rover, 4 * LINKS_US)
                 other.port.frames = []
                 found = _frames_in(rover, station.port, number, 10)
-                assert _within(found, instances * 10 * min(expected, fastest)), (stream["name"], rate, start, found)
+                assert _within(found, frames * 10 * min(expected, fastest), frames), (
+                    stream["name"],
+                    rate,
+                    start,
+                    found,
+                )
                 seen = len([frame for frame in other.port.frames if frame[7] | frame[8] << 8 == number])
-                assert _within(seen, instances * own), (stream["name"], seen)
+                assert _within(seen, frames * 10 * own, frames), (stream["name"], seen)
             steps = stream["maximum"] if stream["default"] != stream["maximum"] else stream["minimum"]
             rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
             found = _frames_in(rover, station.port, number, 10)
-            assert _within(found, instances * 10 * steps * stream["numerator"] // stream["denominator"]), found
+            assert _within(found, frames * 10 * steps * stream["numerator"] / stream["denominator"], frames), found
 
 
 def repeated_requests_keep_the_phase():
     """Ground stations repeat their requests: that neither adds frames nor takes any away."""
     stream = next((each for each in _by_parameter() if each["data_stream"] is not None), None)
     needs(stream, "a stream that can be asked for")
-    number, instances, _ = stream["messages"][0]
+    number = stream["messages"][0][0]
     rover, (station, _) = _two_links()
+    instances = _frames(rover, number)
     _request(station, stream["data_stream"], 3)
     run(rover, SECOND_US)
     count = 0
@@ -206,8 +254,9 @@ def streams_go_on_across_the_wrap():
         rate = stream["default"] * stream["numerator"] / stream["denominator"]
         if stream["parameter"] is None:
             rate = 1000 * stream["period_denominator"] / stream["period_numerator"]
-        for number, instances, _ in stream["messages"]:
-            assert _within(found.get(number, 0) // instances, round(20 * rate)), (stream["name"], found)
+        for number, _, _ in stream["messages"]:
+            expected = round(20 * rate * _frames(rover, number))
+            assert _within(found.get(number, 0), expected, _frames(rover, number)), (stream["name"], found)
     mock_time.set_ticks_us(0)
 
 

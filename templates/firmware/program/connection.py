@@ -58,6 +58,8 @@ class Connection:
         self._note(now_ms)
         with self._guard:
             self.streams.run(now_ms)
+            if self.port.is_up:
+                self.streams.announce()
         self._note(now_ms)
         with self._guard:
             self.services.run()

@@ -17,8 +17,10 @@ HALF_DAY_US = DAY_US // 2
 
 
 def _streamed():
-    """Return how many frames a day of passes every STEP_US brings at least."""
-    return sum(len(stream["messages"]) for stream in STREAMS if stream["parameter"] is None) * 80000
+    """Return how many frames a day of passes every STEP_US brings at least, of streams with a second's period."""
+    fixed = [stream for stream in STREAMS if stream["parameter"] is None]
+    fast = [stream for stream in fixed if stream["period_numerator"] <= 1000 * stream["period_denominator"]]
+    return sum(len(stream["messages"]) for stream in fast) * 80000
 
 
 def day_across_the_wrap():

@@ -1,0 +1,177 @@
+"""What messages cost on a link: bytes of their frames, and bytes per second at the default rates of their streams.
+
+Counted are whole, unsigned frames of MAVLink 2, which cuts the zeros at the end of a payload; a MAVLink 1 frame is
+never cut, and has no extensions. What depends on the state makes a range. Requests and announcements are not counted.
+"""
+
+import struct
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.dialect import Kind
+from codegen.model.spec import Generation
+from codegen.model.system import (
+    Binding,
+    FixedBinding,
+    FlagsBinding,
+    Generations,
+    InstanceBinding,
+    LiveBinding,
+    PopulatedMessage,
+    System,
+)
+from codegen.model.vehicle import Component, by_instance
+
+HEAD_V1 = 8
+HEAD_V2 = 12
+"""Bytes of a frame beside its payload, with the checksum. Source: MAVLink's guide to the serialization of packets."""
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """The smallest and the largest of what may come: bytes of a frame, or bytes per second."""
+
+    low: Fraction
+    high: Fraction
+
+    def __add__(self, other: "Range") -> "Range":
+        """The range of a sum."""
+        return Range(self.low + other.low, self.high + other.high)
+
+    def times(self, factor: Fraction) -> "Range":
+        """The range of a multiple."""
+        return Range(self.low * factor, self.high * factor)
+
+    def __str__(self) -> str:
+        """``96`` or ``94 to 96.5``, rounded to a tenth."""
+        low, high = (f"{float(value):.1f}".removesuffix(".0") for value in (self.low, self.high))
+        return low if low == high else f"{low} to {high}"
+
+
+NOTHING = Range(Fraction(0), Fraction(0))
+
+
+def frame_size(message: PopulatedMessage, instance: int, protocol: int) -> Range:
+    """Bytes of one frame about an instance (from 0) of a message: as its table answers it, whatever the state is."""
+    if protocol == 1:
+        whole = Fraction(HEAD_V1 + message.wire.base_length)
+        return Range(whole, whole)
+    surely, maybe = 1, 1  # a payload keeps its first byte
+    for binding in message.bindings:
+        start = binding.covers.offset
+        least, most = _used(binding, _numbers(message, instance))
+        surely = max(surely, start + least if least else 0)
+        maybe = max(maybe, start + most if most else 0)
+    return Range(Fraction(HEAD_V2 + surely), Fraction(HEAD_V2 + max(surely, maybe)))
+
+
+def _numbers(message: PopulatedMessage, instance: int) -> tuple[int, int]:
+    """The least and the largest number of an instance in messages: a parameter may have that of the first one."""
+    first = message.component.first_number if message.component else None
+    return (instance, instance) if first is None else (instance + first.minimum, instance + first.maximum)
+
+
+def _used(binding: Binding, numbers: tuple[int, int]) -> tuple[int, int]:
+    """Bytes up to the last that is not zero: at least, and at most. 0 where all may be, or are, zero."""
+    covers = binding.covers
+    size = covers.field.type.size
+    if isinstance(binding, FixedBinding):
+        used = len(_packed(binding).rstrip(b"\0"))
+        return used, used
+    if isinstance(binding, InstanceBinding):
+        return _bytes_of(numbers[0]), _bytes_of(numbers[1])
+    if isinstance(binding, FlagsBinding):
+        every = binding.mask
+        for _, value, _ in binding.conditional:
+            every |= value
+        return _bytes_of(binding.mask), _bytes_of(every)
+    if isinstance(binding, LiveBinding):
+        return _live(binding)
+    return 0, size * covers.count
+
+
+def _packed(binding: FixedBinding) -> bytes:
+    code = binding.covers.field.type.code
+    if binding.covers.field.type.kind is Kind.CHAR:
+        return b"".join(str(value).encode() for value in binding.values)
+    return b"".join(struct.pack(f"<{code}", value) for value in binding.values)
+
+
+def _live(binding: LiveBinding) -> tuple[int, int]:
+    size = binding.covers.field.type.size
+    unknown = binding.unknown
+    if not binding.covers.field.type.is_integer:
+        is_zero = binding.low <= 0 <= binding.high and binding.hole != 0
+        return 0 if is_zero or unknown == 0 else size, size
+    numbers = [int(binding.low), int(binding.high), *([] if unknown is None else [int(unknown)])]
+    most = size if min(numbers) < 0 else _bytes_of(max(numbers))
+    values = numbers if binding.low > 0 else [0] if binding.high >= 0 else numbers
+    if binding.low <= 0 <= binding.high and binding.hole == 0:
+        values = [1]
+    if unknown == 0:
+        values = [0]
+    return min(_bytes_of(value) if value >= 0 else size for value in values), most
+
+
+def _bytes_of(number: int) -> int:
+    return (number.bit_length() + 7) // 8
+
+
+def on_by_default(component: Component | None, system: System) -> tuple[bool, ...]:
+    """Whether each instance of a component is measured, and so reported, by default."""
+    enabled = component.enabled if component else None
+    count = component.instances if component else 1
+    if enabled is None or enabled.enabled_by is None:
+        return (True,) * count
+    return tuple(each.default != 0 for each in by_instance(enabled.enabled_by, system.parameters, count))
+
+
+@dataclass(frozen=True, slots=True)
+class Price:
+    """What one message costs in bytes per second, about each instance; ``is_on`` tells which are on by default."""
+
+    by_instance: tuple[Range, ...]
+    is_on: tuple[bool, ...]
+
+    @property
+    def whole(self) -> Range:
+        """All instances that are on by default."""
+        return total(each for each, is_on in zip(self.by_instance, self.is_on, strict=True) if is_on)
+
+
+def total(ranges: Iterable[Range]) -> Range:
+    """The sum of ranges."""
+    found = NOTHING
+    for each in ranges:
+        found += each
+    return found
+
+
+def default_rate(message: PopulatedMessage) -> Fraction:
+    """How often a message is sent, in Hz; 0 without a stream."""
+    stream = message.stream
+    if stream is None:
+        return Fraction(0)
+    return stream.rate or (stream.parameter.default * stream.parameter.step if stream.parameter else Fraction(0))
+
+
+def message_price(message: PopulatedMessage, system: System) -> Price:
+    """What a message costs while its generation is chosen."""
+    protocol, rate = system.spec.project.protocol, default_rate(message) * message.pages
+    instances = range(message.instances)
+    return Price(
+        by_instance=tuple(frame_size(message, instance, protocol).times(rate) for instance in instances),
+        is_on=on_by_default(message.component, system),
+    )
+
+
+def chosen(generations: Generations, choice: Generation, system: System) -> tuple[PopulatedMessage, ...]:
+    """The messages that are sent with a choice, in the order in which they are listed."""
+    messages = {message.name: message for message in system.messages}
+    return tuple(messages[name] for name in generations.names(choice) if name in messages)
+
+
+def price(generations: Generations, choice: Generation, system: System) -> Range:
+    """Bytes per second of all messages that are streamed with a choice."""
+    return total(message_price(message, system).whole for message in chosen(generations, choice, system))

@@ -1,0 +1,272 @@
+# Generated from templates/tests/program/announcement_checks.py: do not edit.
+# Inputs: d5c89da188634dff
+"""What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
+
+from generation_checks import reporting
+from program_bench import (
+    SECOND_US,
+    TURN_MS_US,
+    GroundStation,
+    Port,
+    main,
+    messages,
+    mock_time,
+    needs,
+    new_rover,
+    run,
+    run_passes,
+)
+from program_facts import GENERATIONS, MESSAGES, SILENCE_MS
+
+import dialect
+
+STEP_US = 10000
+LONG_US = 3 * SECOND_US // 2  # enough for every announcement, one in a pass
+
+
+def _id(frame):
+    return frame[7] | frame[8] << 8 | frame[9] << 16
+
+
+def _is_chosen(rover, number):
+    for each in GENERATIONS:
+        if number in each["old"] + each["new"]:
+            choice = getattr(rover.parameters, each["attribute"]) if each["attribute"] else each["default"]
+            return number in (each["old"], each["new"], each["old"] + each["new"])[choice]
+    return True
+
+
+def _expected(rover):
+    """Return the ids that a link is told when somebody appears, once for each frame."""
+    found = []
+    for number in sorted(MESSAGES):
+        if MESSAGES[number]["on_connection"] and _is_chosen(rover, number):
+            found += [number] * (len(reporting(rover, number)) * MESSAGES[number]["pages"])
+    return found
+
+
+def _announced(port, since=0):
+    """Return the ids of what is sent on connection among the frames of a port, in their order."""
+    known = [number for number, facts in MESSAGES.items() if facts["on_connection"] or facts["watched"]]
+    return sorted(_id(frame) for frame in port.frames[since:] if _id(frame) in known)
+
+
+def _rover(**arguments):
+    """Return a vehicle whose announced messages have no other reason to be sent: their streams are at rest."""
+    needs([facts for facts in MESSAGES.values() if facts["on_connection"]], "a message that is sent on connection")
+    rover = new_rover(**arguments)
+    needs(_expected(rover), "a message that is sent on connection by default")
+    return rover
+
+
+def _beat(station, kind=dialect.MAV_TYPE_GCS):
+    station.send(messages.Heartbeat, type=kind)
+
+
+def _quiet(rover, ports):
+    """Let all announcements and the first turn of all streams pass."""
+    run(rover, LONG_US)
+    for port in ports:
+        port.frames = []
+
+
+def told_at_the_start():
+    """Each message once about each instance, though its stream is due then, too; at most one in a pass."""
+    port = Port()
+    rover = _rover(ports=[port])
+    most = 0
+    for _ in range(100):
+        count = len(_announced(port))
+        run_passes(rover, 1)
+        most = max(most, len(_announced(port)) - count)
+    assert _announced(port) == _expected(rover)
+    assert most == 1, most
+
+
+def told_to_who_appears():
+    """The first HEARTBEAT of a ground station, not the next ones; a second ground station; never other vehicles."""
+    for at_us in (0, TURN_MS_US - 3 * SECOND_US):
+        ports = [Port(), Port()]
+        rover = _rover(ports=ports, at_us=at_us)
+        _quiet(rover, ports)
+        station, other = GroundStation(ports[0]), GroundStation(ports[0], system_id=254)
+        for who, kind, is_told in (
+            (station, dialect.MAV_TYPE_GCS + 1, False),
+            (station, dialect.MAV_TYPE_GCS, True),
+            (station, dialect.MAV_TYPE_GCS, False),
+            (other, dialect.MAV_TYPE_GCS, True),
+            (station, dialect.MAV_TYPE_GCS, False),
+            (other, dialect.MAV_TYPE_GCS, False),
+        ):
+            _beat(who, kind)
+            ports[0].frames = []
+            run(rover, LONG_US)
+            assert _announced(ports[0]) == (_expected(rover) if is_told else []), (kind, is_told)
+        assert _announced(ports[1]) == [], "the other link was told"
+
+
+def told_again_after_a_silence():
+    """A HEARTBEAT just before the silence is long enough tells nothing, one after it tells everything again."""
+    for missing_ms, is_told in ((200, False), (-200, True)):
+        port = Port()
+        rover = _rover(ports=[port])
+        _quiet(rover, [port])
+        station = GroundStation(port)
+        _beat(station)
+        run(rover, (SILENCE_MS - missing_ms) * 1000, STEP_US // 4)
+        _beat(station)
+        port.frames = []
+        run_passes(rover, 60)
+        assert _announced(port) == (_expected(rover) if is_told else []), missing_ms
+
+
+def told_after_days_of_silence():
+    """Six to twelve days, in which ticks_ms() are hard to compare, are a silence like any other."""
+    port = Port()
+    rover = _rover(ports=[port])
+    _quiet(rover, [port])
+    station = GroundStation(port)
+    _beat(station)
+    run(rover, LONG_US)
+    for _ in range(9):
+        mock_time.advance_us(86400 * SECOND_US)
+        run(rover, LONG_US)
+    port.frames = []
+    streamed = len(_announced(port))
+    _beat(station)
+    run_passes(rover, 60)
+    assert _announced(port, streamed) == _expected(rover)
+
+
+def a_port_that_takes_nothing_loses_none():
+    """They wait for a port that is full, or down; nothing counts as lost, and other frames do not wait for them."""
+    for is_up in (True, False):
+        port = Port()
+        port.is_up = is_up
+        port.room = 0
+        rover = _rover(ports=[port])
+        run(rover, 5 * SECOND_US)
+        assert port.frames == []
+        assert rover.connections[0].faults == 0
+        port.is_up = True
+        port.room = None
+        run_passes(rover, 1)
+        assert len(_announced(port)) <= 1
+        run_passes(rover, 60)
+        assert _announced(port) == _expected(rover), is_up
+        numbers = [frame[4] for frame in port.frames]
+        for place in range(1, len(numbers)):
+            assert numbers[place] == (numbers[place - 1] + 1) & 0xFF, "a frame counts as lost"
+
+
+def _watched():
+    found = [number for number, facts in MESSAGES.items() if facts["watched"]]
+    needs(found, "a message that is sent on a change")
+    return found
+
+
+def _owners(rover, component):
+    owner = getattr(rover.state, component)
+    return owner if isinstance(owner, list) else [owner]
+
+
+def told_of_a_change():
+    """A change of one instance is told at once, on each link, about that instance; nothing is told without one."""
+    for number in _watched():
+        facts = MESSAGES[number]
+        component, attribute = facts["watched"]
+        ports = [Port(), Port()]
+        rover = new_rover(ports=ports)
+        _quiet(rover, ports)
+        for place, owner in enumerate(_owners(rover, component)):
+            for value in (5, 6, None):
+                setattr(owner, attribute, value)
+                is_told = _is_chosen(rover, number) and place in reporting(rover, number)
+                for port in ports:
+                    port.frames = []
+                run_passes(rover, 20)
+                for port in ports:
+                    found = [_id(frame) for frame in port.frames].count(number)
+                    assert found == (facts["pages"] if is_told else 0), (number, place, value, found)
+
+
+def only_what_is_on_is_told():
+    """An instance that is switched off is not announced; one that is on is, whatever the others do."""
+    port = Port()
+    rover = _rover(ports=[port])
+    _quiet(rover, [port])
+    station = GroundStation(port)
+    names = {(facts["component"], facts["enabled"]) for facts in MESSAGES.values() if facts["enabled"]}
+    needs(names, "a component that can be off")
+    for component, enabled in sorted(names):
+        for owner in _owners(rover, component):
+            setattr(owner, enabled, not getattr(owner, enabled))
+    station.received()
+    _beat(station)
+    port.frames = []
+    run_passes(rover, 60)
+    assert _announced(port) == _expected(rover)
+
+
+def not_told_what_was_switched_off():
+    """An interval of -1 on a link is respected there."""
+    ports = [Port(), Port()]
+    rover = _rover(ports=ports)
+    _quiet(rover, ports)
+    stations = [GroundStation(port) for port in ports]
+    for number in set(_expected(rover)):
+        stations[0].command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, -1)
+        run_passes(rover, 4)
+    for station in stations:
+        _beat(station)
+        station.port.frames = []
+    run_passes(rover, 60)
+    assert _announced(ports[0]) == []
+    assert _announced(ports[1]) == _expected(rover)
+
+
+def told_of_the_generation_that_is_chosen():
+    """Each choice of generations: who appears is told that one only."""
+    choosing = [each for each in GENERATIONS if each["parameter"]]
+    needs(choosing, "a parameter that chooses a generation")
+    for choice in (0, 1, 2):
+        port = Port()
+        rover = _rover(ports=[port])
+        for each in choosing:
+            rover.parameters.set(each["parameter"], choice)
+        _quiet(rover, [port])
+        station = GroundStation(port)
+        _beat(station)
+        run_passes(rover, 60)
+        assert _announced(port) == _expected(rover), choice
+
+
+def told_besides():
+    """What is announced goes out at its stream's rate, too: so often in two minutes."""
+    found = [number for number, facts in MESSAGES.items() if facts["on_connection"] and facts["rate"]]
+    needs(found, "a message that is announced and has a rate")
+    port = Port()
+    rover = new_rover(ports=[port])
+    _quiet(rover, [port])
+    run(rover, 120 * SECOND_US, STEP_US)
+    for number in found:
+        turn = len(reporting(rover, number)) * MESSAGES[number]["pages"] if _is_chosen(rover, number) else 0
+        count = [_id(frame) for frame in port.frames].count(number)
+        assert abs(count - 120 * MESSAGES[number]["rate"] * turn) <= turn, (number, count)
+
+
+CHECKS = (
+    ("announcements", 3, told_at_the_start),
+    ("announcements", 3, told_to_who_appears),
+    ("announcements", 3, told_again_after_a_silence),
+    ("announcements", 3, told_after_days_of_silence),
+    ("announcements", 3, a_port_that_takes_nothing_loses_none),
+    ("announcements", 3, only_what_is_on_is_told),
+    ("announcements", 3, not_told_what_was_switched_off),
+    ("announcements", 5, told_of_a_change),
+    ("announcements", 6, told_besides),
+    ("generations", 2, told_of_the_generation_that_is_chosen),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

@@ -1,0 +1,192 @@
+"""Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
+
+from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_rover, run, run_passes
+from program_facts import GENERATIONS, LINKS_US, MESSAGES, SENT, SHORTEST_US
+
+import dialect
+
+STEP_US = 10000  # between passes while frames are counted: more often than any stream
+SECONDS = 60
+
+
+def _id(frame):
+    return frame[7] | frame[8] << 8 | frame[9] << 16
+
+
+def _generations():
+    needs(GENERATIONS, "generations of messages")
+    return GENERATIONS
+
+
+def _choosing():
+    found = [each for each in _generations() if each["parameter"]]
+    needs(found, "a parameter that chooses a generation")
+    return found
+
+
+def _with_choice(each, choice):
+    return (each["old"], each["new"], each["old"] + each["new"])[choice]
+
+
+def _left_out(each, choice):
+    return [number for number in each["old"] + each["new"] if number not in _with_choice(each, choice)]
+
+
+def reporting(rover, number):
+    """Return the instances, from 0, that a message is sent about."""
+    facts = MESSAGES[number]
+    if facts["component"] is None or facts["enabled"] is None:
+        return list(range(facts["instances"]))
+    owners = getattr(rover.state, facts["component"])
+    owners = owners if isinstance(owners, list) else [owners]
+    return [place for place, owner in enumerate(owners) if getattr(owner, facts["enabled"])]
+
+
+def _ids_in(rover, port, duration_us, step_us=None):
+    port.frames = []
+    run(rover, duration_us, step_us)
+    return [_id(frame) for frame in port.frames]
+
+
+def only_the_default_is_streamed():
+    """Without any setting: every message of the chosen generation that has a rate, and none of the other."""
+    port = Port()
+    rover = new_rover(ports=[port])
+    found = _ids_in(rover, port, SECONDS * SECOND_US, STEP_US)
+    for each in _generations():
+        for number in _with_choice(each, each["default"]):
+            expected = MESSAGES[number]["rate"] > 0 and reporting(rover, number)
+            assert (number in found) or not expected, (number, found)
+        for number in _left_out(each, each["default"]):
+            assert number not in found, number
+
+
+def a_choice_acts_at_once():
+    """Each choice, one after the other while the program runs: the next passes have what it chooses and nothing else.
+
+    What has been chosen before goes on in its phase; what is chosen anew is due at once, and so is nothing that is not.
+    """
+    for each in _choosing():
+        port = Port()
+        rover = new_rover(ports=[port])
+        before = each["default"]
+        run(rover, 3 * SECOND_US + SECOND_US // 7)
+        for choice in (0, 1, 2, 1, 0, 2, 0):
+            assert rover.parameters.set(each["parameter"], choice)
+            soon = _ids_in(rover, port, 8 * LINKS_US)
+            later = _ids_in(rover, port, SECONDS * SECOND_US, STEP_US)
+            for number in each["old"] + each["new"]:
+                is_chosen = number in _with_choice(each, choice) and MESSAGES[number]["rate"] > 0
+                is_sent = bool(is_chosen and reporting(rover, number))
+                if number not in _with_choice(each, before):
+                    assert (number in soon) == is_sent, (choice, number, soon)
+                if not is_sent:
+                    assert number not in soon, (choice, number)
+                assert (number in later) == is_sent, (choice, number)
+            before = choice
+
+
+def _met():
+    port = Port()
+    rover = new_rover(ports=[port])
+    station = GroundStation(port)
+    run(rover, 2 * SECOND_US)
+    station.received()
+    return rover, port, station
+
+
+def the_other_one_is_sent_on_request():
+    """MAV_CMD_REQUEST_MESSAGE: accepted, and the message comes once about each instance."""
+    for each in _generations():
+        for number in each["old"] + each["new"]:
+            rover, port, station = _met()
+            if rover.connections[0].streams.interval_us(number) >= 0:
+                continue  # it is streamed anyway
+            port.frames = []
+            station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
+            run_passes(rover, 100)
+            found = [_id(frame) for frame in port.frames]
+            assert found.count(messages.CommandAck.ID) == 1
+            assert found.count(number) == len(reporting(rover, number)) * MESSAGES[number]["pages"], (number, found)
+
+
+def _interval(rover, station, number):
+    station.command(dialect.MAV_CMD_GET_MESSAGE_INTERVAL, number)
+    run_passes(rover, 4)
+    answers = station.received(messages.MessageInterval)
+    assert [answer.message_id for answer in answers] == [number]
+    return answers[0].interval_us
+
+
+def the_other_one_is_sent_in_an_interval():
+    """Its interval is -1, until MAV_CMD_SET_MESSAGE_INTERVAL gives it one, and again after 0."""
+    for each in _generations():
+        for number in _left_out(each, each["default"]):
+            rover, port, station = _met()
+            assert _interval(rover, station, number) == -1
+            asked = SHORTEST_US[SENT.index(number)] * 2
+            for interval_us, in_force in ((asked, asked), (0, -1), (-1, -1)):
+                station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, interval_us)
+                run_passes(rover, 4)
+                acks = station.received(messages.CommandAck)
+                assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED]
+                assert _interval(rover, station, number) == in_force, interval_us
+                frames = len(reporting(rover, number)) * MESSAGES[number]["pages"]
+                count = 20 * SECOND_US // asked * frames if in_force > 0 else 0
+                found = _ids_in(rover, port, 20 * SECOND_US, STEP_US).count(number)
+                assert abs(found - count) <= (frames if count else 0), (number, interval_us, found, count)
+
+
+def data_streams_do_not_reach_the_other_one():
+    """REQUEST_DATA_STREAM for all streams changes rates, not generations."""
+    for each in _generations():
+        rover, port, station = _met()
+        station.send(messages.RequestDataStream, req_stream_id=0, req_message_rate=5, start_stop=1)
+        run_passes(rover, 4)
+        found = _ids_in(rover, port, 10 * SECOND_US, STEP_US)
+        for number in _left_out(each, each["default"]):
+            assert number not in found, number
+
+
+def no_choice_costs_more_than_it_says():
+    """A minute of each choice: every frame within its bytes, each message at its rate, their sum within the price."""
+    for each in _generations():
+        for choice in (0, 1, 2) if each["parameter"] else (each["default"],):
+            port = Port()
+            rover = new_rover(ports=[port])
+            if each["parameter"]:
+                rover.parameters.set(each["parameter"], choice)
+            run(rover, 2 * SECOND_US + SECOND_US // 7)  # what is sent at the start is no part of the price
+            port.frames = []
+            run(rover, SECONDS * SECOND_US, STEP_US)
+            whole, slack = 0, 0
+            for number in _with_choice(each, choice):
+                facts = MESSAGES[number]
+                on = reporting(rover, number)
+                sizes = [len(frame) for frame in port.frames if _id(frame) == number]
+                if not on:
+                    assert sizes == []
+                    continue
+                low = min(facts["frames"][place][0] for place in on)
+                high = max(facts["frames"][place][1] for place in on)
+                assert all(low <= size <= high for size in sizes), (number, low, high, sizes[:5])
+                turn = len(on) * facts["pages"]
+                assert abs(len(sizes) - SECONDS * facts["rate"] * turn) <= turn, (number, len(sizes))
+                whole += sum(sizes)
+                slack += turn * high
+            low, high = each["prices"][choice]
+            assert SECONDS * low - slack <= whole <= SECONDS * high + slack, (choice, whole / SECONDS, low, high)
+
+
+CHECKS = (
+    ("generations", 2, only_the_default_is_streamed),
+    ("generations", 2, a_choice_acts_at_once),
+    ("generations", 3, the_other_one_is_sent_on_request),
+    ("generations", 3, the_other_one_is_sent_in_an_interval),
+    ("generations", 3, data_streams_do_not_reach_the_other_one),
+    ("generations", 7, no_choice_costs_more_than_it_says),
+    ("announcements", 4, the_other_one_is_sent_on_request),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)
