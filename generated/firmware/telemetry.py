@@ -102,7 +102,8 @@ def build_sys_status(state):
     wire = message.wire
     battery = state.battery[0]
     vehicle = state.vehicle
-    if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
+    expires_ms = battery.expires_ms
+    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
         battery.expire()
 
     # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
@@ -193,7 +194,8 @@ def build_battery_status(state, instance=0):
     message = _battery_status[instance]
     live = message.live
     battery = state.battery[instance]
-    if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
+    expires_ms = battery.expires_ms
+    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
         battery.expire()
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
@@ -334,7 +336,8 @@ def build_battery_status_v2(state, instance=0):
     message = _battery_status_v2[instance]
     live = message.live
     wire = message.wire
-    if state.battery[instance].expires_ms is not None and time.ticks_diff(time.ticks_ms(), state.battery[instance].expires_ms) > 0:
+    expires_ms = state.battery[instance].expires_ms
+    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
         state.battery[instance].expire()
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)

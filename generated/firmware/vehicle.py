@@ -170,15 +170,19 @@ class Vehicle:
 
     def _check_battery(self, now_ms):
         """Do what the highest level asks for that is reached just now, unless a higher one was reached before."""
-        before = self._highest_battery_level()
-        acting = None
-        for failsafe in self.battery_failsafes:
-            level = failsafe.update(now_ms)
-            if level and level >= before and (acting is None or level > acting.level):
-                acting = failsafe
+        acting = self._acting_battery(now_ms, self._highest_battery_level() or 1)
         if acting is not None:
             self._set_status()
             self._act(acting.action())
+
+    def _acting_battery(self, now_ms, least):
+        acting = None
+        for instance in range(2):
+            level = self.battery_failsafes[instance].update(now_ms)
+            if level >= least:
+                acting = self.battery_failsafes[instance]
+                least = level + 1
+        return acting
 
     def _highest_battery_level(self):
         highest = 0

@@ -111,11 +111,11 @@ def battery_failed_reading_keeps_the_last_value():
     board.fail_adc(1)
     state.update_battery(board)
     assert state.battery[0].voltage_mv == before
-    assert board.battery_failures == 1
+    assert board.battery_failures[0] == 1
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
     assert state.battery[0].voltage_mv < before
-    assert board.battery_failures == 0
+    assert board.battery_failures[0] == 0
 
 
 def battery_repeated_failures_make_it_unknown():
@@ -125,7 +125,7 @@ def battery_repeated_failures_make_it_unknown():
     for failures in range(1, 6):
         assert state.battery[0].voltage_mv is not None
         state.update_battery(board)
-        assert board.battery_failures == failures
+        assert board.battery_failures[0] == failures
     assert state.battery[0].voltage_mv is None
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
@@ -283,7 +283,7 @@ def battery_steady_cycle_allocates_nothing():
         links[0].send(build(state))
     assert mem_total() == before
     assert links[0].sequence != links[0].tx_errors == 0
-    assert board.battery_failures == 0
+    assert board.battery_failures[0] == 0
     assert state.battery[0].voltage_mv < first // 50
     assert len(log.lines) <= 1, log.lines
 
@@ -405,56 +405,35 @@ def late_pass_sends_no_burst():
 
 def parameters_start_with_their_defaults():
     parameters = Parameters()
-    assert parameters.batt2_arm_volt == 0
-    assert abs(parameters.get("BATT2_ARM_VOLT") - 0.0) < 1e-5
-    assert parameters.batt2_capacity == 3300
-    assert abs(parameters.get("BATT2_CAPACITY") - 3300.0) < 1e-5
-    assert parameters.batt2_crt_volt == 9900
-    assert abs(parameters.get("BATT2_CRT_VOLT") - 9.9) < 1e-5
-    assert parameters.batt2_fs_crt_act == 2
-    assert abs(parameters.get("BATT2_FS_CRT_ACT") - 2.0) < 1e-5
-    assert parameters.batt2_fs_low_act == 2
-    assert abs(parameters.get("BATT2_FS_LOW_ACT") - 2.0) < 1e-5
-    assert parameters.batt2_low_timer == 10
-    assert abs(parameters.get("BATT2_LOW_TIMER") - 10.0) < 1e-5
-    assert parameters.batt2_low_volt == 10500
-    assert abs(parameters.get("BATT2_LOW_VOLT") - 10.5) < 1e-5
-    assert parameters.batt2_monitor == 0
-    assert abs(parameters.get("BATT2_MONITOR") - 0.0) < 1e-5
-    assert parameters.batt2_volt_mult == 39500
-    assert abs(parameters.get("BATT2_VOLT_MULT") - 3.95) < 1e-5
-    assert parameters.batt2_volt_pin == 27
-    assert abs(parameters.get("BATT2_VOLT_PIN") - 27.0) < 1e-5
-    assert parameters.batt_arm_volt == 0
-    assert abs(parameters.get("BATT_ARM_VOLT") - 0.0) < 1e-5
-    assert parameters.batt_capacity == 3300
-    assert abs(parameters.get("BATT_CAPACITY") - 3300.0) < 1e-5
-    assert parameters.batt_crt_volt == 9900
-    assert abs(parameters.get("BATT_CRT_VOLT") - 9.9) < 1e-5
-    assert parameters.batt_fs_crt_act == 2
-    assert abs(parameters.get("BATT_FS_CRT_ACT") - 2.0) < 1e-5
-    assert parameters.batt_fs_low_act == 2
-    assert abs(parameters.get("BATT_FS_LOW_ACT") - 2.0) < 1e-5
-    assert parameters.batt_low_timer == 10
-    assert abs(parameters.get("BATT_LOW_TIMER") - 10.0) < 1e-5
-    assert parameters.batt_low_volt == 10500
-    assert abs(parameters.get("BATT_LOW_VOLT") - 10.5) < 1e-5
-    assert parameters.batt_monitor == 3
-    assert abs(parameters.get("BATT_MONITOR") - 3.0) < 1e-5
-    assert parameters.batt_report == 0
-    assert abs(parameters.get("BATT_REPORT") - 0.0) < 1e-5
-    assert parameters.batt_volt_mult == 39500
-    assert abs(parameters.get("BATT_VOLT_MULT") - 3.95) < 1e-5
-    assert parameters.batt_volt_pin == 26
-    assert abs(parameters.get("BATT_VOLT_PIN") - 26.0) < 1e-5
-    assert parameters.sr0_extra1 == 2
-    assert abs(parameters.get("SR0_EXTRA1") - 2.0) < 1e-5
-    assert parameters.sr0_extra3 == 1
-    assert abs(parameters.get("SR0_EXTRA3") - 1.0) < 1e-5
-    assert parameters.sr0_ext_stat == 1
-    assert abs(parameters.get("SR0_EXT_STAT") - 1.0) < 1e-5
-    assert parameters.sysid_thismav == 1
-    assert abs(parameters.get("SYSID_THISMAV") - 1.0) < 1e-5
+    for attribute, name, steps, value in (
+        ("batt2_arm_volt", "BATT2_ARM_VOLT", 0, 0.0),
+        ("batt2_capacity", "BATT2_CAPACITY", 3300, 3300.0),
+        ("batt2_crt_volt", "BATT2_CRT_VOLT", 9900, 9.9),
+        ("batt2_fs_crt_act", "BATT2_FS_CRT_ACT", 2, 2.0),
+        ("batt2_fs_low_act", "BATT2_FS_LOW_ACT", 2, 2.0),
+        ("batt2_low_timer", "BATT2_LOW_TIMER", 10, 10.0),
+        ("batt2_low_volt", "BATT2_LOW_VOLT", 10500, 10.5),
+        ("batt2_monitor", "BATT2_MONITOR", 0, 0.0),
+        ("batt2_volt_mult", "BATT2_VOLT_MULT", 39500, 3.95),
+        ("batt2_volt_pin", "BATT2_VOLT_PIN", 27, 27.0),
+        ("batt_arm_volt", "BATT_ARM_VOLT", 0, 0.0),
+        ("batt_capacity", "BATT_CAPACITY", 3300, 3300.0),
+        ("batt_crt_volt", "BATT_CRT_VOLT", 9900, 9.9),
+        ("batt_fs_crt_act", "BATT_FS_CRT_ACT", 2, 2.0),
+        ("batt_fs_low_act", "BATT_FS_LOW_ACT", 2, 2.0),
+        ("batt_low_timer", "BATT_LOW_TIMER", 10, 10.0),
+        ("batt_low_volt", "BATT_LOW_VOLT", 10500, 10.5),
+        ("batt_monitor", "BATT_MONITOR", 3, 3.0),
+        ("batt_report", "BATT_REPORT", 0, 0.0),
+        ("batt_volt_mult", "BATT_VOLT_MULT", 39500, 3.95),
+        ("batt_volt_pin", "BATT_VOLT_PIN", 26, 26.0),
+        ("sr0_extra1", "SR0_EXTRA1", 2, 2.0),
+        ("sr0_extra3", "SR0_EXTRA3", 1, 1.0),
+        ("sr0_ext_stat", "SR0_EXT_STAT", 1, 1.0),
+        ("sysid_thismav", "SYSID_THISMAV", 1, 1.0),
+    ):
+        assert getattr(parameters, attribute) == steps, name
+        assert abs(parameters.get(name) - value) < 1e-5, name
     assert len(parameters.names()) == 25
 
 

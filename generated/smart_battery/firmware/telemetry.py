@@ -72,7 +72,8 @@ def build_battery_status(state, instance=0):
     message = _battery_status[instance]
     live = message.live
     battery = state.battery
-    if battery.expires_ms is not None and time.ticks_diff(time.ticks_ms(), battery.expires_ms) > 0:
+    expires_ms = battery.expires_ms
+    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
         battery.expire()
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)

@@ -36,6 +36,8 @@ class Vehicle:
     are used in place of the real ones.
     """
 
+    SILENCE_MS = 10000  # without a HEARTBEAT: then a ground station is gone
+
     def __init__(self, board=None, ports=None, texts=None):
         self.texts = Texts() if texts is None else texts
         self.parameters = Parameters()

@@ -368,22 +368,18 @@ def late_pass_sends_no_burst():
 
 def parameters_start_with_their_defaults():
     parameters = Parameters()
-    assert parameters.batt_capacity == 3300
-    assert abs(parameters.get("BATT_CAPACITY") - 3300.0) < 1e-5
-    assert parameters.batt_id == 2
-    assert abs(parameters.get("BATT_ID") - 2.0) < 1e-5
-    assert parameters.batt_monitor == 3
-    assert abs(parameters.get("BATT_MONITOR") - 3.0) < 1e-5
-    assert parameters.batt_status_rate == 5
-    assert abs(parameters.get("BATT_STATUS_RATE") - 0.5) < 1e-5
-    assert parameters.batt_volt_mult == 39500
-    assert abs(parameters.get("BATT_VOLT_MULT") - 3.95) < 1e-5
-    assert parameters.batt_volt_pin == 26
-    assert abs(parameters.get("BATT_VOLT_PIN") - 26.0) < 1e-5
-    assert parameters.compid_batt == 180
-    assert abs(parameters.get("COMPID_BATT") - 180.0) < 1e-5
-    assert parameters.sysid_thismav == 1
-    assert abs(parameters.get("SYSID_THISMAV") - 1.0) < 1e-5
+    for attribute, name, steps, value in (
+        ("batt_capacity", "BATT_CAPACITY", 3300, 3300.0),
+        ("batt_id", "BATT_ID", 2, 2.0),
+        ("batt_monitor", "BATT_MONITOR", 3, 3.0),
+        ("batt_status_rate", "BATT_STATUS_RATE", 5, 0.5),
+        ("batt_volt_mult", "BATT_VOLT_MULT", 39500, 3.95),
+        ("batt_volt_pin", "BATT_VOLT_PIN", 26, 26.0),
+        ("compid_batt", "COMPID_BATT", 180, 180.0),
+        ("sysid_thismav", "SYSID_THISMAV", 1, 1.0),
+    ):
+        assert getattr(parameters, attribute) == steps, name
+        assert abs(parameters.get(name) - value) < 1e-5, name
     assert len(parameters.names()) == 8
 
 

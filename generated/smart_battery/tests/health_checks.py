@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 4bf17296980d294a
+# Inputs: 6ff53bc287d383f8
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -239,7 +239,8 @@ def first_value_is_told_once():
     for measured in MEASURED:
         rover = new_rover()
         run(rover, 5 * SECOND_US)
-        assert len(rover.said(measured["component"] + ": ")) == 1, rover.said()
+        title = measured["component"] if measured["instances"] == 1 else measured["component"] + " 1"
+        assert len(rover.said(title + ": ")) == 1, rover.said()
 
 
 def runs_without_a_converter():

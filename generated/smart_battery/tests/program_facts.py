@@ -227,8 +227,7 @@ SHORTEST_US = (100000, 100000, 100000, 100000)
 
 # Generations of messages: the parameter that chooses ("" for a fixed choice), the ids of each, bytes per second of the
 # old one, the new one and both: the least and the most.
-GENERATIONS = (
-)
+GENERATIONS = ()
 
 # Messages by id: the component that they are about with the boolean that switches it on, the default rate in Hz, the
 # least and the most bytes of a frame by instance, and what announces them.
