@@ -7,12 +7,12 @@ from textwrap import fill
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import WireMessage
-from codegen.model.system import Generations, PopulatedMessage, System
+from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
-from codegen.targets.table import FieldRow, field_rows
+from codegen.targets.table import FieldRow, field_rows, limit_text
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
@@ -87,13 +87,27 @@ def _message(message: PopulatedMessage, system: System) -> str:
     lines = [
         f"{message.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes{extensions}",
         f"{_cited(message.citation)}",
-        f"{_rate(message)}; {message.instances} of it",
+        f"{_rate(message)}; {message.instances} of it{_pages(message)}",
         *([f"sent at once {sent_at_once(message)}"] if message.is_announced else []),
+        *(f"about {choice.component.name}: {_chosen(choice)}" for choice in message.represents.values()),
         "",
         *_table(field_rows(message)),
         *_prices(lambda generations: message.name in (*generations.old, *generations.new), system),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _pages(message: PopulatedMessage) -> str:
+    return f", up to {message.pages} pages each" if message.pages > 1 else ""
+
+
+def _chosen(choice: Representation) -> str:
+    """Which instance a single message reports."""
+    if choice.parameter is not None:
+        return f"the one whose number {choice.parameter.name} has, else the first enabled one"
+    if choice.quantity is not None:
+        return f"the enabled one with the lowest {choice.quantity.name}, else the first enabled one"
+    return "the first one"
 
 
 def _rate(message: PopulatedMessage) -> str:
@@ -307,6 +321,8 @@ def _followed(quantity: Quantity) -> str:
         return f"{quantity.estimate.quantity}, by the discharge curve of {len(quantity.estimate.curves[0])} points"
     if quantity.enabled_by is not None:
         return f"true while {quantity.enabled_by.name} is not 0"
+    if quantity.follows is not None:
+        return f"true while {quantity.followed} is {limit_text(quantity)}"
     return f"true while {quantity.while_known} is known" if quantity.while_known else ""
 
 

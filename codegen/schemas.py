@@ -25,6 +25,7 @@ from codegen.model.shape import (
     Text,
     Whole,
     YesNo,
+    beside,
     keys_of,
     one_of,
     short_forms,
@@ -89,12 +90,18 @@ def _record(model: type[Written], definitions: dict[str, _Schema]) -> _Schema:
         schema["required"] = required
     choice = one_of(model)
     if choice:
-        schema["oneOf"] = [{"required": [name]} for name in choice]
+        schema["oneOf"] = [_chosen(name, model) for name in choice]
     forms = short_forms(model)
     if forms:
         schema = {"anyOf": [{"enum": sorted(forms)}, schema]}
     schema["description"] = _description(model)
     return schema
+
+
+def _chosen(name: str, model: type[Written]) -> _Schema:
+    """One of several keys; where it may stand beside another, only that one counts."""
+    others = [{"required": [key]} for key, other in beside(model).items() if other == name]
+    return {"required": [name], **({"not": {"anyOf": others}} if others else {})}
 
 
 def _property(key: Key, definitions: dict[str, _Schema]) -> _Schema:

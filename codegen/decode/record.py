@@ -13,6 +13,7 @@ from codegen.model.shape import (
     ScalarOrList,
     ScalarShape,
     Shape,
+    beside,
     keys_of,
     one_of,
     short_forms,
@@ -111,7 +112,8 @@ class _RecordDecoder(Generic[Record]):
 
     def _check_one_of(self, written: dict[str, Place], meant: set[str]) -> bool:
         choice = one_of(self._cls)
-        given = [name for name in written if name in choice]
+        allowed = {other for name, other in beside(self._cls).items() if name in written}
+        given = [name for name in written if name in choice and name not in allowed]
         if not choice or len(given) == 1:
             return False
         if not given and meant.isdisjoint(choice):

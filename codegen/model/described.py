@@ -1,8 +1,8 @@
 """How a record of the specification describes its keys.
 
 Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
-A class may further declare ``ONE_OF``, keys of which exactly one is written, and ``SHORT_FORMS``, words that stand
-for a whole record.
+A class may further declare ``ONE_OF``, keys of which exactly one is written, ``BESIDE``, which of these another one
+may stand beside all the same, and ``SHORT_FORMS``, words that stand for a whole record.
 """
 
 from dataclasses import field

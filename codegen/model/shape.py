@@ -130,6 +130,12 @@ def one_of(model: type[Written]) -> tuple[str, ...]:
     return keys
 
 
+def beside(model: type[Written]) -> Mapping[str, str]:
+    """By a key of ``one_of``: another of these keys that may be written with it."""
+    pairs: Mapping[str, str] = getattr(model, "BESIDE", {})
+    return pairs
+
+
 def short_forms(model: type[Written]) -> Mapping[str, Mapping[str, Any]]:
     """The words that stand for a whole record, each with the keys it stands for."""
     forms: Mapping[str, Mapping[str, Any]] = getattr(model, "SHORT_FORMS", {})

@@ -96,6 +96,23 @@ class QuantitySpec(Written):
         "are left out while it is false.",
         default=None,
     )
+    elements: str | None = described(
+        "One value for each of what this fact of the component counts, such as cells: a list, in which single values "
+        "can be unknown.",
+        default=None,
+    )
+    follows: str | None = described(
+        "For a boolean: true while this quantity of the same component is at least, or below, a limit; false while it "
+        "is unknown.",
+        default=None,
+    )
+    at_least: Fraction | None = described(
+        "For follows: the smallest value that makes it true, in its unit.", default=None
+    )
+    below: Fraction | None = described("For follows: it is true below this value, in its unit.", default=None)
+    per_cell: bool = described(
+        "The limit is for one cell: the fact cells of the component multiplies it.", default=False
+    )
     trend_of: str | None = described(
         "The quantity of the same component whose change per second this is.", default=None
     )
@@ -243,12 +260,21 @@ class StreamsSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FieldAnswer(Written):
-    """Where one field, or some elements of it, take their value from: exactly one of the first eight keys.
+    """Where one field, or some elements of it, take their value from: exactly one of the first ten keys.
 
+    ``state`` beside ``each`` is what goes out while one of the values is unknown.
     The short form ``field: unknown`` stands for ``field: {unknown: true}``.
     """
 
     state: str | None = described("A quantity of the vehicle state: component.quantity.", default=None)
+    each: str | None = described(
+        "A quantity with elements, component.quantity: one value for each element of the field. Beside it, state with "
+        "split is sent instead while one of the values is unknown.",
+        default=None,
+    )
+    page: Literal[True] | None = described(
+        "The number of the first value on the page, in a message that has pages.", default=None
+    )
     parameter: str | None = described("A parameter.", default=None)
     board: str | None = described("A fact of the board: component.fact.", default=None)
     enum: str | None = described("An entry of the field's enum.", default=None)
@@ -261,6 +287,7 @@ class FieldAnswer(Written):
     )
     dialect: str | None = described("A fact of the dialect: version.", default=None)
     unknown: Literal[True] | None = described("The dialect's sentinel.", default=None)
+    first: int = described("For each: the value that the first element takes, from 0.", "from", default=0)
     split: bool = described("Spill a value that one element cannot hold over the following ones.", default=False)
     min: str | Fraction | None = described("Smallest value sent, in the source's unit or as an amount.", default=None)
     max: str | Fraction | None = described("Largest value sent, in the source's unit or as an amount.", default=None)
@@ -268,9 +295,27 @@ class FieldAnswer(Written):
     requirement: str | None = described("Criterion that asks for this field, such as FR-00068.3.", default=None)
     note: str | None = described("Why the field is answered so, for reviewers.", default=None)
 
-    SOURCES = ("state", "parameter", "board", "enum", "flags", "constant", "dialect", "unknown")
+    SOURCES = ("state", "each", "page", "parameter", "board", "enum", "flags", "constant", "dialect", "unknown")
     ONE_OF: ClassVar[tuple[str, ...]] = SOURCES
+    BESIDE: ClassVar[Mapping[str, str]] = {"each": "state"}
     SHORT_FORMS: ClassVar[Mapping[str, Mapping[str, Any]]] = {"unknown": {"unknown": True}}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RepresentationSpec(Written):
+    """Which of several instances a single message reports: exactly one of the keys."""
+
+    first: Literal[True] | None = described("The first one.", default=None)
+    parameter: str | None = described(
+        "The one whose number, from 1, this parameter has; the first enabled one where that one is not enabled.",
+        default=None,
+    )
+    lowest: str | None = described(
+        "Of those that are enabled the one whose quantity of this name is lowest; the first where none is known.",
+        default=None,
+    )
+
+    ONE_OF: ClassVar[tuple[str, ...]] = ("first", "parameter", "lowest")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -294,6 +339,13 @@ class PopulationSpec(Written):
     on_change: str | None = described(
         "Quantity, component.quantity, whose change sends the message at once: that of the instance that changed.",
         default=None,
+    )
+    pages: str | None = described(
+        "A quantity with elements, component.quantity: the message is sent once for as many of them as it holds.",
+        default=None,
+    )
+    represents: Mapping[str, RepresentationSpec] = described(
+        "For components of several instances, by name: which of them a single message reports.", default_factory=dict
     )
     fields: Mapping[str, FieldAnswer] = described("An answer for every field and element.")
 

@@ -5,6 +5,7 @@ Rules, targets, ``explain`` and the documents read this model; none of them look
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import Enum
 from fractions import Fraction
 
 from codegen.model.dialect import Dialect, WireField, WireMessage
@@ -57,10 +58,27 @@ class PartBinding:
 
 @dataclass(frozen=True, slots=True)
 class InstanceBinding:
-    """The index of the component's instance, from 0."""
+    """The index of the component's instance, from 0, or from the number that the parameter ``first`` has at start."""
 
     covers: Elements
     component: str
+    first: Parameter | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class TextBinding:
+    """A text that the running board knows, cut to the field. ``source``: unique_id, the chip's number in hex."""
+
+    covers: Elements
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class PageBinding:
+    """The number of the first value on a page of ``size`` values."""
+
+    covers: Elements
+    size: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,13 +129,74 @@ class SplitBinding:
     unused: int
 
 
-Binding = FixedBinding | PartBinding | InstanceBinding | FlagsBinding | LiveBinding | SplitBinding
+@dataclass(frozen=True, slots=True)
+class EachBinding:
+    """One value of a quantity with elements for each covered element, from the value ``first`` on.
+
+    On pages (``is_paged``) ``first`` counts from the begin of the page. The conversion is that of ``LiveBinding``;
+    what is unknown, and what lies beyond the last value, becomes ``unknown``, the sentinel of every element. With a
+    ``room`` the values go out together or not at all: only while all of them are known and no more than the ``room``
+    that the message has; otherwise ``fallback`` goes out, or ``unknown`` in every element.
+    Source: the dialect's text for BATTERY_STATUS.voltages.
+    """
+
+    covers: Elements
+    source: Quantity
+    first: int
+    factor: Fraction
+    rounding: Rounding
+    low: Fraction
+    high: Fraction
+    unknown: int
+    hole: Fraction | None = None
+    beside: Fraction | None = None
+    is_paged: bool = False
+    fallback: SplitBinding | None = None
+    room: int | None = None
+
+
+Binding = (
+    FixedBinding
+    | PartBinding
+    | TextBinding
+    | InstanceBinding
+    | PageBinding
+    | FlagsBinding
+    | LiveBinding
+    | SplitBinding
+    | EachBinding
+)
+
+
+class Policy(Enum):
+    """How one of several instances is chosen for a message that there is once."""
+
+    FIRST = "first"
+    PARAMETER = "parameter"
+    LOWEST = "lowest"
+
+
+@dataclass(frozen=True, slots=True)
+class Representation:
+    """Which instance of ``component`` a single message reports.
+
+    ``FIRST``: the first one. ``PARAMETER``: the one whose number, from 1, the ``parameter`` has, if it is enabled.
+    ``LOWEST``: of the enabled ones the one whose ``quantity`` is lowest, if it is known of one. Otherwise the first
+    enabled one, or the first.
+    """
+
+    component: Component
+    policy: Policy
+    parameter: Parameter | None = None
+    quantity: Quantity | None = None
 
 
 def read_quantities(binding: Binding) -> tuple[Quantity, ...]:
     """The quantities of the state that a builder reads for a binding."""
     if isinstance(binding, FlagsBinding):
         return tuple(quantity for _, _, quantity in binding.conditional)
+    if isinstance(binding, EachBinding):
+        return (binding.source, *(read_quantities(binding.fallback) if binding.fallback else ()))
     if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
         return (binding.source,)
     return ()
@@ -130,6 +209,8 @@ class PopulatedMessage:
     ``component`` is the component that each instance of the message belongs to, or None for a single message.
     Without a ``stream`` it is sent when a ground station asks for it. With ``on_connection`` it is announced, which is
     to be sent at once, to who appears on a link; a change of the quantity ``on_change`` announces it, too.
+    ``pages`` is how many messages the values of the instance with most of them take. ``represents`` tells by component
+    which instance a single message is about.
     """
 
     wire: WireMessage
@@ -138,18 +219,15 @@ class PopulatedMessage:
     component: Component | None
     citation: Citation
     population: PopulationSpec
+    represents: Mapping[str, Representation]
     on_connection: bool = False
     on_change: Quantity | None = None
+    pages: int = 1
 
     @property
     def name(self) -> str:
         """The name in the dialect."""
         return self.wire.name
-
-    @property
-    def pages(self) -> int:
-        """How many messages report one instance: 1 unless it takes several."""
-        return 1
 
     @property
     def is_announced(self) -> bool:

@@ -129,6 +129,23 @@ class Estimate:
 
 
 @dataclass(frozen=True, slots=True)
+class Following:
+    """When a boolean is true: while ``quantity`` of its component is known and at least a limit, or below it.
+
+    ``limits`` has one for each instance, in stored units of that quantity.
+    """
+
+    quantity: str
+    limits: tuple[int, ...]
+    is_below: bool
+
+    def holds(self, stored: int | None, instance: int) -> bool:
+        """Whether the boolean is true for a stored value; never while that is unknown."""
+        limit = self.limits[instance]
+        return stored is not None and (stored < limit if self.is_below else stored >= limit)
+
+
+@dataclass(frozen=True, slots=True)
 class Quantity(Cited):
     """A quantity of the vehicle state, kept as an integer of ``stored`` units.
 
@@ -136,7 +153,8 @@ class Quantity(Cited):
     units; without a limit in the table they are what a small integer holds. ``initial`` is None where the quantity
     starts unknown and may become unknown again; else the value that stands in for unknown. ``while_known`` names
     the quantity of the same component that a boolean follows, ``enabled_by`` the parameter that it follows: it
-    cannot be set then.
+    cannot be set then, as a boolean that ``follows`` a limit.
+    With ``elements`` it is a list of such integers, each of which can be None; they are counted for each instance.
     """
 
     component: str
@@ -151,6 +169,8 @@ class Quantity(Cited):
     initial: int | None
     while_known: str | None
     enabled_by: Parameter | None
+    follows: Following | None
+    elements: tuple[int, ...] | None
     trend: Trend | None
     estimate: Estimate | None
     enum: EnumDefinition | None
@@ -164,6 +184,11 @@ class Quantity(Cited):
     def path(self) -> str:
         """``battery.voltage``, as the tables write it."""
         return f"{self.component}.{self.name}"
+
+    @property
+    def followed(self) -> str | None:
+        """The quantity of the component that decides over this boolean, or None."""
+        return self.follows.quantity if self.follows else self.while_known
 
 
 @dataclass(frozen=True, slots=True)

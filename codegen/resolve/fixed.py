@@ -6,10 +6,10 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
 from codegen.model.spec import Spec, StateSpec
-from codegen.model.system import Elements, FixedBinding, FlagsBinding, PartBinding
+from codegen.model.system import Elements, FixedBinding, FlagsBinding, PartBinding, TextBinding
 from codegen.model.unit import read_measure
 from codegen.model.vehicle import Component, Quantity, QuantityKind
-from codegen.resolve.constant import bind_constant, fits
+from codegen.resolve.constant import BAD_CONSTANT, bind_constant, fits
 from codegen.resolve.instances import known_facts
 from codegen.resolve.state import UNKNOWN_ENTRY, UNKNOWN_ENUM, UNKNOWN_QUANTITY
 from codegen.source import Place
@@ -22,6 +22,8 @@ NO_SENTINEL = Rule(
 )
 NOT_AN_ENUM_FIELD = Rule("not-an-enum-field", "An enum entry or flags are given for a field that has no such enum.")
 UNKNOWN_FACT = Rule("unknown-fact", "A table names a fact that board.yaml, or the dialect, does not have.")
+UNIQUE_ID = "unique_id"
+"""What a table writes for the number that the maker gave the board's chip, as a text in hex."""
 NOT_A_BOOLEAN = Rule("not-a-boolean", "Only a boolean quantity can decide whether a flag is set.")
 
 
@@ -150,11 +152,13 @@ def bind_fact(
     spec: Spec,
     dialect: Dialect,
     report: Report,
-) -> FixedBinding | PartBinding | None:
+) -> FixedBinding | PartBinding | TextBinding | None:
     """A fact of board.yaml: an enum entry, a number or an amount; of a message for each instance, that of each.
 
-    A message that is not sent for each instance has the fact of the first one.
+    A message that is not sent for each instance has the fact of the first one. ``unique_id`` is the number of the chip.
     """
+    if path == UNIQUE_ID:
+        return _bind_text(covers, path, report)
     owner, _, name = path.partition(".")
     place = covers.answer.at("board")
     parts = components[owner].parts if owner in components else ()
@@ -163,7 +167,7 @@ def bind_fact(
         facts = facts[:1]
     found = [fact for fact in facts if fact is not None]
     if not found:
-        hint = did_you_mean(path, known_facts(spec, components))
+        hint = did_you_mean(path, [*known_facts(spec, components), UNIQUE_ID])
         report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", hint)
         return None
     if len(found) < len(facts):
@@ -186,6 +190,15 @@ def _bind_value(covers: Elements, fact: str | Fraction, dialect: Dialect, report
     if isinstance(fact, str) and read_measure(fact) is None and covers.field.type.kind is not Kind.CHAR:
         return bind_entry(covers, fact, "board", dialect, report)
     return bind_constant(covers, fact, "board", report)
+
+
+def _bind_text(covers: Elements, source: str, report: Report) -> TextBinding | None:
+    """A text that only the running board knows."""
+    if covers.field.type.kind is not Kind.CHAR:
+        message = f"{covers.field.name} is a {covers.field.type.name}, and {source} a text"
+        report.add(BAD_CONSTANT, covers.answer.at("board"), message)
+        return None
+    return TextBinding(covers, source)
 
 
 def bind_version(covers: Elements, name: str, dialect: Dialect, report: Report) -> FixedBinding | None:

@@ -6,7 +6,7 @@ from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import Kind
 from codegen.model.system import Elements, InstanceBinding, LiveBinding, SplitBinding
 from codegen.model.unit import Unit
-from codegen.model.vehicle import Parameter, Quantity, QuantityKind
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.constant import field_unit
 from codegen.resolve.fixed import NO_SENTINEL, NOT_AN_ENUM_FIELD
 from codegen.resolve.limits import Bounds, check_reach, dialect_bounds, limits_of, written_bounds
@@ -23,12 +23,15 @@ BAD_SOURCE = Rule(
 )
 
 
-def bind_instance(covers: Elements, component: str, report: Report) -> InstanceBinding | None:
-    """The index of the component's instance."""
-    if not covers.field.type.is_integer or covers.count != 1:
-        report.add(BAD_SOURCE, covers.answer.at("state"), f"{covers.field.name} cannot carry an instance number")
+def bind_instance(covers: Elements, component: Component, report: Report) -> InstanceBinding | None:
+    """The index of the component's instance, counted from 0 or from the number that a parameter gives the first."""
+    field_type, first = covers.field.type, component.first_number
+    last = component.instances - 1 + (first.maximum if first else 0)
+    if not field_type.is_integer or covers.count != 1 or field_type.maximum < last:
+        message = f"{covers.field.name} cannot carry an instance number"
+        report.add(BAD_SOURCE, covers.answer.at("state"), f"{message} up to {last}" if first else message)
         return None
-    return InstanceBinding(covers, component)
+    return InstanceBinding(covers, component.name, first)
 
 
 def bind_live(
@@ -36,8 +39,8 @@ def bind_live(
 ) -> LiveBinding | SplitBinding | None:
     """A quantity or a parameter, converted exactly to the unit of the field and limited to what it can carry."""
     place = covers.answer.at(key)
-    unit = _check_source(covers, source, key, report)
-    factor = None if unit is None else _factor(covers, source, unit, key, report)
+    unit = check_source(covers, source, key, report)
+    factor = None if unit is None else factor_of(covers, source, unit, key, report)
     if unit is None or factor is None:
         return None
     in_wire = Fraction(1)
@@ -86,7 +89,7 @@ def bind_live(
     )
 
 
-def _check_source(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Unit | None:
+def check_source(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Unit | None:
     """The unit of the field, if the kind of the source fits the kind of the field."""
     place = covers.answer.at(key)
     if covers.field.type.kind is Kind.CHAR:
@@ -94,6 +97,10 @@ def _check_source(covers: Elements, source: Quantity | Parameter, key: str, repo
         return None
     if isinstance(source, Quantity) and source.kind is QuantityKind.BOOLEAN:
         report.add(BAD_SOURCE, place, f"{source.path} is a boolean", "use it in 'flags': ENTRY if component.quantity")
+        return None
+    if isinstance(source, Quantity) and source.elements is not None and key != "each":
+        message = f"{source.path} has a value for each of its elements"
+        report.add(BAD_SOURCE, place, message, f"write {{each: {source.path}}}")
         return None
     if isinstance(source, Quantity) and source.enum is not None and source.enum.name != covers.field.definition.enum:
         wanted = covers.field.definition.enum or "no enum"
@@ -104,7 +111,7 @@ def _check_source(covers: Elements, source: Quantity | Parameter, key: str, repo
     return field_unit(covers.field, place, report)
 
 
-def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str, report: Report) -> Fraction | None:
+def factor_of(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str, report: Report) -> Fraction | None:
     """What one stored step is in wire units."""
     if isinstance(source, Parameter):
         to_wire, step = source.unit.to(unit), source.step

@@ -21,6 +21,7 @@ from codegen.model.vehicle import (
 )
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived, resolve_estimate, resolve_trend
+from codegen.resolve.following import resolve_elements, resolve_following
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
 from codegen.resolve.vehicle import find_parameter
 
@@ -197,7 +198,11 @@ class _QuantityResolver:
         stale_after, warn_every = self._time("stale_after", spec.stale_after), self._time("warn_every", spec.warn_every)
         trend = resolve_trend(spec, stored, period_ms, self.whole.state.components[self.component], self.report)
         estimate = resolve_estimate(spec, self.component, parts, self.whole, dialect, self.report)
-        if self.failed:
+        facts = tuple(part.facts for part in parts)
+        elements = resolve_elements(spec, self.component, facts, self.report)
+        others = self.whole.state.components[self.component].quantities
+        follows = resolve_following(spec, self.component, others, facts, self.report)
+        if self.failed or (elements is None) != (spec.elements is None) or (follows is None) != (spec.follows is None):
             return None
         return Quantity(
             component=self.component,
@@ -212,6 +217,8 @@ class _QuantityResolver:
             initial=initial,
             while_known=spec.while_known,
             enabled_by=self._enabled_by(parameters),
+            follows=follows,
+            elements=elements,
             trend=trend,
             estimate=estimate,
             enum=enum,
@@ -244,11 +251,12 @@ class _QuantityResolver:
             for key in ("unit", "stored", "min", "max", "adc", "multiplier", "warn_above"):
                 if getattr(spec, key) is not None:
                     self._bad(key, f"{self.name} is a {kind.value} quantity and cannot have {key}")
-        for key, followed in (("while_known", spec.while_known), ("enabled_by", spec.enabled_by)):
-            if followed is not None and (not spec.boolean or spec.initial is not None):
+        following = {key: getattr(spec, key) for key in ("while_known", "enabled_by", "follows") if getattr(spec, key)}
+        for key, followed in following.items():
+            if not spec.boolean or spec.initial is not None:
                 self._bad(key, f"{self.name} follows {followed}: it is a boolean without initial")
-        if spec.while_known is not None and spec.enabled_by is not None:
-            self._bad("enabled_by", f"{self.name} follows either a quantity or a parameter")
+        if len(following) > 1:
+            self._bad(list(following)[1], f"{self.name} follows either a quantity or a parameter")
         if spec.boolean and spec.enum is not None:
             self._bad("enum", f"{self.name} cannot be both a boolean and an enum")
         return kind
@@ -281,7 +289,8 @@ class _QuantityResolver:
     def _initial(self, kind: QuantityKind, enum: EnumDefinition | None, steps: Fraction) -> int | None:
         written = self.spec.initial
         if kind is QuantityKind.BOOLEAN:
-            if self.spec.while_known is None and self.spec.enabled_by is None and not isinstance(written, bool):
+            follows = self.spec.while_known or self.spec.enabled_by or self.spec.follows
+            if follows is None and not isinstance(written, bool):
                 self._bad("initial", f"the boolean {self.name} needs initial: true or false")
             return int(written is True)
         if written is None:

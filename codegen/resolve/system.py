@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
 from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement, Spec
-from codegen.model.system import Binding, Elements, PopulatedMessage, System
+from codegen.model.system import Binding, Elements, PopulatedMessage, SplitBinding, System
 from codegen.model.vehicle import Component, Parameter, Stream
 from codegen.resolve.citation import cite, index_requirements
 from codegen.resolve.constant import bind_constant
+from codegen.resolve.each import BAD_EACH, Pages, bind_each, bind_page, find_pages, with_room
 from codegen.resolve.elements import answered_elements
 from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.fixed import bind_entry, bind_fact, bind_flags, bind_unknown, bind_version, find_quantity
@@ -18,6 +19,7 @@ from codegen.resolve.instances import resolve_instances
 from codegen.resolve.links import resolve_links
 from codegen.resolve.live import bind_instance, bind_live
 from codegen.resolve.program import resolve_program
+from codegen.resolve.represent import resolve_representations
 from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
 from codegen.source import Place
@@ -179,7 +181,14 @@ def _resolve_message(
     if wire is None or citation is None:
         return None
     elements = answered_elements(population, wire, citation, index, report)
-    bindings = [binding for covers in elements if (binding := binder.bind(covers, component)) is not None]
+    state = binder.spec.state
+    pages = find_pages(population, elements, binder.components, state, report)
+    bound = (binder.bind(covers, component, population, pages) for covers in elements)
+    bindings = with_room((binding for binding in bound if binding is not None), report)
+    written_parameters = binder.spec.parameters
+    represents = resolve_representations(
+        population, bindings, binder.components, state, written_parameters, binder.parameters, report
+    )
     if stream is None and population.stream is not None:
         return None
     return PopulatedMessage(
@@ -189,8 +198,10 @@ def _resolve_message(
         component=component,
         citation=citation,
         population=population,
+        represents=represents,
         on_connection=population.on_connection,
         on_change=on_change,
+        pages=pages.count if pages else 1,
     )
 
 
@@ -211,10 +222,16 @@ class _Binder:
         self.parameters = parameters
         self.report = report
 
-    def bind(self, covers: Elements, component: Component | None) -> Binding | None:
+    def bind(
+        self, covers: Elements, component: Component | None, population: PopulationSpec, pages: Pages | None
+    ) -> Binding | None:
         """The binding of one answer, or None with a finding."""
         answer, report = covers.answer, self.report
         self._report_pointless(answer)
+        if answer.each is not None:
+            return self._bind_each(covers, answer.each, component, pages)
+        if answer.page is not None:
+            return bind_page(covers, pages, population.pages is not None, report)
         if answer.state is not None:
             return self._bind_state(covers, answer.state, component)
         if answer.parameter is not None:
@@ -232,7 +249,11 @@ class _Binder:
         return bind_unknown(covers, report)
 
     def _report_pointless(self, answer: FieldAnswer) -> None:
-        if answer.state is not None or answer.parameter is not None:
+        if "from" in answer.places and answer.each is None:
+            self.report.add(POINTLESS_KEY, answer.at("from"), "from says nothing without each")
+        if answer.each is not None and answer.state is None and "split" in answer.places:
+            self.report.add(POINTLESS_KEY, answer.at("split"), "split says nothing without state beside each")
+        if answer.state is not None or answer.each is not None or answer.parameter is not None:
             return
         for key in ("split", "min", "max", "rounding"):
             if key in answer.places:
@@ -245,9 +266,28 @@ class _Binder:
             if component is None or component.name != owner:
                 self.report.add(BAD_INSTANCE, place, f"the message is not sent for each {owner}", f"for_each: {owner}")
                 return None
-            return bind_instance(covers, owner, self.report)
+            return bind_instance(covers, component, self.report)
         quantity = find_quantity(path, self.components, self.spec.state, place, self.report)
         return None if quantity is None else bind_live(covers, quantity, "state", self.report)
+
+    def _bind_each(
+        self, covers: Elements, path: str, component: Component | None, pages: Pages | None
+    ) -> Binding | None:
+        answer = covers.answer
+        quantity = find_quantity(path, self.components, self.spec.state, answer.at("each"), self.report)
+        fallback = None
+        if answer.state is not None:
+            if not answer.split:
+                self.report.add(
+                    BAD_EACH, answer.at("state"), "state beside each is what is split instead", "split: true"
+                )
+                return None
+            fallback = self._bind_state(covers, answer.state, component)
+        if quantity is None or (answer.state is not None and not isinstance(fallback, SplitBinding)):
+            return None
+        is_paged = pages is not None and pages.quantity is quantity
+        split = fallback if isinstance(fallback, SplitBinding) else None
+        return bind_each(covers, quantity, split, is_paged, self.report)
 
     def _bind_parameter(self, covers: Elements, name: str) -> Binding | None:
         place = covers.answer.at("parameter")

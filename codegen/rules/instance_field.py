@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.system import InstanceBinding, System
+from codegen.model.system import Binding, InstanceBinding, PartBinding, System
 
 RULE = Rule(
     "same-instance",
@@ -12,13 +12,19 @@ RULE = Rule(
 )
 
 
+def _tells_apart(binding: Binding) -> bool:
+    if isinstance(binding, PartBinding):
+        return len({part.values for part in binding.values}) == len(binding.values)
+    return isinstance(binding, InstanceBinding)
+
+
 def check(system: System) -> Iterator[Diagnostic]:
     """The instance fields of every message that exists more than once."""
     for message in system.messages:
         if message.component is None or message.instances == 1:
             continue
         for binding in message.bindings:
-            if binding.covers.field.definition.is_instance and not isinstance(binding, InstanceBinding):
+            if binding.covers.field.definition.is_instance and not _tells_apart(binding):
                 yield Diagnostic(
                     binding.covers.answer.place,
                     RULE,

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.system import LiveBinding, SplitBinding, System
+from codegen.model.system import EachBinding, LiveBinding, SplitBinding, System
 from codegen.model.vehicle import SMALL_INT_MAX, Quantity
 
 RULE = Rule(
@@ -20,7 +20,7 @@ def check(system: System) -> Iterator[Diagnostic]:
         yield from _conversion(quantity)
     for message in system.messages:
         for binding in message.bindings:
-            if isinstance(binding, LiveBinding | SplitBinding) and binding.covers.field.type.is_integer:
+            if isinstance(binding, LiveBinding | SplitBinding | EachBinding) and binding.covers.field.type.is_integer:
                 yield from _scaling(binding)
 
 
@@ -41,7 +41,7 @@ def _conversion(quantity: Quantity) -> Iterator[Diagnostic]:
         )
 
 
-def _scaling(binding: LiveBinding | SplitBinding) -> Iterator[Diagnostic]:
+def _scaling(binding: LiveBinding | SplitBinding | EachBinding) -> Iterator[Diagnostic]:
     if binding.factor == 1:
         return
     reach = max(abs(Fraction(binding.low)), abs(Fraction(binding.high))) / binding.factor + 2

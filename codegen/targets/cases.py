@@ -9,34 +9,30 @@ from fractions import Fraction
 from heapq import nsmallest
 
 from codegen.model.spec import Correction
-from codegen.model.system import FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding, System, read_quantities
+from codegen.model.system import (
+    EachBinding,
+    FlagsBinding,
+    LiveBinding,
+    PopulatedMessage,
+    SplitBinding,
+    System,
+    read_quantities,
+)
 from codegen.model.vehicle import SMALL_INT_MAX, Component, Quantity, QuantityKind
 from codegen.targets.expected import (
     Known,
-    Wire,
+    Stored,
     converted,
     expected_fields,
     is_settable,
     limits_in_steps,
     nominal,
+    nominal_values,
     rounded,
 )
+from codegen.targets.message_case import MessageCase, set_to
 from codegen.targets.naming import parameter_attribute
-
-Setting = tuple[str, str, int | float | str | None]
-"""Component, attribute and value; ``"nan"``, ``"inf"`` and ``"-inf"`` stand for the floats."""
-
-
-@dataclass(frozen=True, slots=True)
-class MessageCase:
-    """A state and the message that must come of it. ``requirement`` is the criterion that asks for it."""
-
-    name: str
-    requirement: str
-    message: str
-    instance: int
-    settings: tuple[Setting, ...]
-    expect: dict[str, Wire]
+from codegen.targets.representation_cases import representation_cases
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,11 +89,16 @@ def _sharpest(quantity: Quantity, steps: int) -> list[int]:
 
 def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:
     used = _used_quantities(message, system)
-    base: dict[str, int | None] = {quantity.path: nominal(quantity) for quantity in used.values()}
     for instance in range(message.instances):
         suffix = f"-{instance}" if message.instances > 1 else ""
-        yield _case(message, f"nominal{suffix}", str(message.citation), base, instance, used)
-    unknown: dict[str, int | None] = dict.fromkeys(base)
+        for page in range(message.pages):
+            paged = f"{suffix}-page-{page}" if message.pages > 1 else suffix
+            base = _base(used, instance)
+            yield _case(message, f"nominal{paged}", str(message.citation), base, instance, used, page)
+    base = _base(used, 0)
+    unknown: Known = {
+        path: None if value is None or isinstance(value, int) else (None,) * len(value) for path, value in base.items()
+    }
     yield _case(message, "everything-unknown", str(message.citation), unknown, 0, used)
     for binding in message.bindings:
         criterion = str(binding.covers.citation)
@@ -107,12 +108,62 @@ def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase
                 yield _case(message, f"{binding.covers.label}-{name}", criterion, known, 0, used)
             yield from _float_cases(message, binding, base, used)
         elif isinstance(binding, FlagsBinding):
-            for flag, _, quantity in binding.conditional:
-                path = quantity.path if is_settable(quantity) else f"{quantity.component}.{quantity.while_known}"
-                values = (1, 0) if is_settable(quantity) else (nominal(used[path]), None)
-                for name, value in zip(("set", "clear"), values, strict=True):
-                    known = {**base, path: value}
-                    yield _case(message, f"{binding.covers.label}-{flag}-{name}", criterion, known, 0, used)
+            yield from _flag_cases(message, binding, used)
+        elif isinstance(binding, EachBinding):
+            yield from _each_cases(message, binding, used)
+    yield from representation_cases(message, used)
+
+
+def _base(used: dict[str, Quantity], instance: int) -> dict[str, Stored]:
+    """A plain value of everything that is read; a component of a single instance has only that."""
+    return {
+        path: nominal_values(quantity, instance if quantity.elements and instance < len(quantity.elements) else 0)
+        for path, quantity in used.items()
+    }
+
+
+def _flag_cases(message: PopulatedMessage, binding: FlagsBinding, used: dict[str, Quantity]) -> Iterator[MessageCase]:
+    """Each condition true and false, and of a limit also unknown: with the limit of every instance."""
+    criterion, label = str(binding.covers.citation), binding.covers.label
+    flags = [flag for flag, _, _ in binding.conditional]
+    for flag, _, quantity in binding.conditional:
+        path = quantity.path if is_settable(quantity) else f"{quantity.component}.{quantity.followed}"
+        name = f"{label}-{flag}" + (f"-{quantity.name}" if flags.count(flag) > 1 else "")
+        limits = quantity.follows.limits if quantity.follows else ()
+        instances = range(message.instances) if len(set(limits)) > 1 else range(1)
+        for instance in instances:
+            base = _base(used, instance)
+            values: dict[str, int | None] = {"set": 1, "clear": 0}
+            if quantity.follows is not None:
+                at, below = ("clear", "set") if quantity.follows.is_below else ("set", "clear")
+                values = {at: limits[instance], below: limits[instance] - 1, "unknown": None}
+            elif not is_settable(quantity):
+                values = {"set": nominal(used[path]), "clear": None}
+            suffix = f"-{instance}" if len(instances) > 1 else ""
+            for state, value in values.items():
+                yield _case(message, f"{name}-{state}{suffix}", criterion, {**base, path: value}, instance, used)
+
+
+def _each_cases(message: PopulatedMessage, binding: EachBinding, used: dict[str, Quantity]) -> Iterator[MessageCase]:
+    """All values at the ends of the range and beyond, each of them unknown, only one of them known."""
+    criterion, label, path = str(binding.covers.citation), binding.covers.label, binding.source.path
+    base = _base(used, 0)
+    values = base[path]
+    assert isinstance(values, tuple)
+    rows: dict[str, tuple[int | None, ...]] = {
+        name: (value,) * len(values) for name, value in _live_values(binding) if value is not None
+    }
+    for index in range(len(values)):
+        rows[f"without-{index}"] = tuple(None if place == index else value for place, value in enumerate(values))
+        rows[f"only-{index}"] = tuple(value if place == index else None for place, value in enumerate(values))
+    for name, row in rows.items():
+        for page in range(message.pages):
+            suffix = f"-page-{page}" if message.pages > 1 else ""
+            yield _case(message, f"{label}-{name}{suffix}", criterion, {**base, path: row}, 0, used, page)
+    if binding.fallback is not None:
+        for name, value in _live_values(binding.fallback):
+            known = {**base, path: rows["without-0"], binding.fallback.source.path: value}
+            yield _case(message, f"{label}-fallback-{name}", criterion, known, 0, used)
 
 
 def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:
@@ -120,13 +171,13 @@ def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Qua
     used = {}
     for binding in message.bindings:
         for quantity in read_quantities(binding):
-            followed = quantity.while_known
+            followed = quantity.followed
             source = system.components[quantity.component].quantities[followed] if followed else quantity
             used[source.path] = source
     return used
 
 
-def _live_values(binding: LiveBinding | SplitBinding) -> Iterator[tuple[str, int | None]]:
+def _live_values(binding: LiveBinding | SplitBinding | EachBinding) -> Iterator[tuple[str, int | None]]:
     """Name and stored value: the ends of the range, beyond both, unknown, and what would read as the sentinel."""
     low, high = limits_in_steps(binding)
     source = binding.source
@@ -180,35 +231,44 @@ def _float_cases(
             case.requirement,
             case.message,
             case.instance,
-            (*settings, (quantity.component, quantity.name, value)),
+            (*settings, (quantity.component, quantity.name, value, 0)),
             case.expect,
         )
 
 
 def _case(
-    message: PopulatedMessage, name: str, requirement: str, known: Known, instance: int, used: dict[str, Quantity]
+    message: PopulatedMessage,
+    name: str,
+    requirement: str,
+    known: Known,
+    instance: int,
+    used: dict[str, Quantity],
+    page: int = 0,
 ) -> MessageCase:
-    settings = tuple(
-        (
-            used[path].component,
-            used[path].attribute,
-            value if used[path].kind is not QuantityKind.BOOLEAN else bool(value),
-        )
+    own = message.component.name if message.component else None
+    settings = [
+        setting
         for path, value in known.items()
-    )
+        for setting in [set_to(used[path], value, instance if used[path].component == own else 0)]
+    ]
+    for choice in message.represents.values():
+        enabled = choice.component.enabled
+        if enabled is not None:  # so that it is about the first one
+            settings += [set_to(enabled, 0, number) for number in range(1, choice.component.instances)]
     return MessageCase(
         name=f"{message.name}.{name}",
         requirement=requirement,
         message=message.name,
         instance=instance,
-        settings=settings,
-        expect=expected_fields(message, known, instance),
+        settings=tuple(settings),
+        expect=expected_fields(message, known, instance, page),
+        page=page,
     )
 
 
 def instances_of(components: dict[str, Component]) -> dict[str, int]:
     """How many of each component exist: the runner reaches the n-th of several through a list."""
-    return {name: component.instances for name, component in components.items()}
+    return {"parameters": 1, **{name: component.instances for name, component in components.items()}}
 
 
 def _dialect_files(system: System) -> dict[str, object]:
@@ -242,7 +302,8 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
             "requirement": case.requirement,
             "message": case.message,
             "instance": case.instance,
-            "set": case.settings,
+            **({"page": case.page} if case.page else {}),
+            "set": [setting if setting[3] else setting[:3] for setting in case.settings],
             "expect": case.expect,
         }
         for case in message_cases(system)

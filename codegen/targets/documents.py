@@ -10,7 +10,7 @@ from codegen.targets.generation_table import GenerationTable, generation_tables,
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
-from codegen.targets.table import FieldRow, field_rows, in_table
+from codegen.targets.table import FieldRow, field_rows, in_table, limit_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,6 +133,8 @@ def _quantity(quantity: Quantity) -> QuantityRow:
     source = "set by the vehicle"
     if quantity.while_known:
         source = f"while {quantity.component}.{quantity.while_known} is known"
+    elif quantity.follows:
+        source = f"while {quantity.component}.{quantity.followed} is {limit_text(quantity)}"
     elif quantity.enabled_by:
         source = f"while {quantity.enabled_by.name} is not 0"
     elif quantity.trend:
@@ -146,11 +148,17 @@ def _quantity(quantity: Quantity) -> QuantityRow:
         source += f" * {conversion.multiplier.name}"
     return QuantityRow(
         path=quantity.path,
-        kept=f"{quantity.attribute} ({quantity.stored.name or quantity.kind.value})",
+        kept=f"{_counted(quantity)}{quantity.attribute} ({quantity.stored.name or quantity.kind.value})",
         source=source,
         initial="unknown" if quantity.initial is None else str(quantity.initial),
         criterion=str(quantity.citation or ""),
     )
+
+
+def _counted(quantity: Quantity) -> str:
+    """``3 in ``, or ``3 and 2 in `` where instances differ."""
+    counts = [str(count) for count in quantity.elements or ()]
+    return f"{' and '.join(counts if len(set(counts)) > 1 else counts[:1])} in " if counts else ""
 
 
 def _parameter(parameter: Parameter, system: System) -> ParameterRow:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from codegen.model.system import LiveBinding, System
+from codegen.model.system import InstanceBinding, LiveBinding, PopulatedMessage, System
 from codegen.model.vehicle import Parameter
 
 
@@ -27,6 +27,12 @@ def _state(parameter: Parameter, system: System) -> Iterator[str]:
                 yield f"whether {component.name} is measured and reported ({quantity.path})"
 
 
+def _choices(message: PopulatedMessage, parameter: Parameter) -> Iterator[str]:
+    for choice in message.represents.values():
+        if choice.parameter is parameter:
+            yield f"which {choice.component.name} {message.name} is about"
+
+
 def _messages(parameter: Parameter, system: System) -> Iterator[str]:
     for stream in system.streams.values():
         if stream.parameter is parameter:
@@ -35,7 +41,10 @@ def _messages(parameter: Parameter, system: System) -> Iterator[str]:
         if generations.parameter is parameter:
             yield f"which generation of {generations.component.name} messages is sent"
     for message in system.messages:
+        yield from _choices(message, parameter)
         for binding in message.bindings:
+            if isinstance(binding, InstanceBinding) and binding.first is parameter:
+                yield f"{message.name}.{binding.covers.label}"
             if isinstance(binding, LiveBinding) and binding.source is parameter:
                 yield f"{message.name}.{binding.covers.label}"
 

@@ -7,13 +7,16 @@ from fractions import Fraction
 from codegen.model.spec import Rounding
 from codegen.model.system import (
     Binding,
+    EachBinding,
     FixedBinding,
     FlagsBinding,
     InstanceBinding,
     LiveBinding,
+    PageBinding,
     PartBinding,
     PopulatedMessage,
     SplitBinding,
+    TextBinding,
 )
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Quantity
@@ -74,16 +77,38 @@ def _story(binding: Binding) -> tuple[str, str, str]:
         by_instance = (f"{part.meaning} = {_shown(part.values[0])}" for part in binding.values)
         return "fact of each", ", ".join(by_instance), ""
     if isinstance(binding, InstanceBinding):
-        return f"number of the {binding.component}", "", ""
+        counted = f", from {binding.first.name} on" if binding.first else ""
+        return f"number of the {binding.component}{counted}", "", ""
+    if isinstance(binding, TextBinding):
+        return "number of the chip", "in hex", ""
+    if isinstance(binding, PageBinding):
+        return "number of the first value", f"{binding.size} on a page", ""
     if isinstance(binding, FlagsBinding):
         words = [*binding.names, *(f"{name} if {quantity.path}" for name, _, quantity in binding.conditional)]
         always = f"= {binding.mask:#x}" if binding.mask or not binding.conditional else ""
         return " + ".join(words) or "no flag", always, ""
+    if isinstance(binding, EachBinding):
+        return _elements(binding)
     kept = binding.source.stored.name if isinstance(binding.source, Quantity) else binding.source.unit.name
     return binding.source.path, _conversion(binding, kept), _limits(binding)
 
 
-def _conversion(binding: LiveBinding | SplitBinding, kept: str) -> str:
+def _elements(binding: EachBinding) -> tuple[str, str, str]:
+    start = f"from {binding.first}" if binding.first else ""
+    source = ", ".join(word for word in (f"each of {binding.source.path}", start) if word)
+    if binding.is_paged:
+        source += ", by pages"
+    if binding.fallback is not None:
+        source += f", else {binding.fallback.source.path}"
+    elif binding.room is not None:
+        source += ", while all are known"
+    conversion = _conversion(binding, binding.source.stored.name)
+    if binding.fallback is not None:
+        conversion += f"; else spills above {binding.fallback.cell_high}"
+    return source, conversion, _limits(binding)
+
+
+def _conversion(binding: LiveBinding | SplitBinding | EachBinding, kept: str) -> str:
     unit = binding.covers.field.definition.units or ""
     if binding.factor == 1:
         text = f"kept in {kept}" if kept else ""
@@ -103,9 +128,9 @@ _ROUNDING = {
 }
 
 
-def _limits(binding: LiveBinding | SplitBinding) -> str:
+def _limits(binding: LiveBinding | SplitBinding | EachBinding) -> str:
     text = f"{_number(binding.low)}..{_number(binding.high)}"
-    if isinstance(binding, LiveBinding) and binding.hole is not None and binding.beside is not None:
+    if not isinstance(binding, SplitBinding) and binding.hole is not None and binding.beside is not None:
         text += f", {_number(binding.hole)} -> {_number(binding.beside)}"
     return text
 
@@ -113,6 +138,16 @@ def _limits(binding: LiveBinding | SplitBinding) -> str:
 def _sentinel(binding: Binding) -> str:
     sentinel = binding.covers.field.sentinel
     return "" if sentinel is None else sentinel.written
+
+
+def limit_text(quantity: Quantity) -> str:
+    """When a boolean that follows a limit is true: ``at least 4.25 V per cell``."""
+    spec = quantity.spec
+    limit = spec.at_least if spec.below is None else spec.below
+    assert quantity.follows is not None
+    assert limit is not None
+    word = "below" if quantity.follows.is_below else "at least"
+    return f"{word} {decimal(limit)}{' per cell' if spec.per_cell else ''}"
 
 
 def _number(value: int | Fraction) -> str:

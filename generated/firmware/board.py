@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: a92c01b179b889cb
+# Inputs: 3f2b96318d56a415
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

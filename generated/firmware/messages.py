@@ -1,8 +1,9 @@
-# Generated from specs/messages/autopilot_version.yaml, specs/messages/battery_info.yaml,
-#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
-#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml, dialect common: do not edit.
-# Inputs: 2e115e011f1f1a2b
+# Generated from specs/messages/autopilot_version.yaml, specs/messages/battery_cell_voltages.yaml,
+#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, dialect common: do not edit.
+# Inputs: 01385040e15152c2
 """Messages as the dialect lays them out; what each field is stands with its class."""
 
 from message import Message
@@ -484,6 +485,22 @@ class BatteryInfo(Message):
     )
 
 
+class BatteryCellVoltages(Message):
+    """BATTERY_CELL_VOLTAGES.
+
+    id: uint16
+    index: uint16
+    voltages: uint16[12], mV, unknown: 0 in an element
+    """
+
+    NAME = "BATTERY_CELL_VOLTAGES"
+    ID = 54371
+    CRC_EXTRA = 8
+    BASE_LENGTH = 28
+    LENGTH = 28
+    FIELDS = "id:H index:H voltages:12H=0"
+
+
 ALL = (
     Heartbeat,
     SysStatus,
@@ -506,4 +523,5 @@ ALL = (
     BatteryStatusV2,
     SmartBatteryInfo,
     BatteryInfo,
+    BatteryCellVoltages,
 )

@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: 63581424ce2c2635
+# Inputs: 41e8b457276efa55
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -26,6 +26,7 @@ NAMES = (
     "BATT_LOW_VOLT",
     "BATT_MONITOR",
     "BATT_REPORT",
+    "BATT_SYS_STATUS",
     "BATT_VOLT_MULT",
     "BATT_VOLT_PIN",
     "SR0_EXTRA1",
@@ -246,6 +247,17 @@ _TABLE = {
         False,
         (0, 1, 2),
     ),
+    "BATT_SYS_STATUS": (
+        "batt_sys_status",
+        1,
+        1,
+        16,
+        1,
+        1,
+        2,  # int8
+        False,
+        (),
+    ),
     "BATT_VOLT_MULT": (
         "batt_volt_mult",
         39500,
@@ -362,6 +374,8 @@ class Parameters:
         self.batt_monitor = 3  # 3: Analog Voltage Only
         # Which generation of battery messages is sent; the other one is sent when a ground station asks for it.
         self.batt_report = 0  # 0: Old
+        # Number of the battery that SYS_STATUS is about, from 1; where that one is switched off, the first that is not.
+        self.batt_sys_status = 1  # 1
         # Pack voltage over the voltage at the ADC pin, set by the divider and calibrated against a meter.
         self.batt_volt_mult = 39500  # 3.95, in steps of 0.0001
         # GPIO number of the pin that the divided battery voltage is connected to.

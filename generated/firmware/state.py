@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: a92c01b179b889cb
+# Inputs: 3f2b96318d56a415
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -31,6 +31,12 @@ class BatteryState:
         self.energy_hj = None
         # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
         self.remaining_pct = None
+        # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]
+        self.left_mah = None
+        # Whether the charge that was drawn counts from a full pack, and not from power-on
+        self.counted_from_full = False
+        # Voltage of each cell. The rover does not measure it; code that does sets it [mV]
+        self.cells_mv = [None] * 3
         # Temperature of the pack. The rover has no sensor for it [cdegC]
         self.temperature_cdegc = None
         # Change of the pack's voltage per second, positive while it rises [mV/s]
@@ -41,6 +47,8 @@ class BatteryState:
         self.failsafe_number = 0
         # How often the pack was exchanged since the start
         self.swaps_number = 0
+        # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
+        self.protected = False
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
@@ -98,6 +106,29 @@ class BatteryState:
         self.remaining_pct = to_steps(value, 1)
 
     @property
+    def left(self):
+        """mAh, or None while it is unknown; FR-00072.4."""
+        return self.left_mah
+
+    @left.setter
+    def left(self, value):
+        self.left_mah = to_steps(value, 1)
+
+    @property
+    def cells(self):
+        """List of values in V, None where one is unknown; FR-00076.7."""
+        return [None if value is None else value / 1000 for value in self.cells_mv]
+
+    @cells.setter
+    def cells(self, values):
+        """Take a list of as many values, or None: all are unknown."""
+        steps = self.cells_mv
+        if values is not None and len(values) != len(steps):
+            raise ValueError(f"there are {len(steps)} values, not {len(values)}")
+        for index in range(len(steps)):
+            steps[index] = None if values is None else to_steps(values[index], 1000)
+
+    @property
     def temperature(self):
         """degC, or None while it is unknown; FR-00068.6."""
         if self.temperature_cdegc is None:
@@ -146,6 +177,41 @@ class BatteryState:
     def healthy(self):
         """Whether the pack's voltage is known, FR-00067.3."""
         return self.voltage_mv is not None
+
+    @property
+    def charging(self):
+        """Whether current flows into the pack, FR-00072.5."""
+        return self.current_ca is not None and self.current_ca < 0
+
+    @property
+    def warning(self):
+        """Whether the health is no longer good, FR-00072.5."""
+        return self.health_number is not None and self.health_number >= 1
+
+    @property
+    def unhealthy(self):
+        """Whether the pack cannot be relied on. Its voltage is too low, or unknown, FR-00072.5."""
+        return self.health_number is not None and self.health_number >= 2
+
+    @property
+    def over_voltage(self):
+        """Whether the pack is charged above what its cells stand, FR-00072.5."""
+        return self.voltage_mv is not None and self.voltage_mv >= 12750
+
+    @property
+    def under_voltage(self):
+        """Whether the pack is below what its cells stand, FR-00072.5."""
+        return self.voltage_mv is not None and self.voltage_mv < 9000
+
+    @property
+    def hot(self):
+        """Whether the pack is warmer than it may be while it is discharged, FR-00072.5."""
+        return self.temperature_cdegc is not None and self.temperature_cdegc >= 6000
+
+    @property
+    def cold(self):
+        """Whether the pack is colder than it may be while it is discharged, FR-00072.5."""
+        return self.temperature_cdegc is not None and self.temperature_cdegc < -2000
 
     @staticmethod
     def voltage_from_adc(adc, mult):

@@ -1,9 +1,10 @@
 # Generated from specs/codegen.yaml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: b0cab9b8130e52a3
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
+#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/streams.yaml: do not edit.
+# Inputs: 0c7492fe34d2a3da
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -21,12 +22,12 @@ LONGEST = 140  # bytes of the longest payload; a link keeps a view of each lengt
 OFF = -1
 
 # What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
-_IDS = (0, 1, 147, 369, 370, 372, 148, 300)
-_STREAMS = (0, 1, 2, 3, 4, 4, None, None)
-_SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000)
+_IDS = (0, 1, 147, 369, 370, 372, 148, 300, 54371)
+_STREAMS = (0, 1, 2, 3, 4, 4, None, None, None)
+_SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000, 100000)
 
 # Generations of messages: 1 the old one, 2 the new one, 3 what is sent in any case.
-_GENERATIONS = (3, 3, 1, 2, 1, 2, 3, 3)
+_GENERATIONS = (3, 3, 1, 2, 1, 2, 3, 3, 3)
 
 # Streams: the number by which REQUEST_DATA_STREAM asks for each (None: it cannot) and the highest rate in Hz.
 _DATA_STREAMS = (None, 2, 10, 12, None)
@@ -78,6 +79,12 @@ def _send_protocol_version(state, link):
     link.send(telemetry.build_protocol_version(state))
 
 
+def _send_battery_cell_voltages(state, link):
+    for instance in range(2):
+        if state.battery[instance].monitored:  # what is not measured is not reported
+            link.send(telemetry.build_battery_cell_voltages(state, instance))
+
+
 _SENDERS = (
     _send_heartbeat,
     _send_sys_status,
@@ -87,6 +94,7 @@ _SENDERS = (
     _send_battery_info,
     _send_autopilot_version,
     _send_protocol_version,
+    _send_battery_cell_voltages,
 )
 
 
@@ -141,7 +149,7 @@ class Streams:
         """Send what is due; call it in every pass of the main loop with time.ticks_ms()."""
         if self._state.parameters.changes != self._changes:
             self._follow_parameters(now_ms)
-        for index in range(8):
+        for index in range(9):
             if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
                 self._send_due(index, now_ms)
 

@@ -1,9 +1,10 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: e4c951a0c11f0977
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
+#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
+# Inputs: 7c1ab26516a181c3
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -15,7 +16,7 @@ from struct import pack_into
 
 import messages
 import micropython
-from conversion import limited, spill
+from conversion import complete, limited, spill
 
 NAN = float("nan")
 
@@ -94,13 +95,25 @@ def _new_sys_status():
 _sys_status = _new_sys_status()
 
 
+def _sys_status_battery(state):
+    """Return the battery that BATT_SYS_STATUS numbers, from 1, or else the first enabled one."""
+    known = state.battery
+    number = state.parameters.batt_sys_status - 1
+    if number < 2 and known[number].monitored:
+        return known[number]
+    for battery in known:
+        if battery.monitored:
+            return battery
+    return known[0]
+
+
 @micropython.native
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
     message = _sys_status
     live = message.live
     wire = message.wire
-    battery = state.battery[0]
+    battery = _sys_status_battery(state)
     vehicle = state.vehicle
     expires_ms = battery.expires_ms
     if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
@@ -170,6 +183,7 @@ def _new_battery_status(instance):
             "voltages",
             "current_battery",
             "battery_remaining",
+            "voltages_ext",
         ),
         unknown=False,
     )
@@ -179,7 +193,6 @@ def _new_battery_status(instance):
     wire[34] = 1  # type: MAV_BATTERY_TYPE_LIPO
     # time_remaining: unknown (0), 0
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0
-    # voltages_ext: unknown ([0]), 0
     # mode: MAV_BATTERY_MODE_UNKNOWN, 0
     # fault_bitmask: no flag, 0
     return message
@@ -193,6 +206,7 @@ def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
     message = _battery_status[instance]
     live = message.live
+    wire = message.wire
     battery = state.battery[instance]
     expires_ms = battery.expires_ms
     if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
@@ -232,9 +246,11 @@ def build_battery_status(state, instance=0):
         value = 32766
     live[2] = value
 
-    # voltages [mV]: battery.voltage, spilling above 65534 (FR-00068.3)
+    # voltages [mV]: battery.cells while all are known, else battery.voltage, spilling above 65534 (FR-00068.3)
     value = battery.voltage_mv
-    if value is None or value > 65534 or live[4] != 65535:
+    if complete(battery.cells_mv, 14):
+        _fill_battery_status_voltages(live, battery.cells_mv)
+    elif value is None or value > 65534 or live[4] != 65535:
         _spill_battery_status_voltages(live, value)
     else:
         live[3] = value if value > 0 else 0
@@ -260,6 +276,16 @@ def build_battery_status(state, instance=0):
     elif value > 100:
         value = 100
     live[14] = value
+
+    # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
+    values = battery.cells_mv
+    _fill_battery_status_voltages_ext(live, values if complete(values, 14) else ())
+
+    # fault_bitmask: (FR-00068.6)
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
+    #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
+    wire[50] = (0x01 if battery.under_voltage else 0) | (0x10 if battery.hot else 0) | (0x20 if battery.cold else 0)
     return message
 
 
@@ -267,6 +293,31 @@ def _spill_battery_status_voltages(live, value):
     if value is not None and value < 0:
         value = 0
     spill(live, 3, 10, value, 65534, 65535)
+
+
+def _fill_battery_status_voltages(live, values):
+    for index in range(10):
+        value = values[index] if index < len(values) else None
+        if value is None:
+            value = 65535  # unknown, or not there
+        elif value < 0:
+            value = 0
+        elif value > 65534:
+            value = 65534
+        live[3 + index] = value
+
+
+def _fill_battery_status_voltages_ext(live, values):
+    for index in range(4):
+        place = 10 + index
+        value = values[place] if place < len(values) else None
+        if value is None:
+            value = 0  # unknown, or not there
+        elif value < 1:
+            value = 1
+        elif value > 65535:
+            value = 65535
+        live[15 + index] = value
 
 
 def _new_autopilot_version():
@@ -321,7 +372,6 @@ def build_protocol_version(_state):
 def _new_battery_status_v2(instance):
     message = messages.BatteryStatusV2(live=("temperature",), unknown=False)
     wire = message.wire
-    pack_into("<f", wire, 12, NAN)  # capacity_remaining: unknown (NaN)
     # status_flags: no flag, 0
     wire[26] = instance  # id: the battery's number
     return message
@@ -367,6 +417,15 @@ def build_battery_status_v2(state, instance=0):
         value = value / 1000
     pack_into("<f", wire, 8, value)
 
+    # capacity_remaining [Ah]: battery.left [mAh] (FR-00072.4)
+    value = state.battery[instance].left_mah
+    if value is None:
+        value = NAN  # unknown
+    else:
+        value = limited(value, 0, 1073741823)
+        value = value / 1000
+    pack_into("<f", wire, 12, value)
+
     # state_of_charge [%]: battery.remaining (FR-00072.4)
     value = state.battery[instance].remaining_pct
     if value is None:
@@ -375,6 +434,28 @@ def build_battery_status_v2(state, instance=0):
         value = limited(value, 0, 100)
         value = value / 1
     pack_into("<f", wire, 16, value)
+
+    # status_flags: (FR-00072.5)
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
+    #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
+    #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
+    wire[20] = (
+        (0x01 if state.battery[instance].unhealthy else 0)
+        | (0x02 if state.battery[instance].charging else 0)
+        | (0x80 if state.battery[instance].protected else 0)
+    )
+    wire[21] = (
+        (0x02 if state.battery[instance].over_voltage else 0)
+        | (0x04 if state.battery[instance].under_voltage else 0)
+        | (0x08 if state.battery[instance].hot else 0)
+        | (0x10 if state.battery[instance].cold else 0)
+    )
+    wire[22] = 0x04 if state.battery[instance].counted_from_full else 0
 
     # temperature [cdegC]: battery.temperature (FR-00072.4)
     value = state.battery[instance].temperature_cdegc
@@ -469,3 +550,44 @@ def build_battery_info(state, instance=0):
     value = value / 1000
     pack_into("<f", wire, 32, value)
     return message
+
+
+def _new_battery_cell_voltages(instance):
+    message = messages.BatteryCellVoltages(live=("index", "voltages"), unknown=False)
+    wire = message.wire
+    pack_into("<H", wire, 0, instance)  # id: the battery's number
+    return message
+
+
+_battery_cell_voltages = [_new_battery_cell_voltages(instance) for instance in range(2)]
+
+
+@micropython.native
+def build_battery_cell_voltages(state, instance=0, page=0):
+    """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    message = _battery_cell_voltages[instance]
+    live = message.live
+    battery = state.battery[instance]
+    expires_ms = battery.expires_ms
+    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
+        battery.expire()
+
+    # index: number of the first value on the page (FR-00076.7)
+    live[0] = page * 12
+
+    # voltages [mV]: battery.cells, a page of them (FR-00076.7)
+    _fill_battery_cell_voltages_voltages(live, battery.cells_mv, page)
+    return message
+
+
+def _fill_battery_cell_voltages_voltages(live, values, page):
+    for index in range(12):
+        place = page * 12 + index
+        value = values[place] if place < len(values) else None
+        if value is None:
+            value = 0  # unknown, or not there
+        elif value < 1:
+            value = 1
+        elif value > 65535:
+            value = 65535
+        live[1 + index] = value

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 2e5ee3cbc9d71e24
+# Inputs: ab83cc4ff71ec6ab
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

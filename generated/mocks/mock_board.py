@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: db880d7d4a9e52cd
+# Inputs: e90a505151ca8777
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

@@ -2,12 +2,13 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
-#   specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 0b393393e9286016
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
+#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
+#   dialect common: do not edit.
+# Inputs: d910cd0f94ab6c3b
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -189,6 +190,7 @@ def battery_old_reading_is_unknown():
         telemetry.build_sys_status,
         telemetry.build_battery_status,
         telemetry.build_battery_status_v2,
+        telemetry.build_battery_cell_voltages,
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
@@ -298,12 +300,15 @@ def every_value_allocates_nothing():
         (state.battery[0], "consumed_mah"),
         (state.battery[0], "energy_hj"),
         (state.battery[0], "remaining_pct"),
+        (state.battery[0], "left_mah"),
+        (state.battery[0], "counted_from_full"),
         (state.battery[0], "temperature_cdegc"),
         (state.battery[0], "trend_mv_s"),
         (state.battery[0], "health_number"),
         (state.battery[0], "failsafe_number"),
         (state.battery[0], "swaps_number"),
         (state.battery[0], "monitored"),
+        (state.battery[0], "protected"),
         (state.vehicle, "armed"),
         (state.vehicle, "ready"),
         (state.vehicle, "mode_number"),
@@ -326,6 +331,37 @@ def every_value_allocates_nothing():
             for build in STEADY:
                 link.send(build(state))
     assert mem_total() == before
+
+
+def battery_cells_allocate_nothing():
+    state = SystemState(log=Log())
+    link = Link(Sink())
+    steps = state.battery[0].cells_mv
+    for turn in range(2):  # the first one is for what is only made once
+        before = mem_total()
+        for place in range(len(steps)):
+            for value in (None, 0, 1, -1, 65534, 65535, 1073741823, -1073741823, 3700):
+                steps[place] = value
+                for build in STEADY:
+                    link.send(build(state))
+        assert mem_total() == before or turn == 0
+
+
+def battery_cells_in_their_unit():
+    battery = SystemState(log=Log()).battery[0]
+    count = len(battery.cells_mv)
+    assert battery.cells == [None] * count
+    battery.cells = [None if place == 0 else place for place in range(count)]
+    assert battery.cells_mv == [None if place == 0 else place * 1000 for place in range(count)]
+    assert battery.cells == [None if place == 0 else place for place in range(count)]
+    for wrong in ([], [1.0] * (count + 1)):
+        try:
+            battery.cells = wrong
+        except ValueError:
+            continue
+        raise AssertionError(wrong)
+    battery.cells = None
+    assert battery.cells == [None] * count
 
 
 def sent_in_40_seconds(state, message_id):
@@ -425,6 +461,7 @@ def parameters_start_with_their_defaults():
         ("batt_low_volt", "BATT_LOW_VOLT", 10500, 10.5),
         ("batt_monitor", "BATT_MONITOR", 3, 3.0),
         ("batt_report", "BATT_REPORT", 0, 0.0),
+        ("batt_sys_status", "BATT_SYS_STATUS", 1, 1.0),
         ("batt_volt_mult", "BATT_VOLT_MULT", 39500, 3.95),
         ("batt_volt_pin", "BATT_VOLT_PIN", 26, 26.0),
         ("sr0_extra1", "SR0_EXTRA1", 2, 2.0),
@@ -434,7 +471,7 @@ def parameters_start_with_their_defaults():
     ):
         assert getattr(parameters, attribute) == steps, name
         assert abs(parameters.get(name) - value) < 1e-5, name
-    assert len(parameters.names()) == 25
+    assert len(parameters.names()) == 26
 
 
 def parameters_keep_their_limits():
@@ -458,6 +495,7 @@ BUILDERS = (
     telemetry.build_battery_status_v2,
     telemetry.build_smart_battery_info,
     telemetry.build_battery_info,
+    telemetry.build_battery_cell_voltages,
 )
 
 STEADY = (  # those without live float fields, which allocate
@@ -467,6 +505,7 @@ STEADY = (  # those without live float fields, which allocate
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
     telemetry.build_smart_battery_info,
+    telemetry.build_battery_cell_voltages,
 )
 
 CHECKS = (
@@ -489,6 +528,8 @@ CHECKS = (
     ("FR-00072", extra3_stream_keeps_its_rate),
     ("FR-00076.6", info_stream_keeps_its_rate),
     ("", every_value_allocates_nothing),
+    ("", battery_cells_allocate_nothing),
+    ("FR-00076.7", battery_cells_in_their_unit),
     ("", late_pass_sends_no_burst),
     ("", parameters_start_with_their_defaults),
     ("", parameters_keep_their_limits),

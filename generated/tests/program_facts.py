@@ -2,12 +2,12 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
-#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
-#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/state.yaml,
-#   specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: c7d4485ed9714e28
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
+#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
+# Inputs: dd652810d5f7f251
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -353,6 +353,18 @@ PARAMETERS = (
         "choices": (0, 1, 2),
     },
     {
+        "name": "BATT_SYS_STATUS",
+        "attribute": "batt_sys_status",
+        "default": 1,
+        "minimum": 1,
+        "maximum": 16,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
         "name": "BATT_VOLT_MULT",
         "attribute": "batt_volt_mult",
         "default": 39500,
@@ -507,9 +519,9 @@ STREAMS = (
 )
 
 # Ids of the messages that are sent on request only, and the shortest interval of each message in microseconds.
-ON_REQUEST = [148, 300]
-SENT = (0, 1, 147, 369, 370, 372, 148, 300)
-SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000)
+ON_REQUEST = [148, 300, 54371]
+SENT = (0, 1, 147, 369, 370, 372, 148, 300, 54371)
+SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000, 100000)
 
 # Generations of messages: the parameter that chooses ("" for a fixed choice), the ids of each, bytes per second of the
 # old one, the new one and both: the least and the most.
@@ -520,7 +532,7 @@ GENERATIONS = (
         "default": 0,
         "old": (147, 370),
         "new": (369, 372),
-        "prices": ((99.45, 101.45), (33.85, 43.85), (133.3, 145.3)),
+        "prices": ((99.45, 131.45), (18.85, 43.85), (118.3, 175.3)),
     },
 )
 
@@ -553,7 +565,7 @@ MESSAGES = {
         "instances": 2,
         "pages": 1,
         "rate": 2.0,
-        "frames": ((47, 48), (47, 48)),
+        "frames": ((47, 63), (47, 63)),
         "on_connection": False,
         "watched": None,
     },
@@ -583,7 +595,7 @@ MESSAGES = {
         "instances": 2,
         "pages": 1,
         "rate": 1.0,
-        "frames": ((28, 38), (39, 39)),
+        "frames": ((13, 38), (39, 39)),
         "on_connection": False,
         "watched": None,
     },
@@ -606,5 +618,15 @@ MESSAGES = {
         "frames": ((117, 117), (117, 117)),
         "on_connection": True,
         "watched": ("battery", "swaps_number"),
+    },
+    54371: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 2,
+        "pages": 1,
+        "rate": 0.0,
+        "frames": ((13, 40), (13, 40)),
+        "on_connection": False,
+        "watched": None,
     },
 }

@@ -64,6 +64,11 @@ def product(first, second, numerator, denominator):
     return both // denominator * numerator + (both % denominator * numerator + denominator // 2) // denominator
 
 
+def complete(values, room):
+    """Return whether there are values, no more than there is room for, and all of them are known."""
+    return 0 < len(values) <= room and None not in values
+
+
 def spill(live, index, cells, value, most, unused):
     """Spread a value over live cells that hold up to `most` each; cells that are not reached get `unused`.
 

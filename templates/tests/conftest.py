@@ -9,7 +9,7 @@ from interpreters import CASES, run_under
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request):
     """What the firmware made of all cases, in one run of each interpreter."""
-    return json.loads(run_under(request.param, "runner.py", str(CASES)))
+    return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])

@@ -19,12 +19,14 @@ def micropython():
     return found
 
 
-def run_under(interpreter, script, *arguments):
-    """Run a script of this folder with the firmware and the mocks on its path; return what it printed."""
+def run_under(interpreter, script, *arguments, heap="2m"):
+    """Run a script of this folder with the firmware and the mocks on its path; return what it printed.
+
+    `heap` is what MicroPython gets: a script that holds all cases at once needs more than others.
+    """
     path = os.pathsep.join([*PATHS, ".frozen"])  # where MicroPython has its asyncio
-    # The cases of all messages take more than MicroPython's own heap of a host, 2 MB on 64 bits.
-    started = [micropython(), "-X", "heapsize=16m"] if interpreter == "micropython" else [sys.executable]
-    command = [*started, str(HERE / script), *arguments]
+    program = [micropython(), "-X", f"heapsize={heap}"] if interpreter == "micropython" else [sys.executable]
+    command = [*program, str(HERE / script), *arguments]
     environment = {**os.environ, "MICROPYPATH": path, "PYTHONPATH": path}
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -43,10 +43,12 @@ def component_of(state, name, instances, instance):
 def build(case, instances):
     """Return the message of a case, built by the firmware from a fresh state."""
     state = SystemState(log=silent)
-    for name, attribute, value in case["set"]:
-        component = component_of(state, name, instances, case["instance"])
+    for name, attribute, value, *instance in case["set"]:
+        component = component_of(state, name, instances, instance[0] if instance else 0)
         setattr(component, attribute, _FLOATS[value] if isinstance(value, str) else value)
     builder = getattr(telemetry, "build_" + case["message"].lower())
+    if "page" in case:
+        return builder(state, case["instance"], case["page"])
     return builder(state, case["instance"]) if case["instance"] else builder(state)
 
 

@@ -8,7 +8,16 @@ from fractions import Fraction
 
 from codegen.model.dialect import Kind
 from codegen.model.spec import Rounding
-from codegen.model.system import Binding, FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding
+from codegen.model.system import (
+    Binding,
+    EachBinding,
+    FlagsBinding,
+    InstanceBinding,
+    LiveBinding,
+    PageBinding,
+    PopulatedMessage,
+    SplitBinding,
+)
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.naming import number, parameter_attribute
 
@@ -56,12 +65,25 @@ class SpillView:
 
 
 @dataclass(frozen=True, slots=True)
-class FlagsView:
-    """A bitmask some bits of which depend on the state, as one live value."""
+class ExpressionView:
+    """A live value that is an expression: a bitmask some bits of which depend on the state, or a number."""
 
     comment: tuple[str, ...]
     index: int
     expression: str
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """The expression as it is printed."""
+        return _lines(f"live[{self.index}]", self.expression)
+
+
+def _lines(target: str, expression: str) -> tuple[str, ...]:
+    """The expression that a target gets, or, where the line gets long, a line for each of its terms."""
+    if len(f"    {target} = {expression}") <= 120:
+        return (expression,)
+    first, *others = expression.split(" | ")
+    return ("(", f"    {first}", *(f"    | {term}" for term in others), ")")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,8 +94,43 @@ class FlagByteView:
     offset: int
     expression: str
 
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """The expression as it is printed."""
+        return _lines(f"wire[{self.offset}]", self.expression)
 
-View = LiveView | SpillView | FlagsView | FlagByteView
+
+@dataclass(frozen=True, slots=True)
+class EachView:
+    """Elements that take one value each of a list, on every build; ``function`` writes them, from ``index`` on.
+
+    ``room`` is given where they go out together or not at all; ``spill`` is then what goes out instead, if anything.
+    """
+
+    comment: str
+    values: str
+    function: str
+    index: int
+    count: int
+    first: int
+    is_paged: bool
+    room: int | None
+    spill: SpillView | None
+    before: tuple[str, str] | None
+    scale: tuple[str, int, int] | None
+    unknown: int
+    low: str
+    high: str
+    hole: str | None
+    beside: str
+
+    @property
+    def start(self) -> str:
+        """The index of the first value, as an expression."""
+        return f"page * {self.count}" if self.is_paged else str(self.first)
+
+
+View = EachView | LiveView | SpillView | ExpressionView | FlagByteView
 
 
 def live_names(message: PopulatedMessage) -> tuple[str, ...]:
@@ -109,6 +166,10 @@ def live_views(message: PopulatedMessage, reach: Mapping[str, str]) -> tuple[Vie
 def _live_count(binding: Binding) -> int:
     """How many live values a binding takes: none where nothing changes, or where the field is too long for one."""
     is_short = binding.covers.field.type.is_integer and binding.covers.field.type.size <= 4
+    if isinstance(binding, EachBinding | PageBinding):
+        return binding.covers.count
+    if isinstance(binding, InstanceBinding):
+        return int(binding.first is not None)
     if isinstance(binding, LiveBinding | SplitBinding):
         return binding.covers.count if is_short else 0
     if isinstance(binding, FlagsBinding):
@@ -122,6 +183,14 @@ def _views(binding: Binding, index: int, message: PopulatedMessage, reach: Mappi
         source = _source(binding.source, reach)
         at = index if _live_count(binding) else None
         yield _float_view(binding, source) if is_float else _integer_view(binding, source, at)
+    elif isinstance(binding, EachBinding):
+        yield _each_view(binding, index, message, reach)
+    elif isinstance(binding, PageBinding):
+        comment = (f"{binding.covers.label}: number of the first value on the page ({binding.covers.citation})",)
+        yield ExpressionView(comment, index, f"page * {binding.size}")
+    elif isinstance(binding, InstanceBinding) and binding.first is not None:
+        comment = (f"{binding.covers.label}: {binding.first.name}, counted on ({binding.covers.citation})",)
+        yield ExpressionView(comment, index, f"{reach[binding.component]}.number")
     elif isinstance(binding, SplitBinding):
         yield _spill_view(binding, index, message, reach)
     elif isinstance(binding, FlagsBinding) and binding.conditional:
@@ -229,9 +298,36 @@ def _spill_view(binding: SplitBinding, index: int, message: PopulatedMessage, re
     )
 
 
-def _flags_view(binding: FlagsBinding, index: int, reach: Mapping[str, str]) -> FlagsView:
+def _each_view(binding: EachBinding, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> EachView:
+    covers, fallback = binding.covers, binding.fallback
+    units = covers.field.definition.units
+    words = binding.source.path + (f", from {binding.first}" if binding.first else "")
+    words += ", a page of them" if binding.is_paged else ""
+    words += " while all are known" if binding.room is not None else ""
+    words += f", else {fallback.source.path}, spilling above {fallback.cell_high}" if fallback else ""
+    return EachView(
+        comment=f"{covers.label}{f' [{units}]' if units else ''}: {words} ({covers.citation})",
+        values=_source(binding.source, reach),
+        function=f"_fill_{message.name.lower()}_{covers.field.name}" + (f"_{covers.first}" if covers.first else ""),
+        index=index,
+        count=covers.count,
+        first=binding.first,
+        is_paged=binding.is_paged,
+        room=binding.room,
+        spill=None if fallback is None else _spill_view(fallback, index, message, reach),
+        before=_before(binding.factor, binding.low, binding.high),
+        scale=_scale(binding.factor, binding.rounding),
+        unknown=binding.unknown,
+        low=str(binding.low),
+        high=str(binding.high),
+        hole=None if binding.hole is None else str(binding.hole),
+        beside=str(binding.beside),
+    )
+
+
+def _flags_view(binding: FlagsBinding, index: int, reach: Mapping[str, str]) -> ExpressionView:
     terms = [(value, _source(quantity, reach)) for _, value, quantity in binding.conditional]
-    return FlagsView(_flag_comment(binding), index, _or(binding.mask, terms))
+    return ExpressionView(_flag_comment(binding), index, _or(binding.mask, terms))
 
 
 def _flag_bytes(binding: FlagsBinding, reach: Mapping[str, str]) -> Iterator[FlagByteView]:

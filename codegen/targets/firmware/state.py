@@ -14,8 +14,21 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 
 
 @dataclass(frozen=True, slots=True)
+class OwnView:
+    """An attribute that is not the same in all instances: its value in the first, and in each, as expressions."""
+
+    attribute: str
+    first: str
+    each: str
+
+
+@dataclass(frozen=True, slots=True)
 class QuantityView:
-    """One quantity: its attribute, its value at start, and, with a unit, its property for people."""
+    """One quantity: its attribute, its value at start, and, with a unit, its property for people.
+
+    A boolean that ``follows`` an attribute is true while that is known and ``condition`` holds. ``elements`` is the
+    number of values of a list. ``own`` is what instances have of their own.
+    """
 
     name: str
     attribute: str
@@ -25,6 +38,9 @@ class QuantityView:
     has_property: bool
     read_only: bool
     follows: str | None
+    condition: str
+    own: OwnView | None
+    elements: int | None
     enabled_by: str | None
     enabled_attribute: str
     enabled_by_name: str
@@ -173,7 +189,7 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         initial = str(quantity.initial)
     stored = f" [{quantity.stored.name}]" if quantity.stored.name else ""
     enum = f" ({quantity.enum.name})" if quantity.enum else ""
-    follows = quantity.while_known
+    follows = quantity.followed
     return QuantityView(
         name=quantity.name,
         attribute=quantity.attribute,
@@ -183,6 +199,9 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         has_property=quantity.attribute != quantity.name,
         read_only=bool(quantity.trend),
         follows=component.quantities[follows].attribute if follows else None,
+        condition=_condition(quantity),
+        own=_own(quantity),
+        elements=quantity.elements[0] if quantity.elements else None,
         enabled_by=parameter_expression(quantity.enabled_by, "self.parameters") if quantity.enabled_by else None,
         enabled_attribute=parameter_attribute(quantity.enabled_by.name) if quantity.enabled_by else "",
         enabled_by_name=quantity.enabled_by.name if quantity.enabled_by else "",
@@ -190,6 +209,31 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation) if quantity.citation else "",
     )
+
+
+def _condition(quantity: Quantity) -> str:
+    """The comparison of a boolean that follows a limit; where instances differ, with the limit of its own."""
+    follows = quantity.follows
+    if follows is None:
+        return ""
+    sign = "<" if follows.is_below else ">="
+    limit = str(follows.limits[0]) if len(set(follows.limits)) == 1 else f"self.{_limit_name(quantity)}"
+    return f"{sign} {limit}"
+
+
+def _limit_name(quantity: Quantity) -> str:
+    return f"{quantity.name}_limit"
+
+
+def _own(quantity: Quantity) -> OwnView | None:
+    """What is not the same in all instances, if there is such a thing."""
+    numbers = quantity.follows.limits if quantity.follows else quantity.elements or ()
+    if len(set(numbers)) <= 1:
+        return None
+    listed = f"({', '.join(map(str, numbers))})[instance]"
+    if quantity.follows:
+        return OwnView(_limit_name(quantity), str(numbers[0]), listed)
+    return OwnView(quantity.attribute, f"[None] * {numbers[0]}", f"[None] * {listed}")
 
 
 def _trend(quantity: Quantity, component: Component) -> TrendView | None:

@@ -6,20 +6,39 @@ from textwrap import wrap
 
 from codegen.model.dialect import Kind, WireField
 from codegen.model.system import (
+    Binding,
     Elements,
     FixedBinding,
     FlagsBinding,
     InstanceBinding,
-    LiveBinding,
+    PageBinding,
     PartBinding,
+    Policy,
     PopulatedMessage,
-    SplitBinding,
+    Representation,
     System,
+    TextBinding,
     read_quantities,
 )
 from codegen.model.vehicle import Component
-from codegen.targets.firmware.live import FlagByteView, LiveView, SpillView, View, live_names, live_views, packs
-from codegen.targets.naming import builder_name, class_names, instance_expression, number, quoted
+from codegen.targets.firmware.live import (
+    EachView,
+    FlagByteView,
+    LiveView,
+    SpillView,
+    View,
+    live_names,
+    live_views,
+    packs,
+)
+from codegen.targets.naming import (
+    builder_name,
+    class_names,
+    instance_expression,
+    number,
+    parameter_attribute,
+    quoted,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +59,22 @@ class FixedView:
 
 
 @dataclass(frozen=True, slots=True)
+class ChoiceView:
+    """The function that chooses which of several instances a single message is about."""
+
+    function: str
+    component: str
+    message: str
+    instances: int
+    parameter: str | None
+    parameter_name: str
+    lowest: str | None
+    lowest_name: str
+    enabled: str | None
+    expires: bool
+
+
+@dataclass(frozen=True, slots=True)
 class BuilderView:
     """One message: its class, its prefilled payload and the statements of its builder."""
 
@@ -52,6 +87,8 @@ class BuilderView:
     citation: str
     instances: int
     is_for_each: bool
+    is_paged: bool
+    chosen: tuple[ChoiceView, ...]
     components: tuple[tuple[str, str], ...]
     expiring: tuple[str, ...]
     fixed: tuple[FixedView, ...]
@@ -68,6 +105,7 @@ class TelemetryView:
     conversions: tuple[str, ...]
     uses_nan: bool
     uses_clock: bool
+    uses_chip: bool
     packs: bool
     machine_code: bool
 
@@ -81,8 +119,13 @@ def telemetry_view(system: System) -> TelemetryView:
     classes = class_names(wire.name for wire in system.wires)
     builders = tuple(_builder(message, classes[message.name], system) for message in system.messages)
     used: set[str] = set()
+    bindings = [binding for message in system.messages for binding in message.bindings]
     for builder in builders:
-        for view in builder.live:
+        views = [part for view in builder.live for part in (view, getattr(view, "spill", None)) if part]
+        for view in views:
+            if isinstance(view, EachView):
+                used.update(["limited", view.scale[0]] if view.scale else [])
+                used.update(["complete"] if view.room is not None else [])
             if isinstance(view, LiveView | SpillView) and view.scale:
                 used.update(["limited", view.scale[0]])
             if isinstance(view, LiveView) and view.divisor:
@@ -95,6 +138,7 @@ def telemetry_view(system: System) -> TelemetryView:
         conversions=tuple(sorted(used)),
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
         uses_clock=any(builder.expiring for builder in builders),
+        uses_chip=any(isinstance(binding, TextBinding) for binding in bindings),
         packs=any(map(packs, system.messages)) or any("pack_into" in statement for statement in prefilled),
         machine_code=system.spec.project.machine_code,
     )
@@ -104,13 +148,16 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
     read = Counter(quantity.component for binding in message.bindings for quantity in read_quantities(binding))
     expiring = tuple(name for name in sorted(read) if _expires(system.components[name]))
     reach = {}
-    for name in read:
+    for name in [*read, *([message.component.name] if message.component else [])]:
         is_each = message.component is not None and message.component.name == name
         reach[name] = instance_expression(system.components[name], is_each)
+    chosen = tuple(_choice(choice, message) for choice in message.represents.values() if _chooses(choice))
+    reach |= {choice.component: f"{choice.function}(state)" for choice in chosen}
     # A board keeps only so many variables and intermediate values of a function off the heap: so only the components
     # that are read most are variables, and none where values are packed, which takes five intermediate ones.
     most_read = [] if packs(message) else read.most_common(LOCALS)
     frequent = [name for name, count in most_read if count > 1 or name in expiring]
+    frequent += [choice.component for choice in chosen if choice.component not in frequent]
     locals_ = tuple((name, reach[name]) for name in sorted(frequent))
     reach |= {name: name for name in frequent}
     live = live_views(message, reach)
@@ -125,11 +172,11 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
         citation=str(message.citation),
         instances=message.instances,
         is_for_each=message.component is not None,
+        is_paged=any(isinstance(binding, PageBinding) for binding in message.bindings),
+        chosen=chosen,
         components=locals_,
         expiring=tuple(reach[name] for name in expiring),
-        fixed=tuple(
-            _fixed(binding) for binding in message.bindings if not isinstance(binding, LiveBinding | SplitBinding)
-        ),
+        fixed=tuple(fixed for binding in message.bindings if (fixed := _fixed(binding)) is not None),
         live_names=live_names(message),
         live=live,
         uses_wire=packs(message) or any(isinstance(view, FlagByteView) for view in live),
@@ -140,28 +187,58 @@ def _expires(component: Component) -> bool:
     return any(quantity.stale_after_ms is not None for quantity in component.quantities.values())
 
 
-def _fixed(binding: FixedBinding | PartBinding | FlagsBinding | InstanceBinding) -> FixedView:
+def _chooses(choice: Representation) -> bool:
+    return choice.policy is not Policy.FIRST and choice.component.instances > 1
+
+
+def _choice(choice: Representation, message: PopulatedMessage) -> ChoiceView:
+    component = choice.component
+    return ChoiceView(
+        function=f"_{message.name.lower()}_{component.name}",
+        component=component.name,
+        message=message.name,
+        instances=component.instances,
+        parameter=parameter_attribute(choice.parameter.name) if choice.parameter else None,
+        parameter_name=choice.parameter.name if choice.parameter else "",
+        lowest=choice.quantity.attribute if choice.quantity else None,
+        lowest_name=choice.quantity.name if choice.quantity else "",
+        enabled=component.enabled.attribute if component.enabled else None,
+        expires=_expires(component),
+    )
+
+
+def _fixed(binding: Binding) -> FixedView | None:
+    """The line of the prefilled payload; None for what is written at each build."""
     covers = binding.covers
     field = covers.field
+    if isinstance(binding, FixedBinding):
+        return _prefilled(covers, binding.values, binding.meaning)
     if isinstance(binding, PartBinding):
         return _by_instance(binding)
-    if isinstance(binding, InstanceBinding):
+    if isinstance(binding, TextBinding):
+        text = f"hexlify(machine.unique_id()).decode()[:{field.count}]"
+        return FixedView(f'message.set("{field.name}", {text})', f"{covers.label}: number of the chip")
+    if isinstance(binding, InstanceBinding) and binding.first is None:
         return FixedView(_packed(field, covers.offset, "instance"), f"{covers.label}: the {binding.component}'s number")
     if isinstance(binding, FlagsBinding):
         words = " | ".join(binding.names) or "no flag"
         return _prefilled(covers, (binding.mask,) * covers.count, words)
-    return _prefilled(covers, binding.values, binding.meaning)
+    return None
 
 
 def _by_instance(binding: PartBinding) -> FixedView:
-    covers = binding.covers
-    field = covers.field
-    comment = f"{covers.label}: {', '.join(dict.fromkeys(part.meaning for part in binding.values))}"
+    """A fact that differs: the prefilled payload of each instance picks its own."""
+    covers, field = binding.covers, binding.covers.field
     values = [part.values[0] for part in binding.values]
+    comment = f"{covers.label}: {', '.join(part.meaning for part in binding.values)}"
     if field.type.kind is Kind.CHAR:
-        listed = ", ".join(quoted(str(value)) for value in values)
-        return FixedView(f'message.set("{field.name}", ({listed})[instance])', comment)
-    return FixedView(_packed(field, covers.offset, f"({', '.join(map(number, values))})[instance]"), comment)
+        texts = ", ".join(quoted(str(value)) for value in values)
+        return FixedView(f'message.set("{field.name}", ({texts})[instance])', f"{covers.label}: text")
+    picked = f"({', '.join(map(number, values))})[instance]"
+    if covers.count == 1:
+        return FixedView(_packed(field, covers.offset, picked), comment)
+    code = f'"<{covers.count}{field.type.code}"'
+    return FixedView(f"pack_into({code}, wire, {covers.offset}, *[{picked}] * {covers.count})", comment)
 
 
 def _prefilled(covers: Elements, values: tuple[int | float | str, ...], meaning: str) -> FixedView:

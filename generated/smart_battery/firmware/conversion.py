@@ -1,5 +1,5 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: 4ed4187d3fdbce32
+# Inputs: 69646923a7c50471
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
@@ -64,6 +64,11 @@ def product(first, second, numerator, denominator):
     """
     both = first * second
     return both // denominator * numerator + (both % denominator * numerator + denominator // 2) // denominator
+
+
+def complete(values, room):
+    """Return whether there are values, no more than there is room for, and all of them are known."""
+    return 0 < len(values) <= room and None not in values
 
 
 def spill(live, index, cells, value, most, unused):

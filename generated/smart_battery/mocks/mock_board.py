@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/state.yaml: do not edit.
-# Inputs: bcac2be8aea1b597
+# Inputs: b8d8419afb197401
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

@@ -7,7 +7,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
 #   dialect common: do not edit.
-# Inputs: 80d1f9c3684abe2b
+# Inputs: e4ea6e0ea1370808
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -296,12 +296,15 @@ def every_value_allocates_nothing():
         (state.battery, "consumed_mah"),
         (state.battery, "energy_hj"),
         (state.battery, "remaining_pct"),
+        (state.battery, "left_mah"),
+        (state.battery, "counted_from_full"),
         (state.battery, "temperature_cdegc"),
         (state.battery, "trend_mv_s"),
         (state.battery, "health_number"),
         (state.battery, "failsafe_number"),
         (state.battery, "swaps_number"),
         (state.battery, "monitored"),
+        (state.battery, "protected"),
         (state.vehicle, "armed"),
         (state.vehicle, "ready"),
         (state.vehicle, "mode_number"),
@@ -324,6 +327,37 @@ def every_value_allocates_nothing():
             for build in STEADY:
                 link.send(build(state))
     assert mem_total() == before
+
+
+def battery_cells_allocate_nothing():
+    state = SystemState(log=Log())
+    link = Link(Sink())
+    steps = state.battery.cells_mv
+    for turn in range(2):  # the first one is for what is only made once
+        before = mem_total()
+        for place in range(len(steps)):
+            for value in (None, 0, 1, -1, 65534, 65535, 1073741823, -1073741823, 3700):
+                steps[place] = value
+                for build in STEADY:
+                    link.send(build(state))
+        assert mem_total() == before or turn == 0
+
+
+def battery_cells_in_their_unit():
+    battery = SystemState(log=Log()).battery
+    count = len(battery.cells_mv)
+    assert battery.cells == [None] * count
+    battery.cells = [None if place == 0 else place for place in range(count)]
+    assert battery.cells_mv == [None if place == 0 else place * 1000 for place in range(count)]
+    assert battery.cells == [None if place == 0 else place for place in range(count)]
+    for wrong in ([], [1.0] * (count + 1)):
+        try:
+            battery.cells = wrong
+        except ValueError:
+            continue
+        raise AssertionError(wrong)
+    battery.cells = None
+    assert battery.cells == [None] * count
 
 
 def sent_in_40_seconds(state, message_id):
@@ -426,6 +460,8 @@ CHECKS = (
     ("FR-00074.1", heartbeat_stream_keeps_its_rate),
     ("FR-00074.3", status_stream_keeps_its_rate),
     ("", every_value_allocates_nothing),
+    ("", battery_cells_allocate_nothing),
+    ("FR-00076.7", battery_cells_in_their_unit),
     ("", late_pass_sends_no_burst),
     ("", parameters_start_with_their_defaults),
     ("", parameters_keep_their_limits),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: e2a788a80e09b72a
+# Inputs: a7565440986c7f23
 """What the firmware does in the cases and checks of this suite, once for each interpreter."""
 
 import json
@@ -11,7 +11,7 @@ from interpreters import CASES, run_under
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
 def results(request):
     """What the firmware made of all cases, in one run of each interpreter."""
-    return json.loads(run_under(request.param, "runner.py", str(CASES)))
+    return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])

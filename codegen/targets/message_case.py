@@ -1,0 +1,33 @@
+"""One case of a message: what is set in the state, and what must go out."""
+
+from dataclasses import dataclass
+
+from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.targets.expected import Stored, Wire
+
+Setting = tuple[str, str, int | float | str | list[int | None] | None, int]
+"""Component, attribute, value and instance; ``"nan"``, ``"inf"`` and ``"-inf"`` stand for the floats.
+
+The component ``parameters`` has the parameters by their attributes.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class MessageCase:
+    """A state and the message that must come of it. ``requirement`` is the criterion that asks for it."""
+
+    name: str
+    requirement: str
+    message: str
+    instance: int
+    settings: tuple[Setting, ...]
+    expect: dict[str, Wire]
+    page: int = 0
+
+
+def set_to(quantity: Quantity, value: Stored, instance: int) -> Setting:
+    """How a test sets a quantity of an instance."""
+    plain = list(value) if isinstance(value, tuple) else value
+    if quantity.kind is QuantityKind.BOOLEAN:
+        plain = bool(value)
+    return (quantity.component, quantity.attribute, plain, instance)
