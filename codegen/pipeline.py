@@ -1,9 +1,8 @@
 """The way of the data: read, resolve, check, then render; every command is a prefix of it."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from fractions import Fraction
 
 from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
 from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
@@ -75,23 +74,23 @@ def _checked(spec: Spec | None, dialect: Dialect | None, report: Report) -> Syst
     return system
 
 
-def read_scenarios(path: str, system: System | None, report: Report) -> dict[str, Scenario] | None:
-    """The scenarios of a file, those with errors left out; None if it cannot be read. Without a system they are only
-    checked."""
+def read_scenarios(path: str, systems: Sequence[System], report: Report) -> dict[str, Scenario] | None:
+    """The scenarios of a file, those with errors left out; None if it cannot be read.
+
+    ``systems`` are those of the project; where its own could not be read, the scenarios are only checked.
+    """
     written = decode_scenarios(path, report)
     if written is None:
         return None
-    measured = system.measured() if system else ()
-    multipliers = [quantity.conversion.multiplier for _, quantity in measured if quantity.conversion]
-    divider = multipliers[0].default * multipliers[0].step if multipliers else Fraction(1)
-    return resolve_scenarios(written, divider, report)
+    programs = {system.spec.program: system for system in systems}
+    return resolve_scenarios(written, programs.pop("", None), report, programs)
 
 
-def check_scenarios(project_file: str, system: System | None, report: Report) -> None:
+def check_scenarios(project_file: str, systems: Sequence[System], report: Report) -> None:
     """What is wrong with the scenarios beside a project file, which may have none."""
     path = scenarios_path(project_file)
     if os.path.lexists(path):
-        read_scenarios(path, system, report)
+        read_scenarios(path, systems, report)
 
 
 def scenarios_path(project_file: str) -> str:

@@ -10,6 +10,7 @@ from typing import Any, assert_never
 
 from codegen.model.board_spec import BoardSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.shape import (
     AnyScalar,
@@ -49,6 +50,7 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "parameters.schema.json": ParametersSpec,
     "streams.schema.json": StreamsSpec,
     "vehicle.schema.json": VehicleSpec,
+    "receiver.schema.json": ReceiverSpec,
     "message.schema.json": PopulationSpec,
     "corrections.schema.json": CorrectionsSpec,
     "scenarios.schema.json": ScenariosSpec,

@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     report = Report()
     systems = pipeline.read_systems(project, report)
     system = systems[0] if systems else None
-    pipeline.check_scenarios(project, system, report)
+    pipeline.check_scenarios(project, systems, report)
     if system is None or report.has_errors:
         return emit(None, "", arguments, report)
     rendered = pipeline.render_systems(systems)

@@ -29,7 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     report = Report()
     systems = pipeline.read_systems(project, report)
-    pipeline.check_scenarios(project, systems[0] if systems else None, report)
+    pipeline.check_scenarios(project, systems, report)
     if arguments.format == "json":
         print(findings_json(report))
     else:

@@ -7,6 +7,8 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from codegen.diagnostics import Report
     from codegen.model.scenario import Scenario
     from codegen.model.system import System
@@ -98,21 +100,24 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     duration_ms = None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration)
     from codegen import pipeline
 
-    system = pipeline.read_system(project, report)
-    if system is None or report.has_errors:
+    systems = pipeline.read_systems(project, report)
+    if not systems or report.has_errors:
         return None
-    scenarios = _scenarios(arguments, system, report)
+    scenarios = _scenarios(arguments, systems, report)
     if scenarios is None:
         return None
     if arguments.list:
         width = max(map(len, scenarios), default=0)
         return [f"{name:{width}}  {scenario.doc}" for name, scenario in scenarios.items()]
     scenario = _chosen(arguments.scenario, scenarios)
-    firmware, mocks = _generated(pipeline.output_folder(system))
+    names = {"", *(beside.program for beside in scenario.beside)}
+    cast = [system for system in systems if system.spec.program in names]
+    folders = {system.spec.program: _generated(pipeline.output_folder(system)) for system in cast}
     if arguments.duration is None:
         duration_ms = scenario.duration_ms
     from codegen.sim.address import AddressError, parse_address
     from codegen.sim.process import Runtime, find_interpreter
+    from codegen.sim.program import simulated_programs
     from codegen.sim.run import Simulation
 
     runtime = Runtime(arguments.runtime)
@@ -124,21 +129,16 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     except AddressError as problem:
         raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
-    _warn_of_stale(pipeline.stale_firmware(system))
-    measured = [quantity.conversion for _, quantity in system.measured() if quantity.conversion is not None]
+    _warn_of_stale([module for system in cast for module in pipeline.stale_firmware(system)])
     return Simulation(
         scenario=scenario,
         duration_ms=duration_ms,
         speed=speed,
         runtime=runtime,
         interpreter=interpreter,
-        firmware=firmware,
-        mocks=mocks,
         to=target,
         flash=arguments.flash,
-        rover=arguments.rover,
-        gpios=tuple(conversion.channel.gpio for conversion in measured),
-        reference_mv=round(measured[0].channel.reference * 1000) if measured else 3300,
+        programs=simulated_programs(scenario, cast, folders, arguments.rover),
     )
 
 
@@ -164,12 +164,15 @@ def _duration_ms(text: str) -> int:
     return round(milliseconds)
 
 
-def _scenarios(arguments: argparse.Namespace, system: "System", report: "Report") -> "dict[str, Scenario] | None":
+def _scenarios(
+    arguments: argparse.Namespace, systems: "Sequence[System]", report: "Report"
+) -> "dict[str, Scenario] | None":
     """The scenarios of the project, or of the file that the user names; None after findings."""
     from codegen import pipeline
 
     path, _ = _file_and_name(arguments.scenario)
-    scenarios = pipeline.read_scenarios(path or pipeline.scenarios_path(system.spec.project.place.file), system, report)
+    path = path or pipeline.scenarios_path(systems[0].spec.project.place.file)
+    scenarios = pipeline.read_scenarios(path, systems, report)
     return None if report.has_errors else scenarios
 
 
@@ -196,14 +199,14 @@ def _chosen(given: str, scenarios: "dict[str, Scenario]") -> "Scenario":
     return scenarios[name]
 
 
-def _generated(folder: str) -> tuple[str, str]:
-    """The folders of the firmware and of the mocks."""
+def _generated(folder: str) -> str:
+    """The output folder of a program, which has a firmware and the mocks."""
     firmware, mocks = os.path.join(folder, "firmware"), os.path.join(folder, "mocks")
     if not os.path.isfile(os.path.join(firmware, "main.py")) or not os.path.isfile(os.path.join(mocks, "sim.py")):
         from codegen.source import shown_path
 
         raise UsageError(f"there is no firmware in {shown_path(folder)}: run codegen build first")
-    return firmware, mocks
+    return folder
 
 
 def _warn_of_stale(modules: list[str]) -> None:
@@ -227,16 +230,15 @@ def _check_files(arguments: argparse.Namespace) -> None:
 
 def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
     from codegen.cli.status import StatusLine, ended_by_signals, print_result
-    from codegen.sim.record import Recording
     from codegen.sim.run import simulate
 
-    recording = Recording(simulation.scenario)
+    recording = simulation.recording()
     status = StatusLine(simulation, is_quiet=arguments.quiet)
     with ended_by_signals():
         try:
             simulate(simulation, recording, status.watch)
         except KeyboardInterrupt:
-            recording.was_interrupted = True
+            recording.was_interrupted = True  # between two programs
         except BrokenPipeError:
             raise  # whoever reads the output has gone
         except OSError as fault:
@@ -249,8 +251,10 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
 
         write_report(arguments.report, simulation, recording)
     print_result(simulation, recording, arguments.report)
-    if recording.problem:
+    failed = next((record for record in recording.all if record.problem), None)
+    if failed is not None:
+        who = f"{failed.name}: " if failed.name else ""
         print(end="", flush=True)
-        print(f"codegen sim: error: {recording.problem}", file=sys.stderr)
+        print(f"codegen sim: error: {who}{failed.problem}", file=sys.stderr)
         return 3
     return 0

@@ -10,8 +10,9 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from codegen.sim.record import Happening, Recording
+    from codegen.sim.record import Recording
     from codegen.sim.run import Simulation
+    from codegen.sim.sample import Happening
 
 _LIVE_S = 0.2
 _PLAIN_S = 5.0
@@ -29,10 +30,13 @@ class StatusLine:
         self._is_shown = False
         self._name = simulation.scenario.name
         self._started_s: float | None = None
+        self._width = max((len(program.name) for program in simulation.programs), default=0)
         if not is_quiet:
+            names = [program.name for program in simulation.programs]
+            running = f"{', '.join(names)} run, " if len(names) > 1 else ""
             print(
                 f"{simulation.scenario.name}: {simulation.scenario.doc}\n"
-                f"sending to {simulation.to.written}; Ctrl-C ends it",
+                f"{running}sending to {simulation.to.written}; Ctrl-C ends it",
                 file=sys.stderr,
             )
 
@@ -42,7 +46,7 @@ class StatusLine:
             return
         if happening is not None:
             self.clear()
-            print(happening_line(happening), flush=True)
+            print(happening_line(happening, self._width), flush=True)
             return
         now_s = time.monotonic()
         if now_s < self._next_s:
@@ -65,28 +69,46 @@ class StatusLine:
 
 
 def state_line(recording: "Recording") -> str:
-    """The state in one line."""
-    from codegen.sim.verdict import seconds, volts
+    """The state in one line; of several programs one after the other, with their names."""
+    from codegen.sim.verdict import seconds
 
+    states = [_state(record) for record in recording.all]
+    return f"{seconds(recording.at_ms)}  " + "  |  ".join(states)
+
+
+def _state(recording: "Recording") -> str:
     sample = recording.sample
-    true = "" if sample.true_mv is None else volts(sample.true_mv)
-    reported = "unknown" if sample.reported_mv is None else volts(sample.reported_mv)
+    name = f"{recording.name}: " if recording.name else ""
+    if recording.is_out:
+        return f"{name}out"
     armed = "armed" if sample.is_armed else "disarmed"
     rate = sample.size / max(1, sample.at_ms) * 1000
-    return (
-        f"{seconds(recording.at_ms)}  battery {true}, reported {reported}  {armed}, {sample.state_name}  "
-        f"{sample.frames} frames, {rate:.0f} bytes/s"
-    )
+    state = f"{armed}, {sample.state_name}  {sample.frames} frames, {rate:.0f} bytes/s"
+    return f"{name}{_batteries(recording)}  {state}"
 
 
-def happening_line(happening: "Happening") -> str:
-    """One happening in one line."""
-    from codegen.sim.record import SEVERITIES
+def _batteries(recording: "Recording") -> str:
+    from codegen.sim.verdict import volts
+
+    sample = recording.sample
+    texts = []
+    for number, (true_mv, reported_mv) in enumerate(zip(sample.true_mv, sample.reported_mv, strict=True), 1):
+        true = "" if true_mv is None else volts(true_mv)
+        reported = "unknown" if reported_mv is None else volts(reported_mv)
+        which = f" {number}" if len(sample.true_mv) > 1 else ""
+        texts.append(f"battery{which} {true}, reported {reported}")
+    return "; ".join(texts) or "battery unknown"
+
+
+def happening_line(happening: "Happening", width: int = 0) -> str:
+    """One happening in one line; ``width`` is that of the longest name of a program."""
+    from codegen.sim.sample import SEVERITIES
     from codegen.sim.verdict import seconds
 
     severity = happening.severity
     what = happening.kind.value if severity is None else SEVERITIES[severity] if severity < 8 else str(severity)
-    return f"{seconds(happening.at_ms):>9}  {what:8}  {_printable(happening.text)}".rstrip()
+    program = f"{happening.program:{width}}  " if happening.program else ""
+    return f"{seconds(happening.at_ms):>9}  {program}{what:8}  {_printable(happening.text)}".rstrip()
 
 
 def _printable(text: str) -> str:
@@ -100,18 +122,28 @@ def print_result(simulation: "Simulation", recording: "Recording", report: str |
     """Print what came of the simulation."""
     from codegen.sim.verdict import seconds, verdict
 
-    traffic = recording.traffic
     name = simulation.scenario.name
     print(f"{name}: {seconds(recording.at_ms)} under {recording.runtime or simulation.runtime}")
     for sentence in verdict(recording):
         print(f"  {sentence}")
-    counts = ", ".join(f"{message} {count}" for message, count in sorted(traffic.frames.items()))
-    frames, size = sum(traffic.frames.values()), sum(traffic.sizes.values())
-    print(f"  {frames} frames, {size} bytes went out" + (f": {counts}" if counts else ""))
-    if traffic.dropped or traffic.crc_errors:
-        print(f"  {traffic.dropped} frames were dropped, {traffic.crc_errors} arrived damaged")
+    for record in recording.all:
+        _print_traffic(record, recording.at_ms)
     if report is not None:
         print(f"  {report} shows it")
+
+
+def _print_traffic(recording: "Recording", length_ms: int) -> None:
+    """The frames, bytes and bytes per second of each message; length_ms: how long it ran."""
+    traffic = recording.traffic
+    frames, size = sum(traffic.frames.values()), sum(traffic.sizes.values())
+    length_s = max(length_ms, 1) / 1000
+    of = f" of {recording.name}" if recording.name else ""
+    print(f"  {frames} frames{of}, {size} bytes went out, {size / length_s:.1f} bytes/s")
+    width = max(map(len, traffic.frames), default=0)
+    for message, count in sorted(traffic.frames.items()):
+        print(f"    {message:{width}}  {count:6} frames  {traffic.sizes.get(message, 0) / length_s:8.1f} bytes/s")
+    if traffic.dropped or traffic.crc_errors:
+        print(f"  {traffic.dropped} frames were dropped, {traffic.crc_errors} arrived damaged")
 
 
 @contextmanager

@@ -17,6 +17,7 @@ from codegen.load.text import decode_text, read_bytes
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_spec import BoardSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.spec import (
     Correction,
     CorrectionsSpec,
@@ -60,8 +61,9 @@ UNREAD_FILE = Rule(
 FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
 PROGRAM_FILE = "vehicle.yaml"
-OPTIONAL_FILES = (PROGRAM_FILE,)
-"""Files beside it that only a project with a whole program has."""
+RECEIVER_FILE = "receiver.yaml"
+OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE)
+"""Files beside it that only a project with a whole program, or with a receiver for its messages, has."""
 READ_BY_OTHERS = (SCENARIOS,)
 """Files beside the project file that are no part of the specification."""
 
@@ -113,6 +115,7 @@ class _SpecReader:
             populations = self._chosen(populations, self._program)
         corrections = self._corrections(project)
         requirements = self._requirements()
+        receiver = self._receiver()
         if project is not None:
             self._add_hashes(project)
             self._report_unread()
@@ -134,6 +137,7 @@ class _SpecReader:
             corrections=corrections,
             requirements=requirements,
             files=dict(sorted(self._hashes.items())),
+            receiver=receiver,
         )
 
     def _main_project(self) -> Project | None:
@@ -175,6 +179,11 @@ class _SpecReader:
     def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
         path = self._used(name)
         return self._record(path, cls, Place(path)) if os.path.lexists(path) else None
+
+    def _receiver(self) -> ReceiverSpec | None:
+        """The receiver of the messages of this program; a further one does not repeat that of its base."""
+        path = os.path.join(self._folder, RECEIVER_FILE)
+        return self._record(path, ReceiverSpec, Place(path)) if os.path.lexists(path) else None
 
     def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
         """The tables in use, by the names of their files; of two for one message the first."""

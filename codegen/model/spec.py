@@ -14,6 +14,7 @@ from typing import Any, ClassVar, Literal
 from codegen.model.board_spec import BoardSpec
 from codegen.model.described import Amount, Verbatim, described
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receiver_spec import ReceiverSpec
 from codegen.source import Written
 
 
@@ -420,6 +421,7 @@ class Spec:
     corrections: tuple[Correction, ...]
     requirements: tuple[Requirement, ...]
     files: Mapping[str, str]
+    receiver: ReceiverSpec | None = None
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from codegen.model.dialect import Dialect, WireField, WireMessage
 from codegen.model.program import BoardLink, Program
+from codegen.model.receiver import Receiver
 from codegen.model.spec import FieldAnswer, Generation, GenerationsSpec, PopulationSpec, Requirement, Rounding, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
 
@@ -299,6 +300,7 @@ class System:
     program: Program | None
     requirements: Mapping[str, Requirement]
     generations: tuple[Generations, ...] = ()
+    receiver: Receiver | None = None
 
     @property
     def wires(self) -> tuple[WireMessage, ...]:

@@ -1,161 +1,164 @@
 """Scenarios as they are written into plain numbers."""
 
-from collections.abc import Sequence
-from fractions import Fraction
+from collections.abc import Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.scenario import AdcFault, Arming, Event, Fault, Point, Reboot, Scenario
-from codegen.model.scenario_spec import BatterySpec, EventSpec, ScenarioSpec, ScenariosSpec
-from codegen.model.unit import UNITS
-from codegen.resolve.measure import DAY_S, read_amount
-from codegen.source import Place
+from codegen.model.scenario import AdcFault, Arming, Battery, Beside, Event, Fault, Reboot, Scenario, Swap
+from codegen.model.scenario_spec import EventSpec, ScenarioSpec, ScenariosSpec
+from codegen.model.system import System
+from codegen.resolve.scenario_board import ScenarioBoard
+from codegen.resolve.scenario_values import SCENARIO_TIME, ScenarioValues
 
-SCENARIO_POINTS = Rule(
-    "scenario-points",
-    "The voltage of a scenario is one voltage, or points of a time and a voltage, [5 s, 12.6 V], whose times do not go "
-    "back. The battery has 0 V to 100 V.",
-)
-SCENARIO_TIME = Rule(
-    "scenario-time",
-    "The times of a scenario are whole milliseconds from 0 to a day; its duration, and how long a fault lasts, are "
-    "above 0. What happens after the end never happens.",
-)
 SCENARIO_EVENT = Rule(
     "scenario-event",
-    "An event has a key that it has no use for, or lacks one: for and delay belong to faults of the ADC, a slow ADC "
-    "needs a delay of 1 us to 1 s, an absent one is so from the start, and a reboot is not false.",
+    "An event has a key that it has no use for, or lacks one: delay and instance belong to faults of the ADC, for to "
+    "these and to a swap, which needs it, as a slow ADC needs a delay of 1 us to 1 s. An absent ADC is so from the "
+    "start, and a reboot is not false.",
 )
-SCENARIO_BATTERY = Rule("scenario-battery", "A divider is above 0 and at most 1000, and noise is 0 V to 10 V.")
+SCENARIO_PROGRAM = Rule(
+    "scenario-program",
+    "Under with stand other programs of the project (programs of codegen.yaml), and a swap is that of one of them. A "
+    "battery that the vehicle itself measures is swapped by its voltage: 0 V while it is out.",
+)
+SCENARIO_SWAP = Rule(
+    "scenario-swap",
+    "A swap begins after the start, when there is something to take out, and not before the last one of that program "
+    "has ended.",
+)
 
-LARGEST_MV = 100_000
 
+def resolve_scenarios(
+    spec: ScenariosSpec, system: System | None, report: Report, programs: Mapping[str, System] | None = None
+) -> dict[str, Scenario]:
+    """The scenarios by name, those with errors left out; ``programs`` are those that may run beside ``system``.
 
-def resolve_scenarios(spec: ScenariosSpec, divider: Fraction, report: Report) -> dict[str, Scenario]:
-    """The scenarios by name, those with errors left out; ``divider`` is that of scenarios that state none."""
-    resolved = {name: _Resolver(name, written, divider, report).resolve() for name, written in spec.scenarios.items()}
+    Without a system, which had errors, only what needs no knowledge of it is checked.
+    """
+    known = {} if programs is None else programs
+    resolved = {
+        name: _Resolver(name, written, system, known, report).resolve() for name, written in spec.scenarios.items()
+    }
     return {name: scenario for name, scenario in resolved.items() if scenario is not None}
 
 
 class _Resolver:
-    """Resolves one scenario; ``_is_good`` falls with the first error."""
+    """Resolves one scenario."""
 
-    def __init__(self, name: str, spec: ScenarioSpec, divider: Fraction, report: Report) -> None:
+    def __init__(
+        self, name: str, spec: ScenarioSpec, system: System | None, programs: Mapping[str, System], report: Report
+    ) -> None:
         self._name = name
         self._spec = spec
-        self._divider = divider
-        self._report = report
-        self._is_good = True
+        self._programs = programs
+        # One that is listed but could not be read has errors of its own.
+        self._known = None if system is None else {*programs, *system.spec.project.programs}
+        self._values = ScenarioValues(report)
+        self._board = ScenarioBoard(system, self._values)
         self._duration_ms: int | None = None
 
     def resolve(self) -> Scenario | None:
         spec = self._spec
-        self._duration_ms = self._milliseconds(spec.duration, spec.at("duration"), 1)
-        points = self._points(spec.battery)
-        noise_mv = self._noise(spec.battery)
-        divider = self._divider if spec.battery.divider is None else spec.battery.divider
-        if not 0 < divider <= 1000:
-            self._say(SCENARIO_BATTERY, spec.battery.at("divider"), "a divider is above 0 and at most 1000")
-        events = [event for written in spec.events if (event := self._event(written)) is not None]
-        if not self._is_good or self._duration_ms is None or not points:
+        self._duration_ms = self._values.milliseconds(spec.duration, spec.at("duration"), 1)
+        parameters = self._board.parameters(spec)
+        batteries = self._board.batteries(spec, parameters)
+        beside = {name: self._beside(name) for name in spec.with_}
+        pairs = [(event, written) for written in spec.events if (event := self._event(written, beside)) is not None]
+        events = sorted(pairs, key=lambda pair: pair[0].at_ms)
+        self._check_swaps(events)
+        if not self._values.is_good or self._duration_ms is None or not batteries:
             return None
         return Scenario(
             name=self._name,
             doc=spec.doc,
             duration_ms=self._duration_ms,
             seed=spec.seed,
-            points=tuple(points),
-            noise_mv=noise_mv,
-            divider_millionths=round(divider * 1_000_000),
-            events=tuple(sorted(events, key=lambda event: event.at_ms)),
+            batteries=batteries,
+            events=tuple(event for event, _ in events),
+            parameters=parameters,
+            beside=tuple(beside.values()),
         )
 
-    def _points(self, battery: BatterySpec) -> list[Point]:
-        voltage, place = battery.voltage, battery.at("voltage")
-        if isinstance(voltage, str):
-            millivolts = self._millivolts(voltage, place)
-            return [] if millivolts is None else [Point(0, millivolts)]
-        if not voltage and "voltage[0]" not in battery.places:  # else its points were wrong, which has been said
-            self._say(SCENARIO_POINTS, place, "voltage has no point", "write [[0 s, 12.6 V]]")
-        points: list[Point] = []
-        for index, pair in enumerate(voltage):
-            at = battery.at(f"voltage[{index}]")
-            if len(pair) != 2:
-                self._say(SCENARIO_POINTS, at, "a point is a time and a voltage", "write [5 s, 12.6 V]")
-                continue
-            inner = [battery.places.get(f"voltage[{index}][{part}]", at) for part in (0, 1)]
-            at_ms = self._milliseconds(pair[0], inner[0], 0)
-            millivolts = self._millivolts(pair[1], inner[1])
-            if at_ms is None or millivolts is None:
-                continue
-            if points and at_ms < points[-1].at_ms:
-                self._say(SCENARIO_POINTS, inner[0], f"{pair[0]} lies before the point in front of it")
-            points.append(Point(at_ms, millivolts))
-        return points
+    def _beside(self, name: str) -> Beside:
+        spec = self._spec.with_[name]
+        if self._known is not None and name not in self._known:
+            hint = did_you_mean(name, self._known) or "name it under programs of codegen.yaml"
+            self._values.say(SCENARIO_PROGRAM, spec.place, f"the project has no program {name}", hint)
+        board = ScenarioBoard(self._programs.get(name), self._values)
+        parameters = board.parameters(spec)
+        return Beside(name, board.batteries(spec, parameters), parameters)
 
-    def _noise(self, battery: BatterySpec) -> int:
-        if battery.noise is None:
-            return 0
-        noise = self._amount(battery.noise, "mV", battery.at("noise"))
-        if noise is not None and not 0 <= noise <= 10_000:
-            self._say(SCENARIO_BATTERY, battery.at("noise"), f"{battery.noise} is not from 0 V to 10 V")
-        return round(noise or 0)
-
-    def _event(self, event: EventSpec) -> Event | None:
-        at_ms = self._milliseconds(event.at_, event.at("at"), 0)
-        for_ms = None if event.for_ is None else self._milliseconds(event.for_, event.at("for"), 1)
+    def _event(self, event: EventSpec, beside: Mapping[str, Beside]) -> Event | None:
+        values = self._values
+        at_ms = values.milliseconds(event.at_, event.at("at"), 0)
+        for_ms = None if event.for_ is None else values.milliseconds(event.for_, event.at("for"), 1)
         self._check_keys(event)
-        delay = None if event.delay is None else self._amount(event.delay, "us", event.at("delay"))
+        instance = self._board.instance(event)
+        delay = None if event.delay is None else values.amount(event.delay, "us", event.at("delay"))
         if delay is not None and not 1 <= delay <= 1_000_000:
-            self._say(SCENARIO_EVENT, event.at("delay"), f"{event.delay} is not from 1 us to 1 s")
+            values.say(SCENARIO_EVENT, event.at("delay"), f"{event.delay} is not from 1 us to 1 s")
+        batteries = None if event.swap is None else self._swapped(event, beside)
         if at_ms is None:
             return None
         if self._duration_ms is not None and at_ms > self._duration_ms:
-            self._say(SCENARIO_TIME, event.at("at"), f"{event.at_} lies after the end, {self._spec.duration}")
+            values.say(SCENARIO_TIME, event.at("at"), f"{event.at_} lies after the end, {self._spec.duration}")
         if event.adc is AdcFault.ABSENT and at_ms != 0:
-            self._say(SCENARIO_EVENT, event.at("at"), "an absent ADC is absent from the start", "write at: 0 s")
+            values.say(SCENARIO_EVENT, event.at("at"), "an absent ADC is absent from the start", "write at: 0 s")
+        if event.swap is not None:
+            if at_ms == 0:
+                values.say(SCENARIO_SWAP, event.at("at"), "at the start there is nothing that could be swapped")
+            return None if for_ms is None else Swap(at_ms, event.swap, at_ms + for_ms, batteries)
         if event.arm is not None:
             return Arming(at_ms, event.arm)
         if event.adc is None:
             return Reboot(at_ms)
-        return Fault(at_ms, event.adc, None if for_ms is None else at_ms + for_ms, round(delay or 0))
+        return Fault(at_ms, event.adc, None if for_ms is None else at_ms + for_ms, round(delay or 0), instance)
+
+    def _swapped(self, event: EventSpec, beside: Mapping[str, Beside]) -> tuple[Battery, ...] | None:
+        """The batteries of the board that comes in; None where the course of the old ones goes on."""
+        name = event.swap or ""
+        if name not in beside:
+            hint = did_you_mean(name, beside) or "a battery of the vehicle is swapped by points of 0 V in its voltage"
+            message = f"{name} does not run beside the vehicle, so it cannot be swapped"
+            self._values.say(SCENARIO_PROGRAM, event.at("swap"), message, hint)
+            return None
+        if event.battery is None and "batteries" not in event.places:
+            return None
+        if event.battery is not None and "batteries" in event.places:
+            message = "battery and batteries are given, and only one of them can hold"
+            self._values.say(SCENARIO_EVENT, event.at("batteries"), message)
+            return None
+        board = ScenarioBoard(self._programs.get(name), self._values)
+        # A new board has the parameters that the first one was given: they are set up alike.
+        return board.batteries(event, beside[name].parameters)
 
     def _check_keys(self, event: EventSpec) -> None:
-        if event.for_ is not None and event.adc is None:
-            self._say(SCENARIO_EVENT, event.at("for"), "for belongs to a fault of the ADC")
+        say = self._values.say
+        if event.for_ is not None and event.adc is None and event.swap is None:
+            say(SCENARIO_EVENT, event.at("for"), "for belongs to a fault of the ADC, or to a swap")
+        if event.for_ is None and event.swap is not None:
+            say(SCENARIO_EVENT, event.at("swap"), "a swap needs the time that it takes", "add for: 5 s")
         if event.delay is not None and event.adc is not AdcFault.SLOW:
-            self._say(SCENARIO_EVENT, event.at("delay"), "delay belongs to adc: slow")
+            say(SCENARIO_EVENT, event.at("delay"), "delay belongs to adc: slow")
         if event.delay is None and event.adc is AdcFault.SLOW:
-            self._say(SCENARIO_EVENT, event.at("adc"), "a slow ADC needs a delay", "add delay: 3 ms")
+            say(SCENARIO_EVENT, event.at("adc"), "a slow ADC needs a delay", "add delay: 3 ms")
+        if event.instance is not None and event.adc is None:
+            say(SCENARIO_EVENT, event.at("instance"), "instance belongs to a fault of the ADC")
         if event.reboot is False:
-            self._say(SCENARIO_EVENT, event.at("reboot"), "a reboot that does not happen", "remove the event")
+            say(SCENARIO_EVENT, event.at("reboot"), "a reboot that does not happen", "remove the event")
+        for key in ("battery", "batteries"):
+            if key in event.places and event.swap is None:
+                say(SCENARIO_EVENT, event.at(key), f"{key} belongs to a swap")
 
-    def _milliseconds(self, text: str, place: Place, least: int) -> int | None:
-        time = self._amount(text, "ms", place)
-        if time is None:
-            return None
-        if not least <= time <= DAY_S * 1000 or time.denominator != 1:
-            self._say(SCENARIO_TIME, place, f"{text} is not a time of whole ms, from {least} ms to a day")
-            return None
-        return int(time)
-
-    def _millivolts(self, text: str, place: Place) -> int | None:
-        voltage = self._amount(text, "mV", place)
-        if voltage is None:
-            return None
-        if not 0 <= voltage <= LARGEST_MV:
-            self._say(SCENARIO_POINTS, place, f"{text} is not from 0 V to {LARGEST_MV // 1000} V")
-            return None
-        return round(voltage)
-
-    def _amount(self, text: str, unit: str, place: Place) -> Fraction | None:
-        value = read_amount(text, UNITS[unit], place, self._report)
-        if value is None:
-            self._is_good = False
-        return value
-
-    def _say(self, rule: Rule, place: Place, message: str, hint: str | None = None) -> None:
-        self._is_good = False
-        self._report.add(rule, place, message, hint)
+    def _check_swaps(self, events: Sequence[tuple[Event, EventSpec]]) -> None:
+        """Whether each begins after the one before it has ended."""
+        ends: dict[str, int] = {}
+        for swap, spec in events:
+            if isinstance(swap, Swap):
+                end_ms = ends.get(swap.program, -1)
+                if swap.at_ms <= end_ms:
+                    message = f"the swap before it ends at {end_ms / 1000:g} s"
+                    self._values.say(SCENARIO_SWAP, spec.at("at"), message)
+                ends[swap.program] = max(swap.until_ms, end_ms)
 
 
 def unknown_scenario(name: str, known: Sequence[str]) -> str:

@@ -19,6 +19,7 @@ from codegen.resolve.instances import resolve_instances
 from codegen.resolve.links import resolve_links
 from codegen.resolve.live import bind_instance, bind_live
 from codegen.resolve.program import resolve_program
+from codegen.resolve.receiver import resolve_receiver
 from codegen.resolve.represent import resolve_representations
 from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
@@ -64,6 +65,9 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     program = None
     if spec.vehicle is not None:
         program = resolve_program(spec.vehicle, spec.parameters, parameters, components, dialect, index, report)
+    receiver = None
+    if spec.receiver is not None:
+        receiver = resolve_receiver(spec.receiver, components, messages, index, report)
     return System(
         spec=spec,
         dialect=dialect,
@@ -80,6 +84,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         program=program,
         requirements=index,
         generations=generations,
+        receiver=receiver,
     )
 
 

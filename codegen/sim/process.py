@@ -51,9 +51,20 @@ class FirmwareProcess:
     """The running firmware. ``paths`` are the folders of its modules; it ends with close() at the latest."""
 
     def __init__(
-        self, runtime: Runtime, interpreter: str, paths: Sequence[str], flash: str, script: str, settings: str
+        self,
+        runtime: Runtime,
+        interpreter: str,
+        paths: Sequence[str],
+        flash: str,
+        script: str,
+        settings: str,
+        *,
+        takes_turns: bool = False,
     ) -> None:
-        """Start ``script`` in the folder ``flash``; its records go to the file that ``records_path`` names."""
+        """Start ``script`` in the folder ``flash``; ``settings`` is completed with the files that it speaks over.
+
+        With ``takes_turns`` it lets time pass only as far as give_turn() says.
+        """
         command = [interpreter, *(["-X", "heapsize=8m"] if runtime is Runtime.MICROPYTHON else ["-B", "-u"])]
         environment = {
             **os.environ,
@@ -61,11 +72,17 @@ class FirmwareProcess:
             "PYTHONPATH": os.pathsep.join(paths),
         }
         reading, writing = os.pipe()
+        taking: int | None = None
+        self._turns: int | None = None
+        if takes_turns:
+            taking, self._turns = os.pipe()
+        given = [writing] if taking is None else [writing, taking]
         try:
             with open(settings, encoding="utf-8") as file:
                 values = json.load(file)
             with open(settings, "w", encoding="utf-8") as file:
-                json.dump({**values, "records": f"/dev/fd/{writing}"}, file)
+                turns = None if taking is None else f"/dev/fd/{taking}"
+                json.dump({**values, "records": f"/dev/fd/{writing}", "turns": turns}, file)
             self._process = subprocess.Popen(  # noqa: S603 - the interpreter and the script are ours
                 [*command, script, settings],
                 cwd=flash,
@@ -73,14 +90,16 @@ class FirmwareProcess:
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
-                pass_fds=[writing],
+                pass_fds=given,
                 start_new_session=True,  # Ctrl-C is for codegen, which then ends this process
             )
         except BaseException:
             os.close(reading)
+            self._end_turns()
             raise
         finally:
-            os.close(writing)
+            for stream in given:
+                os.close(stream)
         assert self._process.stdout is not None
         assert self._process.stderr is not None
         self._records = reading
@@ -97,6 +116,17 @@ class FirmwareProcess:
     def is_over(self) -> bool:
         """Whether everything that it wrote has been read and it has gone."""
         return not self._pieces
+
+    @property
+    def streams(self) -> tuple[int, ...]:
+        """The numbers of the files that something is to be read from."""
+        return tuple(self._pieces)
+
+    def give_turn(self, until_ms: int) -> None:
+        """Let its time go on to a time in ms of the scenario."""
+        if self._turns is not None:
+            with suppress(BrokenPipeError):  # it has ended, which read() will tell
+                os.write(self._turns, f"{until_ms}\n".encode())
 
     def read(self, timeout_s: float) -> list[Item]:
         """What it wrote since the last call, waiting for it up to ``timeout_s`` seconds."""
@@ -125,6 +155,7 @@ class FirmwareProcess:
     def interrupt(self) -> list[Item]:
         """Ask it to end, and return what it still had to say."""
         self._signal(signal.SIGINT)
+        self._end_turns()
         items: list[Item] = []
         deadline = time.monotonic() + _GRACE_S
         while not self.is_over and time.monotonic() < deadline:
@@ -137,9 +168,16 @@ class FirmwareProcess:
         self._process.wait()
         self._selector.close()
         os.close(self._records)
+        self._end_turns()
         for stream in (self._process.stdout, self._process.stderr):
             if stream is not None:
                 stream.close()
+
+    def _end_turns(self) -> None:
+        """Whoever waits for a turn learns that there will be none."""
+        if self._turns is not None:
+            os.close(self._turns)
+            self._turns = None
 
     def _signal(self, number: int) -> None:
         if self._process.poll() is None:

@@ -1,116 +1,54 @@
 """The record of a simulation: what the firmware sent, said and did."""
 
 import re
-from collections import Counter, deque
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from enum import StrEnum
+from collections import deque
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from codegen.model.scenario import AdcFault, Fault, Scenario
+from codegen.model.scenario import AdcFault, Battery, Fault, Scenario
+from codegen.resolve.wiring import FIRST_PREFIX
+from codegen.sim.sample import Happening, Kind, Reading, Sample, Traffic
 
-SEVERITIES = ("emergency", "alert", "critical", "error", "warning", "notice", "info", "debug")
-"""Names of MAV_SEVERITY, by number."""
-STATES = ("uninit", "boot", "calibrating", "standby", "active", "critical", "emergency", "poweroff", "terminating")
-"""Names of MAV_STATE, by number."""
 _MOST_POINTS = 20_000
 _MOST_LINES = 500
 _MOST_TEXTS = 5_000
 
 
-FAILSAFE_TEXT = re.compile(r"[A-Z][\w ]* 1 is (low|critical) -?\d+\.\d")
-"""How a text of a failsafe begins; its group is the level."""
-
-
-class Kind(StrEnum):
-    """What a happening is."""
-
-    TEXT = "text"
-    FAILSAFE = "failsafe"
-    ARMED = "armed"
-    DISARMED = "disarmed"
-    REFUSED = "refused"
-    FAULT = "fault"
-    REBOOT = "reboot"
-    STOPPED = "stopped"
-    CONSOLE = "console"
-
-
-@dataclass(frozen=True, slots=True)
-class Happening:
-    """Something that happened at a time of the scenario in ms; ``severity`` is a number of MAV_SEVERITY, or None."""
-
-    at_ms: int
-    kind: Kind
-    text: str
-    severity: int | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """The voltage in mV that a BATTERY_STATUS reported at a time in ms; None for unknown, and where the line breaks."""
-
-    at_ms: int
-    millivolts: int | None
-
-
-@dataclass(frozen=True, slots=True)
-class Sample:
-    """The latest state: voltages in mV, None for unknown; counters since the board's start; load in d%."""
-
-    at_ms: int = 0
-    true_mv: int | None = None
-    reported_mv: int | None = None
-    is_armed: bool = False
-    state: int | None = None
-    frames: int = 0
-    size: int = 0
-    overruns: int = 0
-    load: int = 0
-
-    @property
-    def state_name(self) -> str:
-        """MAV_STATE in words; "silent" before the first HEARTBEAT."""
-        if self.state is None:
-            return "silent"
-        return STATES[self.state] if self.state < len(STATES) else str(self.state)
-
-
-@dataclass(frozen=True, slots=True)
-class Traffic:
-    """Frames and bytes that went out by the name of the message, and what the links count."""
-
-    frames: Mapping[str, int] = field(default_factory=dict)
-    sizes: Mapping[str, int] = field(default_factory=dict)
-    dropped: int = 0
-    received: int = 0
-    crc_errors: int = 0
-    gaps: int = 0
-
-    def plus(self, other: "Traffic") -> "Traffic":
-        """Both together."""
-        return Traffic(
-            frames=Counter(self.frames) + Counter(other.frames),
-            sizes=Counter(self.sizes) + Counter(other.sizes),
-            dropped=self.dropped + other.dropped,
-            received=self.received + other.received,
-            crc_errors=self.crc_errors + other.crc_errors,
-            gaps=self.gaps + other.gaps,
-        )
+FAILSAFE_TEXT = re.compile(r"([A-Z][\w ]* (\d+)) is (low|critical) -?\d+\.\d")
+"""How a text of a failsafe begins: its groups are what has failed, the number of the battery, and the level."""
 
 
 class Recording:
-    """Collects the records of one simulation, over all restarts of the board."""
+    """Collects the records of one program of a simulation, over all its boards and their restarts.
 
-    def __init__(self, scenario: Scenario) -> None:
+    ``name`` is that of the program where several run, else nothing; ``key`` its name in the scenario, None for the
+    vehicle's own, ``beside`` the recordings of the other programs, ``prefixes`` begin the names of the parameters of
+    each battery.
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        name: str = "",
+        key: str | None = None,
+        prefixes: Sequence[str] = (FIRST_PREFIX,),
+        beside: Sequence["Recording"] = (),
+    ) -> None:
         """Begin with the faults that the scenario has."""
         self.scenario = scenario
+        self.name = name
+        self.prefixes = tuple(prefixes)
+        self.beside = tuple(beside)
+        self.key = key
+        self.stretches = scenario.stretches(key)
         self.runtime = ""
-        self.readings: list[Reading] = []
+        self.readings_of: dict[int, list[Reading]] = {0: []}
         self.parameters: Mapping[str, float] = {}
         self.sample = Sample()
         self.at_ms = 0
         self.starts = 0
+        self.boards = 1
+        self.is_out = False
         self.reason = ""
         self.traceback: list[str] = []
         self.problem: str | None = None
@@ -119,21 +57,42 @@ class Recording:
         self._happenings: list[Happening] = []
         self._console: deque[Happening] = deque(maxlen=_MOST_LINES)
         self._texts = 0
-        self._spacing_ms = 0
+        self._spacing_ms: dict[int, int] = {}
         self._ended = Traffic()
         self._current = Traffic()
         self._ended_overruns = 0
         self._peak_load = 0
 
     @property
+    def all(self) -> tuple["Recording", ...]:
+        """This one and those beside it."""
+        return (self, *self.beside)
+
+    @property
+    def is_main(self) -> bool:
+        """Whether it is that of the vehicle's own program."""
+        return self.key is None
+
+    @property
+    def readings(self) -> list[Reading]:
+        """What was reported of the first battery."""
+        return self.readings_of[0]
+
+    @property
     def happenings(self) -> list[Happening]:
-        """What happened, in the order of time, faults of the scenario included; of the console the last lines."""
+        """What happened, in the order of time, faults of the scenario included; of the console the last lines.
+
+        It is what happened in all programs, where there are others beside this one.
+        """
         faults = [
-            Happening(event.at_ms, Kind.FAULT, fault_text(event))
+            Happening(event.at_ms, Kind.FAULT, fault_text(event, len(self.scenario.batteries)), program=self.name)
             for event in self.scenario.events
-            if isinstance(event, Fault) and event.at_ms <= self.at_ms
+            if self.is_main and isinstance(event, Fault) and event.at_ms <= self.at_ms
         ]
-        return sorted([*faults, *self._happenings, *self._console], key=lambda happening: happening.at_ms)
+        found = [*faults, *self._happenings, *self._console]
+        for other in self.beside:
+            found += other.happenings
+        return sorted(found, key=lambda happening: happening.at_ms)
 
     @property
     def traffic(self) -> Traffic:
@@ -146,13 +105,32 @@ class Recording:
         return self._ended_overruns + self.sample.overruns
 
     @property
+    def restarts(self) -> int:
+        """How often a board was restarted; one that takes the place of another was not."""
+        return max(0, self.starts - self.boards)
+
+    @property
     def peak_load(self) -> int:
         """The largest load in d%."""
         return self._peak_load
 
+    def battery(self, instance: int, at_ms: float) -> Battery | None:
+        """The true battery of an instance at a time in ms; None while its board is out, or where there is none."""
+        for stretch in self.stretches:
+            if stretch.start_ms <= at_ms and (stretch.end_ms is None or at_ms <= stretch.end_ms):
+                return stretch.batteries[instance] if instance < len(stretch.batteries) else None
+        return None
+
+    @property
+    def instances(self) -> range:
+        """The batteries that the scenario states or that were reported, from 0."""
+        stated = max(len(stretch.batteries) for stretch in self.stretches)
+        reported = max((instance + 1 for instance, readings in self.readings_of.items() if readings), default=0)
+        return range(max(stated, reported))
+
     def add(self, kind: Kind, text: str, severity: int | None = None, at_ms: int | None = None) -> Happening:
         """Note that something happened (now, if no time is given), and return it."""
-        happening = Happening(self.at_ms if at_ms is None else at_ms, kind, text, severity)
+        happening = Happening(self.at_ms if at_ms is None else at_ms, kind, text, severity, self.name)
         if kind is Kind.CONSOLE:
             self._console.append(happening)
         elif kind is Kind.TEXT and self._texts == _MOST_TEXTS:
@@ -171,7 +149,8 @@ class Recording:
             case "sample":
                 self._take_sample(record)
             case "battery":
-                self._take_reading(Reading(record["at"], record["millivolts"]))
+                reading = Reading(record["at"], record["millivolts"], record.get("milliamperes"))
+                self._take_reading(record.get("instance", 0), reading)
             case "text":
                 kind = Kind.FAILSAFE if _is_failsafe(record["text"]) else Kind.TEXT
                 return self.add(kind, record["text"], record["severity"])
@@ -185,12 +164,26 @@ class Recording:
                 self.reason = record["reason"]
         return None
 
-    def largest_difference(self) -> tuple[int, int] | None:
+    def take_board_out(self, at_ms: int) -> Happening:
+        """Note that the board was taken out, with its battery."""
+        self.is_out = True
+        self._break_lines(at_ms)
+        return self.add(Kind.SWAP, "The battery was taken out", at_ms=at_ms)
+
+    def take_new_board(self, at_ms: int) -> Happening:
+        """Note that another board is in its place."""
+        self.is_out = False
+        self.boards += 1
+        self.at_ms = max(self.at_ms, at_ms)
+        return self.add(Kind.SWAP, "Another battery was put in", at_ms=at_ms)
+
+    def largest_difference(self, instance: int = 0) -> tuple[int, int] | None:
         """The largest difference of a reported voltage from the true one in mV, and its time in ms."""
         found = [
-            (abs(round(reading.millivolts - self.scenario.millivolts(reading.at_ms))), reading.at_ms)
-            for reading in self.readings
+            (abs(round(reading.millivolts - battery.millivolts(reading.at_ms))), reading.at_ms)
+            for reading in self.readings_of.get(instance, ())
             if reading.millivolts is not None
+            if (battery := self.battery(instance, reading.at_ms)) is not None
         ]
         return max(found, key=lambda pair: (pair[0], -pair[1])) if found else None
 
@@ -202,13 +195,17 @@ class Recording:
         self._ended_overruns = self.overruns
         self.sample = Sample(at_ms=self.at_ms)
         if self.starts > 1:
-            self.readings.append(Reading(self.at_ms, None))
+            self._break_lines(self.at_ms)
+
+    def _break_lines(self, at_ms: int) -> None:
+        for readings in self.readings_of.values():
+            readings.append(Reading(at_ms, None))
 
     def _take_sample(self, record: Mapping[str, Any]) -> None:
         self.sample = Sample(
             at_ms=record["at"],
-            true_mv=record["true"],
-            reported_mv=record["reported"],
+            true_mv=tuple(record["true"]),
+            reported_mv=tuple(record["reported"]),
             is_armed=record["armed"],
             state=record["state"],
             frames=record["frames"],
@@ -218,15 +215,17 @@ class Recording:
         )
         self._peak_load = max(self._peak_load, self.sample.load)
 
-    def _take_reading(self, reading: Reading) -> None:
-        last = self.readings[-1] if self.readings else None
+    def _take_reading(self, instance: int, reading: Reading) -> None:
+        readings = self.readings_of.setdefault(instance, [])
+        spacing_ms = self._spacing_ms.get(instance, 0)
+        last = readings[-1] if readings else None
         is_known = reading.millivolts is not None
-        if last and is_known == (last.millivolts is not None) and reading.at_ms - last.at_ms < self._spacing_ms:
+        if last and is_known == (last.millivolts is not None) and reading.at_ms - last.at_ms < spacing_ms:
             return
-        self.readings.append(reading)
-        if len(self.readings) > _MOST_POINTS:  # a run without end: keep every second one
-            self.readings = self.readings[::2]
-            self._spacing_ms = max(1, 2 * self._spacing_ms, 2 * self.at_ms // _MOST_POINTS)
+        readings.append(reading)
+        if len(readings) > _MOST_POINTS:  # a run without end: keep every second one
+            self.readings_of[instance] = readings[::2]
+            self._spacing_ms[instance] = max(1, 2 * spacing_ms, 2 * self.at_ms // _MOST_POINTS)
 
     def _take_messages(self, record: Mapping[str, Any]) -> None:
         counts = record["counts"]
@@ -241,14 +240,19 @@ class Recording:
         self.parameters = record["parameters"] or self.parameters
 
 
-def fault_text(fault: Fault) -> str:
-    """A fault of the scenario in words."""
+def fault_text(fault: Fault, batteries: int = 1) -> str:
+    """A fault of the scenario in words; with several batteries it says of which."""
     what = {
         AdcFault.FAIL: "ADC readings fail",
         AdcFault.ABSENT: "ADC absent",
         AdcFault.SLOW: f"ADC readings take {fault.delay_us / 1000:g} ms",
     }[fault.adc]
-    return what + (" to the end" if fault.until_ms is None else f" for {(fault.until_ms - fault.at_ms) / 1000:g} s")
+    whose = f"Battery {fault.instance + 1}: " if batteries > 1 else ""
+    return (
+        whose
+        + what
+        + (" to the end" if fault.until_ms is None else f" for {(fault.until_ms - fault.at_ms) / 1000:g} s")
+    )
 
 
 def _is_failsafe(text: str) -> bool:

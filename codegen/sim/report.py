@@ -2,13 +2,15 @@
 
 import os
 import tempfile
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from codegen.render import render_page
-from codegen.sim.chart import NARROW, WIDE, Chart, draw_chart, is_marked
-from codegen.sim.record import SEVERITIES, Happening, Kind, Recording
+from codegen.sim.chart import NARROW, WIDE, Chart, Shown, draw_chart, is_marked
+from codegen.sim.record import Recording
 from codegen.sim.run import Simulation
-from codegen.sim.verdict import seconds, verdict
+from codegen.sim.sample import SEVERITIES, Happening, Kind
+from codegen.sim.verdict import battery_name, seconds, verdict
 
 _MOST_ROWS = 1000
 
@@ -19,6 +21,7 @@ class EventRow:
 
     number: int
     time: str
+    program: str
     severity: str
     text: str
     style: str
@@ -26,8 +29,9 @@ class EventRow:
 
 @dataclass(frozen=True, slots=True)
 class MessageRow:
-    """One row of the table of messages."""
+    """One row of the table of messages; ``program`` is that which sends it, where several run."""
 
+    program: str
     name: str
     count: int
     rate: str
@@ -36,24 +40,42 @@ class MessageRow:
 
 
 @dataclass(frozen=True, slots=True)
+class FigureView:
+    """The charts of one battery: ``title`` says of which, where there are several; ``levels`` is the legend's part."""
+
+    title: str
+    what: str
+    summary: str
+    charts: tuple[Chart, ...]
+    levels: tuple[tuple[str, str], ...]
+    has_faults: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramView:
+    """What a program counted and its parameters at the end: names with their values; no name where it is alone."""
+
+    name: str
+    links: tuple[tuple[str, str], ...]
+    parameters: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class ReportView:
-    """The page, ready to print. ``facts``, ``links`` and ``parameters`` are names with their values."""
+    """The page, ready to print. ``facts`` are names with their values."""
 
     title: str
     doc: str
     mood: str
     verdict: tuple[str, ...]
     facts: tuple[tuple[str, str], ...]
-    summary: str
-    charts: tuple[Chart, ...]
-    levels: tuple[tuple[str, str], ...]
-    has_faults: bool
+    figures: tuple[FigureView, ...]
+    has_programs: bool
     events: tuple[EventRow, ...]
     left_out: int
     messages: tuple[MessageRow, ...]
     total: MessageRow
-    links: tuple[tuple[str, str], ...]
-    parameters: tuple[tuple[str, str], ...]
+    programs: tuple[ProgramView, ...]
     console: tuple[str, ...]
 
 
@@ -77,29 +99,63 @@ def report_view(simulation: Simulation, recording: Recording) -> ReportView:
     happened = recording.happenings
     listed = [happening for happening in happened if happening.kind is not Kind.CONSOLE]
     sentences = verdict(recording)
-    wide = draw_chart(recording, listed, WIDE, "wide")
     return ReportView(
         title=simulation.scenario.name,
         doc=simulation.scenario.doc,
         mood=_mood(recording),
         verdict=tuple(sentences),
         facts=_facts(simulation, recording),
-        summary=_summary(recording, sentences),
-        charts=(wide, draw_chart(recording, listed, NARROW, "narrow")),
-        levels=tuple((level.style, level.label) for level in wide.levels),
-        has_faults=bool(wide.bands),
+        figures=tuple(_figures(recording, listed, sentences)),
+        has_programs=bool(recording.beside),
         events=tuple(_event_row(number, event) for number, event in enumerate(listed[:_MOST_ROWS], 1)),
-        left_out=max(0, len(listed) - _MOST_ROWS) + recording.texts_left_out,
-        messages=_message_rows(recording),
-        total=_row("all", *_totals(recording), recording),
-        links=_links(recording),
-        parameters=tuple((name, f"{value:g}") for name, value in sorted(recording.parameters.items())),
-        console=tuple(happening.text for happening in happened if happening.kind is Kind.CONSOLE),
+        left_out=max(0, len(listed) - _MOST_ROWS) + sum(record.texts_left_out for record in recording.all),
+        messages=tuple(row for record in recording.all for row in _message_rows(record, recording.at_ms)),
+        total=_row("", "all", *_totals(recording), recording.at_ms),
+        programs=tuple(_program(record) for record in recording.all),
+        console=tuple(_console_line(happening) for happening in happened if happening.kind is Kind.CONSOLE),
     )
 
 
+def _figures(recording: Recording, listed: list[Happening], sentences: list[str]) -> Iterable[FigureView]:
+    for record in recording.all:
+        for instance in record.instances:
+            yield _figure(record, instance, Shown.VOLTAGE, listed, sentences)
+            states_current = any(
+                instance < len(stretch.batteries) and stretch.batteries[instance].currents
+                for stretch in record.stretches
+            )
+            if states_current:
+                yield _figure(record, instance, Shown.CURRENT, listed, [])
+
+
+def _figure(
+    recording: Recording, instance: int, shown: Shown, listed: list[Happening], sentences: list[str]
+) -> FigureView:
+    wide = draw_chart(recording, listed, WIDE, "wide", instance, shown)
+    what = "voltage" if shown is Shown.VOLTAGE else "current"
+    name = battery_name(recording, instance)
+    has_title = bool(name) or shown is Shown.CURRENT
+    return FigureView(
+        title=f"{what.capitalize()} of {name or 'the battery'}" if has_title else "",
+        what=what,
+        summary=_summary(recording, instance, shown, sentences),
+        charts=(wide, draw_chart(recording, listed, NARROW, "narrow", instance, shown)),
+        levels=tuple((level.style, level.label) for level in wide.levels),
+        has_faults=bool(wide.bands),
+    )
+
+
+def _program(recording: Recording) -> ProgramView:
+    parameters = tuple((name, f"{value:g}") for name, value in sorted(recording.parameters.items()))
+    return ProgramView(recording.name, _links(recording), parameters)
+
+
+def _console_line(happening: Happening) -> str:
+    return f"{happening.program}: {happening.text}" if happening.program else happening.text
+
+
 def _mood(recording: Recording) -> str:
-    if recording.problem:
+    if any(record.problem for record in recording.all):
         return "failed"
     return "fired" if any(happening.kind is Kind.FAILSAFE for happening in recording.happenings) else "calm"
 
@@ -112,7 +168,8 @@ def _facts(simulation: Simulation, recording: Recording) -> tuple[tuple[str, str
         ("Simulated time", f"{seconds(recording.at_ms)} of {_planned(simulation)}"),
         ("Speed", "real time" if simulation.speed == 1 else speed),
         ("At the end", f"{'armed' if sample.is_armed else 'disarmed'}, {sample.state_name}"),
-        ("Restarts", str(max(0, recording.starts - 1))),
+        ("Restarts", str(sum(record.restarts for record in recording.all))),
+        *((("Programs", ", ".join(record.name for record in recording.all)),) if recording.beside else ()),
     )
 
 
@@ -120,12 +177,21 @@ def _planned(simulation: Simulation) -> str:
     return "no limit" if simulation.duration_ms is None else seconds(simulation.duration_ms)
 
 
-def _summary(recording: Recording, sentences: list[str]) -> str:
+def _summary(recording: Recording, instance: int, shown: Shown, sentences: list[str]) -> str:
     """What somebody is told who does not see the chart."""
-    scenario = recording.scenario
-    start, end = (scenario.millivolts(at_ms) / 1000 for at_ms in (0, recording.at_ms))
-    course = f"The true voltage goes from {start:.2f} V to {end:.2f} V in {seconds(recording.at_ms)}."
-    return " ".join([course, *sentences])
+    end_ms = recording.at_ms
+    batteries = [recording.battery(instance, at_ms) for at_ms in (0, end_ms)]
+    name = battery_name(recording, instance)
+    what = "voltage" if shown is Shown.VOLTAGE else "current"
+    of = f" of {name}" if name else ""
+    if batteries[0] is None or batteries[1] is None:
+        return " ".join([f"The true {what}{of}.", *sentences])
+    if shown is Shown.VOLTAGE:
+        values: list[float | None] = [batteries[0].millivolts(0), batteries[1].millivolts(end_ms)]
+    else:
+        values = [batteries[0].milliamperes(0), batteries[1].milliamperes(end_ms)]
+    start, end = (f"{(value or 0) / 1000:.2f} {shown.value}" for value in values)
+    return " ".join([f"The true {what}{of} goes from {start} to {end} in {seconds(end_ms)}.", *sentences])
 
 
 def _event_row(number: int, event: Happening) -> EventRow:
@@ -138,28 +204,32 @@ def _event_row(number: int, event: Happening) -> EventRow:
     text = event.text or words.get(event.kind, event.kind.value)
     if event.kind is Kind.REFUSED:
         text = f"Arming refused: {event.text}"
-    return EventRow(number, seconds(event.at_ms), severity, text, style)
+    return EventRow(number, seconds(event.at_ms), event.program, severity, text, style)
 
 
 def _severity(number: int) -> str:
     return SEVERITIES[number] if 0 <= number < len(SEVERITIES) else str(number)
 
 
-def _message_rows(recording: Recording) -> tuple[MessageRow, ...]:
+def _message_rows(recording: Recording, length_ms: int) -> tuple[MessageRow, ...]:
     traffic = recording.traffic
     return tuple(
-        _row(name, traffic.frames[name], traffic.sizes.get(name, 0), recording) for name in sorted(traffic.frames)
+        _row(recording.name, name, traffic.frames[name], traffic.sizes.get(name, 0), length_ms)
+        for name in sorted(traffic.frames)
     )
 
 
 def _totals(recording: Recording) -> tuple[int, int]:
-    traffic = recording.traffic
-    return sum(traffic.frames.values()), sum(traffic.sizes.values())
+    traffics = [record.traffic for record in recording.all]
+    return (
+        sum(sum(traffic.frames.values()) for traffic in traffics),
+        sum(sum(traffic.sizes.values()) for traffic in traffics),
+    )
 
 
-def _row(name: str, count: int, size: int, recording: Recording) -> MessageRow:
-    length_s = max(recording.at_ms, 1) / 1000
-    return MessageRow(name, count, f"{count / length_s:.2f}", f"{size / length_s:.1f}", size)
+def _row(program: str, name: str, count: int, size: int, length_ms: int) -> MessageRow:
+    length_s = max(length_ms, 1) / 1000
+    return MessageRow(program, name, count, f"{count / length_s:.2f}", f"{size / length_s:.1f}", size)
 
 
 def _links(recording: Recording) -> tuple[tuple[str, str], ...]:

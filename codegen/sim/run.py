@@ -1,34 +1,34 @@
-"""A whole simulation: the firmware is started, followed, and started again when it restarts the board."""
+"""A whole simulation: every program of the scenario is started, followed, and started again when it restarts.
 
-import json
-import os
-import re
-import signal
+Several programs keep pace with each other: the time of each goes on in turns of TURN_MS, and the next turn begins when
+all of them have come to the end of the last one. So no two are ever further apart than a turn and one wait of a task.
+"""
+
+import select
 import tempfile
-import time
-from collections.abc import Callable
+from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 
-from codegen.model.scenario import Scenario, scenario_data
-from codegen.sim.address import Address, free_port
-from codegen.sim.flash import flash_folder, rover_folder
-from codegen.sim.process import EXIT_RESET, Console, FirmwareProcess, Item, Runtime
-from codegen.sim.record import Happening, Kind, Recording
-from codegen.source import shown_path
+from codegen.model.scenario import Scenario
+from codegen.sim.address import Address
+from codegen.sim.course import Course, Watch
+from codegen.sim.process import Runtime
+from codegen.sim.program import SimulatedProgram
+from codegen.sim.record import Recording
 
-SCRIPT = "sim.py"
 SILENCE_S = 30.0
 """Seconds without a sign of the firmware after which it is given up."""
-_SHORT_MS = 100
-_MOST_SHORT_RUNS = 5
-_TURN_S = 0.2
+TURN_MS = 50
+"""How long a turn is in the time of the scenario."""
+_WAIT_S = 0.2
 
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
     """What is run: ``duration_ms`` None is without end, ``speed`` 0 as fast as it can.
 
-    ``gpios`` are the pins of the battery's ADC inputs, ``reference_mv`` is what their full scale stands for.
+    ``programs`` are the vehicle's own and those beside it; all send to ``to``.
     """
 
     scenario: Scenario
@@ -36,109 +36,72 @@ class Simulation:
     speed: float
     runtime: Runtime
     interpreter: str
-    firmware: str
-    mocks: str
     to: Address
     flash: str | None
-    rover: str | None
-    gpios: tuple[int, ...]
-    reference_mv: int
+    programs: tuple[SimulatedProgram, ...]
 
-
-Watch = Callable[[Recording, Happening | None], None]
-"""Called with each happening, and with None several times a second."""
+    def recording(self) -> Recording:
+        """An empty record of it: that of the vehicle's own program, with those of the others beside it."""
+        main, *others = self.programs
+        name = main.name if others else ""
+        return Recording(
+            self.scenario,
+            name,
+            None,
+            _prefixes(main),
+            [Recording(self.scenario, other.name, other.key, _prefixes(other)) for other in others],
+        )
 
 
 def simulate(simulation: Simulation, recording: Recording, watch: Watch, silence_s: float = SILENCE_S) -> None:
-    """Run the firmware until its time is over, it fails, or KeyboardInterrupt; ``recording`` says how it went.
+    """Run the programs until their time is over, one fails, or KeyboardInterrupt; ``recording`` says how it went.
 
     OSError: a folder or file of the user cannot be used, or the interpreter cannot be started.
     """
-    with (
-        flash_folder(simulation.flash, simulation.to, free_port()) as flash,
-        rover_folder(simulation.rover) as rover,
-        tempfile.TemporaryDirectory(prefix="codegen-sim-") as work,
-    ):
-        settings = os.path.join(work, "settings.json")
-        paths = [simulation.firmware, simulation.mocks, *rover]
-        short_runs = 0
-        while True:
-            started_ms = recording.at_ms
-            _write_settings(simulation, settings, started_ms)
-            script = os.path.join(simulation.mocks, SCRIPT)
-            process = FirmwareProcess(simulation.runtime, simulation.interpreter, paths, flash, script, settings)
-            try:
-                is_reset = _follow(process, recording, watch, silence_s)
-            except KeyboardInterrupt:
-                recording.was_interrupted = True
-                for item in process.interrupt():
-                    _take(item, recording, watch)
-                return
-            finally:
-                process.close()
-            if not is_reset:
-                return
-            watch(recording, recording.add(Kind.REBOOT, "The board restarted"))
-            short_runs = short_runs + 1 if recording.at_ms - started_ms < _SHORT_MS else 0
-            if short_runs == _MOST_SHORT_RUNS:
-                recording.problem = "the firmware restarts the board over and over"
-                return
+    with ExitStack() as stack:
+        work = stack.enter_context(tempfile.TemporaryDirectory(prefix="codegen-sim-"))
+        courses = [
+            Course(simulation, program, record, work, stack)
+            for program, record in zip(simulation.programs, recording.all, strict=True)
+        ]
+        try:
+            _run(courses, recording, watch, silence_s)
+        except KeyboardInterrupt:
+            for record in recording.all:
+                record.was_interrupted = True
+            for course in courses:
+                course.interrupt(watch)
+        finally:
+            for course in courses:
+                course.close()
 
 
-def _write_settings(simulation: Simulation, path: str, start_ms: int) -> None:
-    scenario = simulation.scenario
-    settings = {
-        "scenario": scenario_data({scenario.name: scenario})[scenario.name],
-        "reference_mv": simulation.reference_mv,
-        "gpios": simulation.gpios,
-        "start_ms": start_ms,
-        "duration_ms": simulation.duration_ms,
-        "speed": simulation.speed,
-    }
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(settings, file)
-
-
-def _follow(process: FirmwareProcess, recording: Recording, watch: Watch, silence_s: float) -> bool:
-    """Take in what the process says until it ends; whether it ended with a reset of the board."""
-    recording.reason = ""
-    heard_s = time.monotonic()
-    while not process.is_over:
-        items = process.read(_TURN_S)
-        for item in items:
-            _take(item, recording, watch)
+def _run(courses: Sequence[Course], recording: Recording, watch: Watch, silence_s: float) -> None:
+    until_ms = TURN_MS if len(courses) > 1 else None
+    while not all(course.is_done for course in courses):
+        for course in courses:
+            if course.is_due(until_ms):
+                course.start(until_ms, watch)
+        streams = [stream for course in courses if course.process for stream in course.process.streams]
+        if streams:
+            select.select(streams, [], [], _WAIT_S)
+        for course in courses:
+            course.take_in(watch, silence_s)
         watch(recording, None)
-        now_s = time.monotonic()
-        heard_s = now_s if items else heard_s
-        if now_s - heard_s > silence_s:
-            recording.problem = f"the firmware does not let time pass any more ({silence_s:g} s without a sign of it)"
-            return False
-    code = process.wait()
-    if code == EXIT_RESET and recording.reason == "reset":
-        return True
-    if code or recording.reason != "over":
-        complaints = recording.traceback or list(process.complaints)
-        recording.problem = _problem(code, complaints)
-        recording.add(Kind.STOPPED, recording.problem)
-        for line in complaints:
-            recording.add(Kind.CONSOLE, line)
-    return False
+        if any(record.problem for record in recording.all):
+            for course in courses:  # what the others have done so far is counted
+                course.interrupt(watch)
+            return
+        running = [course for course in courses if course.process]
+        if until_ms is not None and all(course.waits for course in running) and not _any_due(courses, until_ms):
+            until_ms += TURN_MS
+            for course in running:
+                course.give_turn(until_ms)
 
 
-def _take(item: Item, recording: Recording, watch: Watch) -> None:
-    happening = recording.add(Kind.CONSOLE, item.text) if isinstance(item, Console) else recording.take(item)
-    if happening is not None:
-        watch(recording, happening)
+def _any_due(courses: Sequence[Course], until_ms: int) -> bool:
+    return any(course.is_due(until_ms) for course in courses)
 
 
-def _problem(code: int, complaints: list[str]) -> str:
-    """Why the firmware ended, from its exit code and its traceback, or what it wrote to stderr."""
-    if code == 0:
-        return "the firmware's main() returned"
-    if code < 0:
-        return f"the firmware was ended by a signal: {signal.strsignal(-code)}"
-    lines = [line.strip() for line in complaints if line.strip()]
-    what = lines[-1] if lines else f"exit code {code}"
-    places = re.findall(r'File "(.+?)", line (\d+)', "\n".join(lines))
-    where = f" ({shown_path(places[-1][0])}:{places[-1][1]})" if places else ""
-    return f"the firmware stopped: {what}{where}"
+def _prefixes(program: SimulatedProgram) -> tuple[str, ...]:
+    return tuple(connection.prefix for connection in program.connections)

@@ -6,8 +6,9 @@
 #   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: dd652810d5f7f251
+#   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
+#   specs/vehicle.yaml: do not edit.
+# Inputs: 0395800b93cbc568
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

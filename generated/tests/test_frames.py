@@ -6,9 +6,9 @@
 #   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml,
-#   dialect common: do not edit.
-# Inputs: d910cd0f94ab6c3b
+#   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
+#   specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: 2538e2d848c5b17a
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -14,12 +14,14 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common
 
-from codegen.model.scenario import Point, Scenario
+from codegen.model.scenario import Battery, Point, Scenario
 from codegen.sim.address import Address
 from codegen.sim.flash import flash_folder
 from codegen.sim.process import Runtime, find_interpreter
-from codegen.sim.record import Kind, Recording
+from codegen.sim.program import Connection, SimulatedProgram
+from codegen.sim.record import Recording
 from codegen.sim.run import Simulation, simulate
+from codegen.sim.sample import Kind
 
 RUNTIMES = pytest.mark.parametrize("runtime", [str(runtime) for runtime in Runtime])
 
@@ -38,7 +40,7 @@ def test_the_ground_station_gets_what_is_counted(run: Any, station: Any, runtime
     counts = {name: sum(message.get_type() == name for message in messages) for name in
               ("BATTERY_STATUS", "HEARTBEAT", "SYS_STATUS")}  # fmt: skip
     assert sum(counts.values()) == len(messages)
-    assert ": " + ", ".join(f"{name} {count}" for name, count in counts.items()) in out
+    assert {name: int(count) for name, count in re.findall(r"\n    (\w+) +(\d+) frames ", out)} == counts
     size = re.search(r"(\d+) frames, (\d+) bytes", out)
     assert size is not None
     assert int(size[1]) == len(messages)
@@ -154,8 +156,11 @@ def test_what_the_program_prints_is_shown(project: Path, run: Any) -> None:
     assert "hello &lt;there&gt;" in (project / "r.html").read_text()
 
 
-def simulation(project: Path, **other: Any) -> Simulation:
-    scenario = Scenario("own", "d", 1_000, 1, (Point(0, 12_000),), 0, 3_950_000, ())
+OWN = Scenario("own", "d", 1_000, 1, (Battery((Point(0, 12_000),), 0, 3_950_000),))
+
+
+def simulation(project: Path, rover: str | None = None, **other: Any) -> Simulation:
+    scenario = OWN
     interpreter = find_interpreter(Runtime.MICROPYTHON)
     assert interpreter is not None
     folder = str(project / "generated")
@@ -165,13 +170,19 @@ def simulation(project: Path, **other: Any) -> Simulation:
         "speed": 0.0,
         "runtime": Runtime.MICROPYTHON,
         "interpreter": interpreter,
-        "firmware": f"{folder}/firmware",
-        "mocks": f"{folder}/mocks",
         "to": Address("127.0.0.1", 9, "udp:127.0.0.1:9"),
         "flash": None,
-        "rover": None,
-        "gpios": (26,),
-        "reference_mv": 3300,
+        "programs": (
+            SimulatedProgram(
+                "own",
+                None,
+                f"{folder}/firmware",
+                f"{folder}/mocks",
+                (Connection(26, 3300),),
+                scenario.stretches(),
+                rover=rover,
+            ),
+        ),
     }
     return Simulation(**values | other)
 
@@ -240,8 +251,7 @@ def test_they_come_back_after_a_run_that_could_not_end(tmp_path: Path) -> None:
 
 
 def test_a_long_run_keeps_a_bounded_record() -> None:
-    scenario = Scenario("own", "d", 1_000, 1, (Point(0, 12_000),), 0, 3_950_000, ())
-    recording = Recording(scenario)
+    recording = Recording(OWN)
     for at_ms in range(0, 40_000_000, 500):
         recording.take({"kind": "battery", "at": at_ms, "millivolts": 12_000 + at_ms % 7})
     assert 5_000 < len(recording.readings) <= 20_000
@@ -253,8 +263,7 @@ def test_a_long_run_keeps_a_bounded_record() -> None:
 
 
 def test_counters_go_on_over_restarts() -> None:
-    scenario = Scenario("own", "d", 1_000, 1, (Point(0, 12_000),), 0, 3_950_000, ())
-    recording = Recording(scenario)
+    recording = Recording(OWN)
     for at_ms in (0, 1_000):
         recording.take({"kind": "start", "at": at_ms, "runtime": "x"})
         counts = {"HEARTBEAT": [3, 63]}

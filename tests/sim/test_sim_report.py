@@ -7,19 +7,22 @@ from typing import Any
 import pytest
 from lxml import etree, html
 
-from codegen.model.scenario import AdcFault, Fault, Point, Scenario
+from codegen.model.scenario import AdcFault, Battery, Fault, Point, Scenario
 from codegen.sim.address import Address
 from codegen.sim.chart import NARROW, WIDE, draw_chart
 from codegen.sim.process import Runtime
-from codegen.sim.record import Kind, Recording
+from codegen.sim.program import Connection, SimulatedProgram
+from codegen.sim.record import Recording
 from codegen.sim.report import write_report
 from codegen.sim.run import Simulation
+from codegen.sim.sample import Kind
 
 HOSTILE = "<script>alert('x')</script> \"&amp;\" \u2028"
 
 
 def scenario(*events: Any, doc: str = "d") -> Scenario:
-    return Scenario("own", doc, 10_000, 1, (Point(0, 12_000), Point(10_000, 10_000)), 0, 3_950_000, events)
+    battery = Battery((Point(0, 12_000), Point(10_000, 10_000)), 0, 3_950_000)
+    return Scenario("own", doc, 10_000, 1, (battery,), events)
 
 
 def recorded(*events: Any, doc: str = "d") -> Recording:
@@ -37,8 +40,9 @@ def recorded(*events: Any, doc: str = "d") -> Recording:
 
 
 def written(path: Path, recording: Recording) -> str:
+    program = SimulatedProgram("own", None, "", "", (Connection(26, 3300),), recording.stretches)
     simulation = Simulation(
-        recording.scenario, 10_000, 0.0, Runtime.MICROPYTHON, "", "", "", Address("", 1, ""), None, None, (26,), 3300
+        recording.scenario, 10_000, 0.0, Runtime.MICROPYTHON, "", Address("", 1, ""), None, (program,)
     )
     write_report(str(path / "r.html"), simulation, recording)
     assert [entry.name for entry in path.iterdir()] == ["r.html"]
@@ -129,8 +133,8 @@ def test_a_chart_of_any_length_has_some_labels(at_ms: int) -> None:
     for size in (WIDE, NARROW):
         chart = draw_chart(recording, [], size, "wide")
         assert 1 <= len(chart.time_ticks) <= size.ticks + 1
-        assert 2 <= len(chart.voltage_ticks) <= 12
-        assert len({tick.label for tick in chart.voltage_ticks}) == len(chart.voltage_ticks)
+        assert 2 <= len(chart.value_ticks) <= 12
+        assert len({tick.label for tick in chart.value_ticks}) == len(chart.value_ticks)
 
 
 def test_a_report_without_anything(tmp_path: Path) -> None:

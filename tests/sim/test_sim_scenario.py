@@ -1,23 +1,25 @@
 """Scenario files: what is right becomes plain numbers, what is wrong is reported at its place."""
 
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from codegen.decode.scenario import decode_scenarios
 from codegen.diagnostics import Report
-from codegen.model.scenario import AdcFault, Arming, Fault, Point, Reboot, Scenario, scenario_data
+from codegen.model.scenario import AdcFault, Arming, Battery, Fault, Point, Reboot, Scenario, battery_data, event_data
+from codegen.pipeline import read_system
 from codegen.resolve.scenario import resolve_scenarios
 
 ROOT = Path(__file__).resolve().parents[2]
 
+SYSTEM = read_system(str(ROOT / "specs" / "codegen.yaml"), Report())
+assert SYSTEM is not None
 HEAD = "scenarios:\n  a:\n    doc: d\n    duration: 10 s\n"
 
 
 def resolved(path: Path, report: Report) -> dict[str, Scenario]:
     written = decode_scenarios(str(path), report)
-    return {} if written is None else resolve_scenarios(written, Fraction("3.95"), report)
+    return {} if written is None else resolve_scenarios(written, SYSTEM, report)
 
 
 def found(tmp_path: Path, text: str) -> tuple[dict[str, Scenario], list[tuple[str, int, int]]]:
@@ -45,9 +47,7 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
         doc="d",
         duration_ms=10_000,
         seed=7,
-        points=(Point(0, 12_600), Point(500, 12_600), Point(10_000, 9_600)),
-        noise_mv=10,
-        divider_millionths=4_010_000,
+        batteries=(Battery((Point(0, 12_600), Point(500, 12_600), Point(10_000, 9_600)), 10, 4_010_000),),
         events=(
             Fault(0, AdcFault.ABSENT, 1_000, 0),
             Arming(1_000, True),
@@ -62,9 +62,7 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
 def test_one_voltage_stays_and_the_divider_is_that_of_the_parameter(tmp_path: Path) -> None:
     scenarios, findings = found(tmp_path, HEAD + "    battery: {voltage: 12 V}\n")
     assert findings == []
-    assert scenarios["a"].points == (Point(0, 12_000),)
-    assert scenarios["a"].divider_millionths == 3_950_000
-    assert scenarios["a"].noise_mv == 0
+    assert scenarios["a"].batteries == (Battery((Point(0, 12_000),), 0, 3_950_000),)
 
 
 def test_the_data_is_plain_numbers(tmp_path: Path) -> None:
@@ -72,26 +70,24 @@ def test_the_data_is_plain_numbers(tmp_path: Path) -> None:
         "    battery: {voltage: [[1 s, 12 V]]}\n"
         "    events: [{at: 1 s, arm: true}, {at: 2 s, adc: slow, delay: 2 ms, for: 1 s}, {at: 3 s, reboot: true}]\n"
     )
-    assert scenario_data(found(tmp_path, text)[0]) == {
-        "a": {
-            "doc": "d",
-            "duration_ms": 10_000,
-            "seed": 1,
-            "points": [[1_000, 12_000]],
-            "noise_mv": 0,
-            "divider_millionths": 3_950_000,
-            "events": [
-                {"at_ms": 1_000, "arm": True},
-                {"at_ms": 2_000, "adc": "slow", "until_ms": 3_000, "delay_us": 2_000},
-                {"at_ms": 3_000, "reboot": True},
-            ],
-        }
+    scenario = found(tmp_path, text)[0]["a"]
+    assert battery_data(scenario.batteries[0], 7) == {
+        "seed": 7,
+        "points": [[1_000, 12_000]],
+        "noise_mv": 0,
+        "divider_millionths": 3_950_000,
+        "currents": [],
     }
+    assert [event_data(event) for event in scenario.events] == [
+        {"at_ms": 1_000, "arm": True},
+        {"at_ms": 2_000, "adc": "slow", "until_ms": 3_000, "instance": 0, "delay_us": 2_000},
+        {"at_ms": 3_000, "reboot": True},
+    ]
 
 
 BROKEN = [
     ("scenarios: {}\n", [("empty-mapping", 1, 12)]),
-    ("scenarios:\n  a: {doc: d, duration: 1 s}\n", [("missing-key", 2, 3)]),
+    ("scenarios:\n  a: {doc: d, duration: 1 s}\n", [("one-of-keys", 2, 3)]),
     (HEAD + "    battery: {volts: 12 V}\n", [("unknown-key", 5, 15)]),
     (HEAD + "    battery: {voltage: 12}\n", [("wrong-type", 5, 24)]),
     (HEAD + "    battery: {voltage: []}\n", [("scenario-points", 5, 24)]),
@@ -147,18 +143,19 @@ def test_the_shipped_scenarios() -> None:
     report = Report()
     scenarios = resolved(ROOT / "specs" / "scenarios.yaml", report)
     assert list(report) == []
-    assert set(scenarios) == {
+    assert set(scenarios) >= {
         *("nominal", "discharge", "sag", "charging", "sensor_loss"),
         *("adc_fault", "rising", "falling", "low", "critical"),
+        *("two_batteries", "smart_battery", "swap"),
     }
     for name in ("low", "critical", "discharge", "sag", "falling"):
         events = scenarios[name].events
         assert events[0] == Arming(5_000, True), name
-        assert scenarios[name].millivolts(5_000) >= 11_000, name
+        assert scenarios[name].batteries[0].millivolts(5_000) >= 11_000, name
 
 
 def test_the_voltage_between_points() -> None:
     points = (Point(1_000, 12_000), Point(2_000, 10_000), Point(2_000, 11_000), Point(4_000, 11_500))
-    scenario = Scenario("a", "", 5_000, 1, points, 0, 1, ())
-    found = [scenario.millivolts(at_ms) for at_ms in (0, 1_000, 1_500, 1_999, 2_000, 3_000, 4_000, 9_000)]
+    battery = Battery(points, 0, 1)
+    found = [battery.millivolts(at_ms) for at_ms in (0, 1_000, 1_500, 1_999, 2_000, 3_000, 4_000, 9_000)]
     assert found == [12_000, 12_000, 11_000, 10_002, 11_000, 11_250, 11_500, 11_500]

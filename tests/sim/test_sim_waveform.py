@@ -1,4 +1,4 @@
-"""The battery of a scenario in the mocks: the same under both interpreters, and exact."""
+"""A battery of a scenario in the mocks: the same under both interpreters, and exact."""
 
 import json
 import os
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen.model.scenario import Point, Scenario, scenario_data
+from codegen.model.scenario import Battery, Point, battery_data
 from codegen.sim.process import Runtime, find_interpreter
 
 MOCKS = Path(__file__).resolve().parents[2] / "templates" / "mocks"
@@ -24,13 +24,13 @@ print(json.dumps([[waveform.millivolts(at), waveform.count(at)] for at in times]
 """
 
 
-def readings(tmp_path: Path, runtime: str, scenario: Scenario, times: list[int]) -> list[list[int]]:
+def readings(tmp_path: Path, runtime: str, pack: Battery, times: list[int], seed: int = 1) -> list[list[int]]:
     """The true voltage and the count at each time."""
     interpreter = find_interpreter(Runtime(runtime))
     assert interpreter is not None
     script, data = tmp_path / "script.py", tmp_path / "data.json"
     script.write_text(SCRIPT)
-    data.write_text(json.dumps([scenario_data({"a": scenario})["a"], times]))
+    data.write_text(json.dumps([battery_data(pack, seed), times]))
     environment = {**os.environ, "MICROPYPATH": str(MOCKS), "PYTHONPATH": str(MOCKS), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [interpreter, str(script), str(data)]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=True)
@@ -38,8 +38,8 @@ def readings(tmp_path: Path, runtime: str, scenario: Scenario, times: list[int])
     return found
 
 
-def scenario(points: list[tuple[int, int]], noise_mv: int = 0, seed: int = 1) -> Scenario:
-    return Scenario("a", "", 1_000, seed, tuple(Point(*point) for point in points), noise_mv, 3_950_000, ())
+def battery(points: list[tuple[int, int]], noise_mv: int = 0) -> Battery:
+    return Battery(tuple(Point(*point) for point in points), noise_mv, 3_950_000)
 
 
 @pytest.mark.parametrize("runtime", Runtime)
@@ -48,7 +48,7 @@ def test_voltage_and_counts_are_exact(tmp_path: Path, runtime: str) -> None:
     rolls = random.Random(5)
     points = [(0, 12_600), (1_000, 12_345), (1_000, 9_000), (77_777, 13_033), (90_000, 0), (99_000, 20_000)]
     times = [0, 1, 999, 1_000, 1_001, 89_999, 98_999, 99_000, 200_000, *(rolls.randrange(100_000) for _ in range(200))]
-    for at_ms, (millivolts, count) in zip(times, readings(tmp_path, runtime, scenario(points), times), strict=True):
+    for at_ms, (millivolts, count) in zip(times, readings(tmp_path, runtime, battery(points), times), strict=True):
         before = [point for point in points if point[0] <= at_ms][-1]
         after = next((point for point in points if point[0] > at_ms), before)
         share = Fraction(at_ms - before[0], after[0] - before[0] or 1)
@@ -60,13 +60,13 @@ def test_voltage_and_counts_are_exact(tmp_path: Path, runtime: str) -> None:
 
 def test_noise_is_the_same_everywhere_and_within_its_limit(tmp_path: Path) -> None:
     times = list(range(0, 4_000, 2))
-    quiet = scenario([(0, 12_000)])
-    noisy = scenario([(0, 12_000)], noise_mv=100)
+    quiet = battery([(0, 12_000)])
+    noisy = battery([(0, 12_000)], noise_mv=100)
     first, again, other = (
         readings(tmp_path, runtime, noisy, times) for runtime in ("cpython", "cpython", "micropython")
     )
     assert first == again == other
-    assert readings(tmp_path, "cpython", scenario([(0, 12_000)], 100, seed=2), times) != first
+    assert readings(tmp_path, "cpython", battery([(0, 12_000)], 100), times, seed=2) != first
     still = readings(tmp_path, "cpython", quiet, times[:1])[0][1]
     deviations = {count - still for _, count in first}
     most = 100 / 3.95 / 3300 * 4095 + 1

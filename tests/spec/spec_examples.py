@@ -25,6 +25,7 @@ GOOD = {
         "    critical: {below: CRT, action: CRT_ACT, requirement: R.1}\n    after: TIMER\n    requirement: R\n"
         "actions:\n  - {value: 1, call: hold, mode: 4, doc: d}\n  - {value: 2, call: stop, disarm: true, doc: d}\n"
     ),
+    "receiver": "component: battery\nstale_after: 10 s\nrate_over: 1 min\nrequirement: R.1\n",
     "message": (
         "message: BATTERY_STATUS\nrequirement: FR-00068\nstream: EXTRA1\nfields:\n"
         "  id: {state: battery.instance}\n  voltages: {state: battery.volts, split: true, rounding: down, max: 65 V}\n"
@@ -71,6 +72,10 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("codegen", "- project: r\n", [("wrong-type", 1, 1)], False),
     ("codegen", "rover\n", [("wrong-type", 1, 1)], False),
     ("codegen", "~\n", [("missing-value", 1, 1)], False),
+    ("receiver", "stale_after: 10 s\n", [("missing-key", 1, 1)], False),
+    ("receiver", "component: b\nstale_after: 10\n", [("wrong-type", 2, 14)], True),
+    ("receiver", "component: [a, b]\n", [("wrong-type", 1, 12)], False),
+    ("receiver", "component: b\nstale: 10 s\n", [("unknown-key", 2, 1)], True),
     ("state", "components: {}\n", [("empty-mapping", 1, 13)], False),
     ("state", "components: []\n", [("wrong-type", 1, 13)], False),
     ("state", "components:\n  b: {doc: d}\n", [("missing-key", 2, 3)], True),

@@ -13,6 +13,7 @@ from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.spec import (
     BoardSpec,
@@ -32,6 +33,7 @@ FILE = "/specs/a.yaml"
 MODELS: dict[str, type[Written]] = {
     "scenarios": ScenariosSpec,
     "vehicle": VehicleSpec,
+    "receiver": ReceiverSpec,
     "codegen": Project,
     "state": StateSpec,
     "board": BoardSpec,

@@ -1,0 +1,57 @@
+"""The receiver: the component that it is for, its messages and its times."""
+
+from collections.abc import Iterable, Mapping
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.receiver import Receiver
+from codegen.model.receiver_spec import ReceiverSpec
+from codegen.model.spec import Requirement
+from codegen.model.system import InstanceBinding, PopulatedMessage
+from codegen.model.unit import UNITS
+from codegen.model.vehicle import Component
+from codegen.resolve.citation import cite_optional
+from codegen.resolve.measure import read_time
+
+BAD_RECEIVER = Rule(
+    "bad-receiver",
+    "A receiver is for a component of the state, and turns back those messages that are sent for each instance of it "
+    "and carry the number of the instance. Name such a component, or write a table with for_each and an id.",
+)
+
+
+def resolve_receiver(
+    spec: ReceiverSpec,
+    components: Mapping[str, Component],
+    messages: Iterable[PopulatedMessage],
+    index: Mapping[str, Requirement],
+    report: Report,
+) -> Receiver | None:
+    """The receiver that receiver.yaml describes; None after a finding."""
+    citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
+    stale = read_time(spec.stale_after, UNITS["ms"], spec.at("stale_after"), report)
+    window = read_time(spec.rate_over, UNITS["ms"], spec.at("rate_over"), report)
+    component = components.get(spec.component)
+    if component is None:
+        hint = did_you_mean(spec.component, components)
+        report.add(BAD_RECEIVER, spec.at("component"), f"the state has no component {spec.component}", hint)
+        return None
+    received = sorted(
+        (message for message in messages if _is_received(message, component)), key=lambda message: message.wire.id
+    )
+    if not received and report.has_errors:
+        return None  # the table that is missing may be the one that was reported
+    if not received:
+        what = f"no message is sent for each {component.name} with its number"
+        hint = f"write 'for_each: {component.name}' in a table, and answer a field with {component.name}.instance"
+        report.add(BAD_RECEIVER, spec.at("component"), what, hint)
+        return None
+    if stale is None or window is None:
+        return None
+    return Receiver(component, tuple(received), stale, window, citation, spec)
+
+
+def _is_received(message: PopulatedMessage, component: Component) -> bool:
+    if message.component is None or message.component.name != component.name:
+        return False
+    bindings = (binding for binding in message.bindings if isinstance(binding, InstanceBinding))
+    return any(not binding.covers.field.is_array for binding in bindings)

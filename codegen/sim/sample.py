@@ -1,0 +1,94 @@
+"""What is recorded of a program at a time: what happened, what was reported, its state, what went out."""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+SEVERITIES = ("emergency", "alert", "critical", "error", "warning", "notice", "info", "debug")
+"""Names of MAV_SEVERITY, by number."""
+STATES = ("uninit", "boot", "calibrating", "standby", "active", "critical", "emergency", "poweroff", "terminating")
+"""Names of MAV_STATE, by number."""
+
+
+class Kind(StrEnum):
+    """What a happening is."""
+
+    TEXT = "text"
+    FAILSAFE = "failsafe"
+    ARMED = "armed"
+    DISARMED = "disarmed"
+    REFUSED = "refused"
+    FAULT = "fault"
+    SWAP = "swap"
+    REBOOT = "reboot"
+    STOPPED = "stopped"
+    CONSOLE = "console"
+
+
+@dataclass(frozen=True, slots=True)
+class Happening:
+    """Something that happened at a time of the scenario in ms; ``severity`` is a number of MAV_SEVERITY, or None.
+
+    ``program`` is the name of the program, where several run.
+    """
+
+    at_ms: int
+    kind: Kind
+    text: str
+    severity: int | None = None
+    program: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What was reported of a battery at a time in ms: mV and mA, None for unknown, and where the line breaks."""
+
+    at_ms: int
+    millivolts: int | None
+    milliamperes: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """The latest state: voltages in mV by instance, None for unknown; counters since the board's start; load in d%."""
+
+    at_ms: int = 0
+    true_mv: tuple[int | None, ...] = ()
+    reported_mv: tuple[int | None, ...] = ()
+    is_armed: bool = False
+    state: int | None = None
+    frames: int = 0
+    size: int = 0
+    overruns: int = 0
+    load: int = 0
+
+    @property
+    def state_name(self) -> str:
+        """MAV_STATE in words; "silent" before the first HEARTBEAT."""
+        if self.state is None:
+            return "silent"
+        return STATES[self.state] if self.state < len(STATES) else str(self.state)
+
+
+@dataclass(frozen=True, slots=True)
+class Traffic:
+    """Frames and bytes that went out by the name of the message, and what the links count."""
+
+    frames: Mapping[str, int] = field(default_factory=dict)
+    sizes: Mapping[str, int] = field(default_factory=dict)
+    dropped: int = 0
+    received: int = 0
+    crc_errors: int = 0
+    gaps: int = 0
+
+    def plus(self, other: "Traffic") -> "Traffic":
+        """Both together."""
+        return Traffic(
+            frames=Counter(self.frames) + Counter(other.frames),
+            sizes=Counter(self.sizes) + Counter(other.sizes),
+            dropped=self.dropped + other.dropped,
+            received=self.received + other.received,
+            crc_errors=self.crc_errors + other.crc_errors,
+            gaps=self.gaps + other.gaps,
+        )

@@ -1,0 +1,30 @@
+"""What a message says under a name, as an expression of the generated Python."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What one message says under a name: an expression over ``get`` and ``raw``, the fields as read and as they stand.
+
+    ``unit`` is that of the result, ``doc`` says for people what it is, ``enum`` names the numbers that it may take,
+    ``field`` is where it stands. ``uses`` are the names of functions and tables in the expression. With ``is_by_cell``
+    there is one value for each cell.
+    """
+
+    name: str
+    expression: str
+    unit: str
+    doc: str
+    field: str
+    enum: str = ""
+    uses: frozenset[str] = frozenset()
+    is_by_cell: bool = False
+
+
+def scaled(expression: str, factor: Fraction) -> tuple[str, frozenset[str]]:
+    """An expression times a factor, and what that uses."""
+    if factor == 1:
+        return expression, frozenset()
+    return f"scaled({expression}, {factor.numerator}, {factor.denominator})", frozenset({"scaled"})

@@ -1,0 +1,286 @@
+"""View of the receiver's module: a function for each message, the facts and quantities, and who carries them."""
+
+import keyword
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.receiver import Receiver
+from codegen.model.system import InstanceBinding, PopulatedMessage, System
+from codegen.model.unit import UNITS
+from codegen.model.vehicle import Component
+from codegen.targets.naming import class_name, class_names, prose, quoted
+from codegen.targets.receiver.reading import Reading
+from codegen.targets.receiver.readings import CHARGING, FACT, readings_of
+from codegen.targets.receiver.roles import ROLES, role_of
+
+TAKEN = frozenset(
+    (
+        *(
+            "system",
+            "number",
+            "swaps",
+            "components",
+            "flags",
+            "messages",
+            "info",
+            "age_ms",
+            "is_stale",
+            "is_contested",
+            CHARGING,
+        ),
+        *("mean_current_a", "charge_left_ah", "time_left_s", "take", "keep_time"),
+    )
+)
+"""Attributes of every view, which a quantity cannot have for its name."""
+MODULES = frozenset(
+    (
+        "consumption",
+        "enum_names",
+        "fields",
+        "frames",
+        "mavlink",
+        "message",
+        "messages",
+        "readings",
+        "receiver",
+        "sender",
+    )
+) | {"view", "views", "frames_plain", "frames_viper"}
+"""Modules of every receiver, which the one with the views cannot have for its name."""
+WIDTH = 112
+"""Columns of a line without its indentation."""
+MISSED = 3
+"""Messages in a row that may be lost before what they say counts no more."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReaderView:
+    """One message: its class, the field with the number of the instance, and the readings."""
+
+    name: str
+    id: int
+    class_name: str
+    function: str
+    number_field: str
+    stale_ms: int
+    readings: tuple[Reading, ...]
+    lines: tuple[str, ...]
+    uses_raw: bool
+
+
+@dataclass(frozen=True, slots=True)
+class AttributeView:
+    """An attribute of a view or of its facts: ``key`` is its name among the readings."""
+
+    name: str
+    key: str
+    doc: str
+    enum: str
+    method: str
+
+
+@dataclass(frozen=True, slots=True)
+class RoleView:
+    """What plays a role: pairs of a reading's name and the factor to the unit of the role, as a tuple in Python."""
+
+    name: str
+    players: str
+
+
+@dataclass(frozen=True, slots=True)
+class ReceiverView:
+    """The module, and the page about it."""
+
+    project: str
+    component: str
+    doc: str
+    citation: str
+    module: str
+    views_class: str
+    view_class: str
+    info_class: str
+    stale_ms: int
+    window_ms: int
+    readers: tuple[ReaderView, ...]
+    quantities: tuple[AttributeView, ...]
+    facts: tuple[AttributeView, ...]
+    carriers: tuple[tuple[str, str], ...]
+    flags: str
+    roles: tuple[RoleView, ...]
+    names: str
+    stale_by_kind: str
+    functions: tuple[str, ...]
+    example: str
+    enums: tuple[str, ...]
+
+
+def plural(name: str) -> str:
+    """battery -> batteries, pack -> packs."""
+    if name.endswith("y") and name[-2:-1] not in "aeiou":
+        return f"{name[:-1]}ies"
+    return f"{name}es" if name.endswith(("s", "x", "ch", "sh")) else f"{name}s"
+
+
+def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
+    """The view of the module and of its page."""
+    component = receiver.component
+    said = {message.name: readings_of(message, component, system.dialect) for message in receiver.messages}
+    classes = class_names(message.name for message in receiver.messages)
+    readings = [reading for found in said.values() for reading in found]
+    uses: set[str] = {name for reading in readings for name in reading.uses}
+    if any(reading.enum for reading in readings):
+        uses.add("entry")
+    enums = {*(uses & system.dialect.enums.keys()), *(reading.enum for reading in readings if reading.enum)}
+    module = plural(component.name)
+    owner = class_name(component.name)
+    return ReceiverView(
+        project=prose(system.spec.project.project),
+        component=component.name,
+        doc=prose(component.spec.doc),
+        citation=str(receiver.citation or ""),
+        module=f"{module}_" if module in MODULES else module,
+        views_class=class_name(module),
+        view_class=f"{owner}View",
+        info_class=f"{owner}Info",
+        stale_ms=receiver.stale_after_ms,
+        window_ms=receiver.rate_over_ms,
+        readers=tuple(
+            ReaderView(
+                name=message.name,
+                id=message.wire.id,
+                class_name=classes[message.name],
+                function=f"_read_{message.name.lower()}",
+                number_field=_number_field(message),
+                stale_ms=stale_after_ms(message, receiver),
+                readings=said[message.name],
+                lines=tuple(line for reading in said[message.name] for line in _lines(reading)),
+                uses_raw=any("raw(" in reading.expression for reading in said[message.name]),
+            )
+            for message in receiver.messages
+        ),
+        quantities=_attributes(readings, TAKEN, is_fact=False),
+        facts=_attributes(readings, frozenset(), is_fact=True),
+        carriers=_carriers(system, receiver, said),
+        flags=_tuple(sorted({quoted(reading.name) for reading in readings if "flags" in reading.uses})),
+        roles=_roles(readings),
+        names=_tuple(quoted(message.name) for message in receiver.messages),
+        stale_by_kind=_tuple(str(stale_after_ms(message, receiver)) for message in receiver.messages),
+        functions=tuple(sorted(uses - enums)),
+        example=_example(component, readings),
+        enums=tuple(sorted(enums)),
+    )
+
+
+def _lines(reading: Reading) -> Iterator[str]:
+    """The entry of a reading; what gets too long has each argument in a line of its own."""
+    comment = f"  # {reading.unit}" if reading.unit else ""
+    line = f"{quoted(reading.name)}: {reading.expression},{comment}"
+    if len(line) <= WIDTH:
+        yield line
+        return
+    function, _, rest = reading.expression.partition("(")
+    yield f"{quoted(reading.name)}: {function}("
+    yield from (f"    {argument}," for argument in _arguments(rest.removesuffix(")")))
+    yield f"),{comment}"
+
+
+def _arguments(text: str) -> Iterator[str]:
+    """The arguments of a call, at the commas that stand in no brackets."""
+    depth, begin = 0, 0
+    for index, character in enumerate(text):
+        depth += (character == "(") - (character == ")")
+        if character == "," and depth == 0:
+            yield text[begin:index].strip()
+            begin = index + 1
+    yield text[begin:].strip()
+
+
+def _example(component: Component, readings: Iterable[Reading]) -> str:
+    """Some quantities, as the page prints them: those of the component that have a unit."""
+    names = [reading.name for reading in readings if reading.name in component.quantities and reading.unit]
+    shown = sorted(set(names) - TAKEN, key=lambda name: (component.quantities[name].conversion is None, name))
+    return "".join(f"view.{name}, " for name in shown[:2])
+
+
+def _number_field(message: PopulatedMessage) -> str:
+    return next(binding.covers.field.name for binding in message.bindings if isinstance(binding, InstanceBinding))
+
+
+def stale_after_ms(message: PopulatedMessage, receiver: Receiver) -> int:
+    """Age from which on a message counts no more: a slow one has longer, one on request as long as others come (0)."""
+    stream = message.stream
+    if stream is None:
+        return 0
+    rate = stream.rate or Fraction(0)
+    if stream.parameter is not None:
+        rate = stream.parameter.default * stream.parameter.step
+    return max(receiver.stale_after_ms, math.ceil(MISSED * 1000 / rate)) if rate else 0
+
+
+def _attributes(readings: Iterable[Reading], taken: frozenset[str], *, is_fact: bool) -> tuple[AttributeView, ...]:
+    found: dict[str, AttributeView] = {}
+    for reading in readings:
+        if reading.name == CHARGING or reading.name.startswith(FACT) != is_fact:
+            continue
+        name = reading.name.removeprefix(FACT)
+        method = "_fact" if is_fact else "_cells" if reading.is_by_cell else "_quantity"
+        while name in taken or keyword.iskeyword(name):
+            name += "_"
+        found.setdefault(reading.name, AttributeView(name, reading.name, _doc(reading), reading.enum, method))
+    return tuple(found[name] for name in sorted(found))
+
+
+def _doc(reading: Reading) -> str:
+    """What the attribute is, with its unit, as one sentence or more."""
+    doc = prose(reading.doc) or f"The flags of `{reading.field}` that are set, by their names, as a tuple"
+    doc = f"{doc.rstrip('.')}{'; a tuple with one for each cell' if reading.is_by_cell else ''}"
+    return f"{doc}. Unit: {reading.unit}." if reading.unit else f"{doc}."
+
+
+def _carriers(
+    system: System, receiver: Receiver, said: Mapping[str, tuple[Reading, ...]]
+) -> tuple[tuple[str, str], ...]:
+    """The kinds of message that carry each name, the preferred one first, as a tuple of the generated Python."""
+    order = sorted(range(len(receiver.messages)), key=lambda kind: _preference(receiver.messages[kind], system))
+    names = sorted({reading.name for found in said.values() for reading in found})
+    carriers = []
+    for name in names:
+        kinds = [kind for kind in order if any(reading.name == name for reading in said[receiver.messages[kind].name])]
+        carriers.append((name, _tuple(map(str, kinds))))
+    return tuple(carriers)
+
+
+def _preference(message: PopulatedMessage, system: System) -> tuple[int, int]:
+    """The new generation goes first and the old one last; where none is declared, the higher id is the newer one."""
+    rank = 1
+    for generations in system.generations:
+        if message.name in generations.new:
+            rank = 0
+        elif message.name in generations.old:
+            rank = 2
+    return rank, -message.wire.id
+
+
+def _roles(readings: Iterable[Reading]) -> tuple[RoleView, ...]:
+    players: dict[str, dict[str, float | int]] = {}
+    for reading in readings:
+        role = "charging" if reading.name == CHARGING else role_of(reading.field)
+        if role is None:
+            continue
+        wanted = ROLES[role].unit if role in ROLES else None
+        factor: Fraction | None = Fraction(1)
+        if wanted is not None:
+            unit = UNITS.get(reading.unit)
+            factor = unit.to(UNITS[wanted]) if unit else None
+        if factor is not None:
+            players.setdefault(role, {})[reading.name] = int(factor) if factor.denominator == 1 else float(factor)
+    pairs = {name: [f"({quoted(key)}, {factor})" for key, factor in found.items()] for name, found in players.items()}
+    return tuple(RoleView(name, _tuple(pairs[name])) for name in sorted(pairs))
+
+
+def _tuple(items: Iterable[str]) -> str:
+    """A tuple of the generated Python."""
+    listed = list(items)
+    return f"({listed[0]},)" if len(listed) == 1 else f"({', '.join(listed)})"

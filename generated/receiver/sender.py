@@ -1,0 +1,96 @@
+# Generated from templates/codec/sender.py: do not edit.
+# Inputs: e6a211abb9eacfb0
+"""Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
+
+from frames import TABLE, write_frame
+
+LONGEST_PAYLOAD = 255
+
+
+class Sender:
+    """Sends messages over `stream`, which needs a method write(bytes) only.
+
+    encode(message) returns the whole frame with the current sequence number; the view is valid until the next frame.
+    ValueError: the message does not go over this link, by its length or by an id above 255 in MAVLink 1.
+
+    A sender keeps a view for each length of payload up to `longest`, on a 32 bit board 20 bytes each. `signing` is
+    None, or what signs each frame: see signing.Signing. `tx_errors` counts frames that the stream did not take whole.
+    """
+
+    def __init__(self, stream, system_id=1, component_id=1, version=2, longest=LONGEST_PAYLOAD, signing=None):
+        if not 1 <= system_id <= 255 or not 1 <= component_id <= 255:
+            raise ValueError("a source has a system id and a component id from 1 to 255")
+        if version not in (1, 2):
+            raise ValueError("MAVLink has the versions 1 and 2")
+        if not 1 <= longest <= LONGEST_PAYLOAD:
+            raise ValueError("a payload has 1 to 255 bytes")
+        if signing and version == 1:
+            raise ValueError("MAVLink 1 has no signatures")
+        self.stream = stream
+        self._signing = signing
+        self.tx_errors = 0
+        header = 10 if version == 2 else 6
+        extra = header + (15 if signing else 2)
+        # The frame begins at the third byte, so that its payload is aligned; before it stands the longest payload.
+        self._frame = frame = bytearray(2 + extra + longest + 3)
+        self._sequence_at = 6 if version == 2 else 4
+        frame[0] = longest
+        frame[2] = 0xFD if version == 2 else 0xFE
+        frame[4] = 1 if signing else 0
+        frame[self._sequence_at + 1] = system_id
+        frame[self._sequence_at + 2] = component_id
+        whole = memoryview(frame)
+        views = [whole[2 : 2 + extra + length] for length in range(longest + 1)]
+        self.encode = _encoder(frame, views, signing)
+
+    @property
+    def version(self):
+        """MAVLink version that is sent."""
+        return 2 if self._frame[2] == 0xFD else 1
+
+    @property
+    def signing(self):
+        """What signs the frames, or None; a link has it from the start."""
+        return self._signing
+
+    @property
+    def sequence(self):
+        """Sequence number of the next frame."""
+        return self._frame[self._sequence_at]
+
+    @sequence.setter
+    def sequence(self, value):
+        self._frame[self._sequence_at] = value & 0xFF
+
+    def send(self, message):
+        """Write the message's frame to the stream, once; return how many bytes it took.
+
+        Less than the frame, None or an OSError is no reason to stop the vehicle: it counts as one of `tx_errors`.
+        The sequence number goes on all the same, so that the receiver notices the loss.
+        """
+        frame = self.encode(message)
+        written = self._write(frame)
+        at = self._sequence_at
+        self._frame[at] = (self._frame[at] + 1) & 0xFF
+        if written != len(frame):
+            self.tx_errors += 1
+        return written
+
+    def _write(self, frame):
+        try:
+            return self.stream.write(frame) or 0
+        except OSError:
+            return 0
+
+
+def _encoder(frame, views, signing):
+    # A function that has what it needs around it is faster than a method.
+    def encode(message):
+        return views[write_frame(0xFFFF, TABLE, frame, message._image, message._live)]
+
+    def encode_signed(message):
+        view = encode(message)
+        signing.sign(view)
+        return view
+
+    return encode_signed if signing else encode

@@ -1,0 +1,249 @@
+# Generated from templates/receiver/view.py: do not edit.
+# Inputs: acf14251a49de2c1
+"""What is known about one instance, from all messages that report it."""
+
+from consumption import Consumption
+from readings import elapsed
+
+_LONG_AGO_MS = 1 << 28  # three days: later the clock would have started again
+
+
+class View:
+    """One instance, as a system reports it by its number.
+
+    Quantities are None while unknown: because the wire says so, because no message came that carries them, or because
+    the last one is too old. Where several messages carry a quantity, the preferred one of those that are not too old
+    decides. Times are those that the receiver was given, or its clock's.
+    """
+
+    MESSAGES = ()  # names, by kind
+    STALE_MS = ()  # age by kind from which on a message counts no more; 0: as long as others come
+    SILENT_MS = 0  # time without any message after which nothing is known
+    WINDOW_MS = 0  # time over which the current is averaged
+    CARRIERS = {}  # kinds of message that carry a quantity, the preferred one first
+    FLAGS = ()  # names of the bitmasks
+    ROLES = {}  # what plays a role for the time that remains: names, the first known one counts, and factors to A or Ah
+
+    def __init__(self, receiver, system, number):
+        self.system = system
+        self.number = number
+        self.swaps = 0
+        self._receiver = receiver
+        self._said = [None] * len(self.MESSAGES)
+        self._heard_ms = [None] * len(self.MESSAGES)
+        self._last_ms = None
+        self._sources = {}
+        self._identities = [None] * len(self.MESSAGES)
+        self._consumption = Consumption(self.WINDOW_MS, self.SILENT_MS)
+
+    def __repr__(self):
+        state = ", stale" if self.is_stale() else ""
+        return f"{type(self).__name__}(system={self.system}, number={self.number}{state})"
+
+    @property
+    def components(self):
+        """The component ids that reported it, as a tuple in rising order."""
+        return tuple(sorted(self._sources))
+
+    @property
+    def flags(self):
+        """The names of the flags that are set in any of the bitmasks, as a tuple; None while all are unknown."""
+        known = [names for names in [self._quantity(name) for name in self.FLAGS] if names is not None]
+        return tuple([name for names in known for name in names]) if known else None
+
+    @property
+    def is_contested(self):
+        """Whether two components report the same number now, so that what they say gets mixed up."""
+        now_ms = self._receiver.now_ms()
+        return sum([elapsed(now_ms, heard) <= self.SILENT_MS for heard in self._sources.values()]) > 1
+
+    @property
+    def messages(self):
+        """The names of the messages that count now, as a tuple."""
+        return tuple([name for kind, name in enumerate(self.MESSAGES) if self._counts(kind)])
+
+    def age_ms(self, now_ms=None):
+        """Return the milliseconds since the last message; None after three days."""
+        if self._last_ms is None:
+            return None
+        return elapsed(self._receiver.now_ms() if now_ms is None else now_ms, self._last_ms)
+
+    def is_stale(self, now_ms=None):
+        """Tell whether so long nothing came that nothing is known any more."""
+        age_ms = self.age_ms(now_ms)
+        return age_ms is None or age_ms > self.SILENT_MS
+
+    @property
+    def is_charging(self):
+        """Whether it is charging, by what it says or by its mean current; None while unknown."""
+        charging = self._known("charging")
+        mean_a = self.mean_current_a
+        return charging if charging or mean_a is None else mean_a < 0
+
+    @property
+    def mean_current_a(self):
+        """The mean current of the last while, in A; from the charge consumed where no current is known."""
+        return None if self.is_stale() else self._consumption.mean_a()
+
+    @property
+    def charge_left_ah(self):
+        """The charge that is left, in Ah: the first of these that is known.
+
+        The charge left, as it is reported; the full charge times the percentage left; what was consumed, p % being
+        left: consumed * p / (100 - p); the full charge less what was consumed. The last two take it that the count
+        began with a full battery.
+        """
+        left = self._known("left")
+        if left is not None:
+            return left
+        percent, full, consumed = self._known("percent"), self._known("full"), self._known("consumed")
+        if percent is not None and full is not None:
+            return full * percent / 100
+        if percent is not None and consumed is not None and 0 <= percent < 100 and consumed > 0:
+            return consumed * percent / (100 - percent)
+        if full is not None and consumed is not None:
+            return max(full - consumed, 0)
+        return None
+
+    def time_left_s(self, now_ms=None):
+        """Return the seconds that the charge left lasts at the mean current; None while charging, idle or unknown.
+
+        A time that is given is told to the receiver, as by feed().
+        """
+        if now_ms is not None:
+            self._receiver.tell(now_ms)
+        if self._known("charging"):
+            return None
+        return seconds(self.charge_left_ah, self.mean_current_a)
+
+    def take(self, kind, said, source, now_ms):
+        """Take in what a message of a kind said, from a component."""
+        if self._is_another(kind, said):
+            self.swaps += 1
+            self._said = [None] * len(self.MESSAGES)
+            self._heard_ms = [None] * len(self.MESSAGES)
+            self._consumption.forget()
+        self._keep_pages(kind, said)
+        self._said[kind] = said
+        self._heard_ms[kind] = self._last_ms = now_ms
+        self._sources[source] = now_ms
+        self._consumption.note(now_ms, self._known("current"), self._known("consumed"))
+
+    def _keep_pages(self, kind, said):
+        """Add the pages that came before."""
+        before = self._said[kind]
+        for name, value in said.items():
+            if isinstance(value, dict) and before is not None:
+                before[name].update(value)
+                said[name] = before[name]
+
+    def keep_time(self, now_ms):
+        """Give up what is so old that the clock would soon have started again."""
+        for kind, heard in enumerate(self._heard_ms):
+            if heard is not None and elapsed(now_ms, heard) > _LONG_AGO_MS:
+                self._heard_ms[kind] = None
+        if self._last_ms is not None and elapsed(now_ms, self._last_ms) > _LONG_AGO_MS:
+            self._last_ms = None
+        for source in [source for source, heard in self._sources.items() if elapsed(now_ms, heard) > _LONG_AGO_MS]:
+            del self._sources[source]
+
+    def _is_another(self, kind, said):
+        """Tell whether the serial number has changed or, without one, the count of cycles by more than one more.
+
+        Messages cut serial numbers to different lengths: so each is compared with the last one of its kind.
+        """
+        serial = self._said_as("serial", said)
+        cycles = self._said_as("cycles", said)
+        if serial is None and cycles is None:
+            return False
+        before = self._identities[kind]
+        if before is not None and serial is None and before[0] is not None:
+            serial = before[0]  # it was known: that it is left out once says nothing
+        is_another = False
+        if before is not None:
+            if serial is not None and before[0] is not None:
+                is_another = serial != before[0]
+            elif cycles is not None and before[1] is not None:
+                is_another = not before[1] <= cycles <= before[1] + 1
+        if is_another:
+            self._identities = [None] * len(self.MESSAGES)
+        self._identities[kind] = (serial, cycles)
+        return is_another
+
+    def _said_as(self, role, said):
+        for name, _ in self.ROLES.get(role, ()):
+            if said.get(name) is not None:
+                return said[name]
+        return None
+
+    def _known(self, role):
+        """Return what plays a role, in A, Ah or %; None without such, or while it is unknown."""
+        for name, factor in self.ROLES.get(role, ()):
+            value = self._fact(name) if name.startswith("info.") else self._quantity(name)
+            if value is not None:
+                return value if factor == 1 else value * factor
+        return None
+
+    def _counts(self, kind):
+        heard = self._heard_ms[kind]
+        if heard is None or self.is_stale():
+            return False
+        limit = self.STALE_MS[kind]
+        return not limit or elapsed(self._receiver.now_ms(), heard) <= limit
+
+    def _quantity(self, name):
+        for kind in self.CARRIERS[name]:
+            if self._counts(kind):
+                return self._said[kind][name]
+        return None
+
+    def _cells(self, name):
+        """Return one value for each cell, None for those that are unknown, or None as a whole.
+
+        A message that has room for all cells decides as long as it has them: as many as the battery has, or without
+        that knowledge more than one, for a single value is more likely the voltage of the whole battery. Otherwise the
+        pages do that have come.
+        """
+        count = self._known("cells")
+        pages = None
+        for kind in self.CARRIERS[name]:
+            said = self._said[kind][name] if self._counts(kind) else None
+            if isinstance(said, dict):
+                pages = said
+            elif said is not None and (len(said) == count if count else len(said) > 1):
+                return said
+        return None if pages is None else joined_pages(pages, count)
+
+    def _fact(self, name):
+        """Return what does not change as long as the battery is the same one, however long ago it was said."""
+        for kind in self.CARRIERS[name]:
+            said = self._said[kind]
+            if said is not None and said[name] is not None:
+                return said[name]
+        return None
+
+
+class Info:
+    """What does not change as long as the battery is the same one."""
+
+    def __init__(self, view):
+        self._fact = view._fact
+
+
+def joined_pages(pages, count):
+    """Return the values of all pages, `count` of them or up to the last one that is known; None if none is."""
+    found = []
+    for first in sorted(pages):
+        found = found[:first] + [None] * (first - len(found)) + list(pages[first])
+    if count:
+        found = (found + [None] * count)[:count]
+    while found and found[-1] is None and not count:
+        found.pop()
+    return tuple(found) if any(value is not None for value in found) else None
+
+
+def seconds(charge_ah, current_a):
+    """Return the seconds that a charge lasts at a current; None where one is unknown or nothing is drawn."""
+    if charge_ah is None or current_a is None or current_a <= 0:
+        return None
+    return charge_ah * 3600 / current_a

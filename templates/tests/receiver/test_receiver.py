@@ -1,0 +1,86 @@
+"""The receiver gives back what the firmware's cases were made of, within one unit of the wire, on both interpreters."""
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+from interpreters import HERE, micropython
+from oracle import dialects
+from test_frames import DATA, encoded
+
+FACTS = json.loads((HERE / "receiver_facts.json").read_text())
+CASES = [
+    case
+    for case in DATA["messages"]
+    if case["message"] in FACTS["messages"]
+    and {about["stored"] for about in FACTS["messages"][case["message"]]["attributes"].values()}
+    <= {attribute for _, attribute, _ in case["set"]}
+]
+CHECKS = 4
+
+
+@pytest.fixture(scope="session")
+def frames():
+    """Each case's frames by pymavlink, in MAVLink 2 and, where it can be, in MAVLink 1."""
+    modules = dialects(DATA["dialect"], set(FACTS["messages"]), HERE)
+    return [
+        (case, version, frame)
+        for case in CASES
+        for version, module in zip((2, 1), modules, strict=True)
+        if (frame := encoded(module, case))
+    ]
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def results(request, frames, tmp_path_factory):
+    """What the receiver says, in one run of each interpreter."""
+    path = tmp_path_factory.mktemp("receiver") / "frames.txt"
+    path.write_text("".join(f"{case['message']} {frame}\n" for case, _, frame in frames))
+    folder = os.pathsep.join([str(HERE.parent / "receiver"), ".frozen"])
+    program = micropython() if request.param == "micropython" else sys.executable
+    command = [program, str(HERE / "receiver_run.py"), str(HERE / "receiver_facts.json"), str(path)]
+    environment = {**os.environ, "MICROPYPATH": folder, "PYTHONPATH": folder}
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    answers = [json.loads(line) for line in done.stdout.splitlines()]
+    return {"said": answers[: len(frames)], "checks": answers[len(frames) :]}
+
+
+def agrees(value, stored, about):
+    """Whether an attribute is what the state kept, as far as the wire carries it."""
+    if about.get("boolean"):
+        return value == bool(stored)
+    if stored is None:
+        stored = about["stands_in"] and about["stands_in"] * about["steps"]
+    if stored is None or value is None:
+        return value is None and stored is None
+    expected = min(max(stored / about["steps"], about["low"]), about["high"])
+    return abs(value - expected) <= about["within"] + abs(expected) * 1e-6
+
+
+def test_cases_are_here():
+    """A comparison of nothing would find nothing."""
+    assert {case["message"] for case in CASES} == set(FACTS["messages"])
+
+
+def test_the_state_comes_back(results, frames):
+    """Every quantity of every case, and None for what was unknown, FR-00075.1, FR-00075.7."""
+    assert len(results["said"]) == len(frames)
+    for (case, version, _), said in zip(frames, results["said"], strict=True):
+        kept = {attribute: value for _, attribute, value in case["set"]}
+        assert said is not None, case["name"]
+        for name, about in FACTS["messages"][case["message"]]["attributes"].items():
+            if version == 1 and about["is_extension"]:
+                continue  # MAVLink 1 has no extension fields
+            if kept.get(about.get("unless")):
+                continue  # single values go out in its place
+            assert agrees(said[name], kept[about["stored"]], about), (case["name"], name, said[name], kept)
+
+
+@pytest.mark.parametrize("check", range(CHECKS))
+def test_frames_together(check, results):
+    """Cut frames, noise, silence, and one view for all messages, FR-00075.2, FR-00075.5, FR-00075.6."""
+    assert len(results["checks"]) == CHECKS
+    assert results["checks"][check] is None

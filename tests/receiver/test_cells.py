@@ -1,0 +1,83 @@
+"""Cells: how single values are told from a pack's voltage, and how pages become one list."""
+
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from projects import BIN, HERE, ROOT, run
+
+from codegen.diagnostics import Report
+from codegen.model.system import EachBinding, Elements, PageBinding, SplitBinding, System
+from codegen.pipeline import read_system
+from codegen.targets.receiver.cells import cell_readings
+
+
+@pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
+def test_cells_of_views(interpreter: str, generated: Callable[[str], Path]) -> None:
+    """The script's assertions hold on both interpreters, FR-00075.1."""
+    assert BIN.exists()
+    assert run(interpreter, HERE / "cell_checks.py", [generated("shipped") / "receiver"]) == "done\n"
+
+
+@pytest.fixture(scope="module")
+def system() -> System:
+    """The shipped specification."""
+    found = read_system(str(ROOT / "specs" / "codegen.yaml"), Report())
+    assert found is not None
+    return found
+
+
+def binding_of(system: System, field: str) -> SplitBinding:
+    """What fills an array of BATTERY_STATUS with the voltage, or would."""
+    message = next(message for message in system.messages if message.name == "BATTERY_STATUS")
+    voltages = next(binding for binding in message.bindings if binding.covers.field.name == "voltages")
+    assert isinstance(voltages, SplitBinding)
+    wire = message.wire.field(field)
+    assert wire is not None
+    covers = Elements(wire, 0, wire.count, voltages.covers.answer, voltages.covers.citation)
+    return SplitBinding(covers, *(getattr(voltages, name) for name in voltages.__slots__[1:]))
+
+
+def each(split: SplitBinding, first: int, unknown: int, *, is_paged: bool, has_sum: bool) -> EachBinding:
+    """One value for each element of a field."""
+    return EachBinding(
+        covers=split.covers,
+        source=split.source,
+        first=first,
+        factor=Fraction(1),
+        rounding=split.rounding,
+        low=Fraction(1),
+        high=Fraction(65534),
+        unknown=unknown,
+        is_paged=is_paged,
+        fallback=split if has_sum else None,
+    )
+
+
+def expressions(bindings: tuple[object, ...]) -> dict[str, str]:
+    """The expression of each reading."""
+
+    class Message:
+        """A message, as far as the readings of cells need one."""
+
+    message = Message()
+    message.bindings = bindings  # type: ignore[attr-defined]
+    return {reading.name: reading.expression for reading in cell_readings(message)}  # type: ignore[arg-type]
+
+
+def test_fields_follow_one_another(system: System) -> None:
+    """Cells from 10 on stand in the second field, whichever comes first on the wire."""
+    first, rest = binding_of(system, "voltages"), binding_of(system, "voltages_ext")
+    bindings = (each(rest, 10, 0, is_paged=False, has_sum=False), each(first, 0, 65535, is_paged=False, has_sum=False))
+    values = 'values_of(raw("voltages"), 0, 10, 65535, 1, 1000) + values_of(raw("voltages_ext"), 0, 4, 0, 1, 1000)'
+    assert expressions(bindings) == {"voltage": f"single({values}, None)"}
+
+
+def test_pages_are_numbered(system: System) -> None:
+    """A page says where its values belong; single ones may be unknown."""
+    split = binding_of(system, "voltages")
+    index = binding_of(system, "voltages_ext").covers
+    bindings = (PageBinding(index, 10), each(split, 0, 0, is_paged=True, has_sum=False))
+    wanted = 'page(get("voltages_ext"), values_of(raw("voltages"), 0, 10, 0, 1, 1000, keep=True))'
+    assert expressions(bindings) == {"voltage": wanted}

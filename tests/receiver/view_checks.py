@@ -1,0 +1,333 @@
+"""What views say about packs that report over a while, on whatever interpreter reads this file.
+
+The receiver is that of two packs with both generations and information; frames are made by its own codec.
+"""
+
+import json
+
+import messages
+from mavlink import Link
+from packs import Packs
+
+TURN_MS = 1 << 30
+SECOND = 1000
+LINKS = {source: Link(None, 7, source) for source in (1, 180)}
+
+
+def status(number=0, **fields):
+    """Return BATTERY_STATUS with some fields known."""
+    return messages.BatteryStatus().update(id=number, **fields)
+
+
+def status_v2(number=0, **fields):
+    """Return BATTERY_STATUS_V2 with some fields known."""
+    return messages.BatteryStatusV2().update(id=number, status_flags=0, **fields)
+
+
+def info(serial, number=0, **fields):
+    """Return SMART_BATTERY_INFO about a pack with a serial number."""
+    return messages.SmartBatteryInfo().update(id=number, serial_number=serial, **fields)
+
+
+def feed(packs, message, now_ms, source=1):
+    """Send a message over the wire."""
+    assert packs.feed(bytes(LINKS[source].encode(message)), now_ms) == 1
+
+
+def equals(value, expected, within=1e-5):
+    """Compare numbers, which are of single precision on a board."""
+    assert value is not None
+    assert abs(value - expected) <= within * max(1, abs(expected)), (value, expected)
+
+
+def new_generation_wins():
+    """Both arrive: one view; the new one's numbers, and the old one's where only it has them."""
+    packs = Packs()
+    old = status(current_battery=1234, battery_remaining=50, charge_state=1, voltages=[12000] + [65535] * 9)
+    new = status_v2(current=12.345, voltage=12.0625, state_of_charge=50.25)
+    for first, second in ((old, new), (new, old)):
+        feed(packs, first, 0)
+        feed(packs, second, 100)
+        view = packs.view(7, 0)
+        assert len(packs.views()) == 1
+        equals(view.current, 12.345)
+        assert view.voltage == 12.0625
+        assert view.charge == 50.25
+        assert (view.state, view.state_name) == (1, "MAV_BATTERY_CHARGE_STATE_OK")
+        assert view.messages == ("BATTERY_STATUS", "BATTERY_STATUS_V2")
+
+
+def stale_alone_leaves_the_word():
+    """The new generation stops: after its time the old one speaks; what only the new one says is unknown."""
+    packs = Packs()
+    feed(packs, status_v2(current=2, voltage=12), 0)
+    feed(packs, status(current_battery=300), 0)
+    view = packs.view(7, 0)
+    feed(packs, status(current_battery=300), 6000)
+    assert (view.current, view.status_flags) == (2, ())
+    feed(packs, status(current_battery=300), 6001)
+    assert (view.current, view.status_flags, view.messages) == (3, None, ("BATTERY_STATUS",))
+    assert not view.is_stale()
+    assert view.is_stale(11002)
+
+
+def unknown_is_none():
+    """Each message with nothing known: None, also beside names of flags and facts."""
+    for message in (status(), status_v2()):
+        packs = Packs()
+        feed(packs, message, 0)
+        view = packs.view(7, 0)
+        values = [view.voltage, view.current, view.used, view.temperature, view.charge, view.time_left_s()]
+        assert values == [None] * 6, values
+        assert view.info.serial is None
+
+
+def flags_have_names():
+    """Names in the order of the bits; what has none comes as a number; booleans follow their bit."""
+    packs = Packs()
+    feed(packs, status_v2(), 0)
+    view = packs.view(7, 0)
+    assert (view.flags, view.status_flags, view.fault_bitmask) == ((), (), None)
+    assert (view.charging, view.is_charging) == (False, False)
+    message = status_v2().update(status_flags=2 | 32 | 1 << 29 | 1 << 30)
+    feed(packs, message, 1)
+    names = ("MAV_BATTERY_STATUS_FLAGS_CHARGING", "MAV_BATTERY_STATUS_FLAGS_REQUIRES_SERVICE", "0x60000000")
+    assert view.status_flags == names, view.status_flags
+    assert (view.charging, view.is_charging, view.time_left_s()) == (True, True, None)
+    feed(packs, status(fault_bitmask=4), 2)
+    assert view.flags[0] == "MAV_BATTERY_FAULT_CELL_FAIL"
+    assert view.flags[1:] == names
+
+
+def facts_are_read():
+    """Names, texts and numbers in units, kept while nothing more comes."""
+    packs = Packs()
+    fields = {"type": 3, "capacity_full": 3300, "weight": 1250, "device_name": "two packs"}
+    feed(packs, info("SN-0042", cells_in_series=6, discharge_minimum_voltage=18600, **fields), 0)
+    facts = packs.view(7, 0).info
+    for now in (0, 60 * SECOND):
+        packs.feed(None, now)
+        assert facts.chemistry == "MAV_BATTERY_TYPE_LION"
+        assert (facts.serial, facts.device_name, facts.cells) == ("SN-0042", "two packs", 6)
+        equals(facts.capacity_full, 3.3)
+        equals(facts.discharge_minimum_voltage, 18.6)
+        assert (facts.weight, facts.resting_minimum_voltage) == (1.25, None)
+
+
+def time_left_from_full_charge():
+    """3.3 Ah, 50 % left, 3 A and then 6 A: 1.65 Ah / 3 A = 1980 s, falling to 990 s as the mean goes up."""
+    packs = Packs()
+    view = None
+    for second in range(60):
+        if second % 3 == 0:  # later than after 5 s nothing would be known
+            feed(packs, info("A", capacity_full=3300), second * SECOND)
+        feed(packs, status(current_battery=300 if second < 30 else 600, battery_remaining=50), second * SECOND)
+        view = packs.view(7, 0)
+        if second < 30:
+            equals(view.mean_current_a, 3)
+            equals(view.time_left_s(), 1980)
+        if second == 40:  # 10 of 20 s; the step itself takes half a second of each
+            equals(view.mean_current_a, 3 + 3 * 10.5 / 20, 0.05)
+    equals(view.charge_left_ah, 1.65)
+    equals(view.mean_current_a, 6)
+    equals(view.time_left_s(), 990)
+
+
+def mean_current_counts_durations():
+    """10 A for a moment among 1 A for long is not 5.5 A: 1 s up and down of 18 s."""
+    packs = Packs()
+    for second, current in enumerate([1] * 9 + [10] + [1] * 9):
+        feed(packs, status_v2(current=current), second * SECOND)
+    equals(packs.view(7, 0).mean_current_a, (18 * 1 + 9) / 18)
+
+
+def time_left_from_consumption():
+    """No current: 40 mAh a minute are 2.4 A; 25 % left after 2.25 Ah: 0.75 Ah last 1125 s."""
+    packs = Packs()
+    for second in range(61):
+        used = 2.25 - (60 - second) * 0.04 / 60
+        feed(packs, status_v2(capacity_consumed=used, state_of_charge=25), second * SECOND)
+        view = packs.view(7, 0)
+        assert (view.time_left_s() is None) == (second < 10), second  # half of 20 s
+    equals(view.mean_current_a, 2.4, 1e-3)
+    equals(view.charge_left_ah, 0.75)
+    equals(view.time_left_s(), 1125, 1e-3)
+
+
+def the_charge_that_is_reported_goes_first():
+    """1 Ah is left, whatever percentage and capacity say; without it, and without percent, full less consumed."""
+    packs = Packs()
+    feed(packs, info("A", capacity_full=4000), 0)
+    feed(packs, status_v2(capacity_remaining=1, state_of_charge=90, capacity_consumed=0.5, current=2), 0)
+    equals(packs.view(7, 0).time_left_s(), 1800)
+    feed(packs, status_v2(capacity_consumed=0.5, current=2), 1)
+    equals(packs.view(7, 0).charge_left_ah, 3.5)
+
+
+def no_time_without_a_reason():
+    """While charging, while nothing is drawn, while the charge or the current is unknown, and once it is stale."""
+    cases = (
+        ({"current": -1, "capacity_remaining": 1}, True),
+        ({"current": 0, "capacity_remaining": 1}, False),
+        ({"capacity_remaining": 1}, False),
+        ({"current": 1}, False),
+    )
+    for fields, is_charging in cases:
+        packs = Packs()
+        feed(packs, status_v2(**fields), 0)
+        view = packs.view(7, 0)
+        assert (view.time_left_s(), bool(view.is_charging)) == (None, is_charging), fields
+    packs = Packs()
+    feed(packs, status_v2(current=1, capacity_remaining=1), 0)
+    packs.feed(None, 5000)
+    assert packs.view(7, 0).time_left_s() == 3600
+    assert packs.view(7, 0).time_left_s(5001) is None
+    feed(packs, status_v2(current=1, capacity_remaining=1).update(status_flags=2), 6000)
+    assert packs.view(7, 0).time_left_s() is None, "the flag says that it is charging"
+
+
+def several_batteries_last_together():
+    """1 Ah at 1 A and 2 Ah at 5 A: one after the other 3600 s and 1440 s, together 3 Ah / 6 A = 1800 s."""
+    packs = Packs()
+    feed(packs, status_v2(0, current=1, capacity_remaining=1), 0)
+    feed(packs, status_v2(1, current=5, capacity_remaining=2), 0)
+    assert [view.number for view in packs.views()] == [0, 1]
+    assert [view.time_left_s() for view in packs.views()] == [3600, 1440]
+    assert packs.total_time_left_s(7) == 1800
+    assert packs.total_time_left_s(7, [0]) == 3600
+    assert packs.total_time_left_s(7, [0, 2]) is None
+    assert packs.total_time_left_s(8) is None
+    feed(packs, status_v2(1, current=5), 1)
+    assert packs.total_time_left_s(7) is None
+
+
+def a_swap_is_noticed():
+    """Another serial number: counted once, what the old pack drew and said is forgotten."""
+    packs = Packs()
+    feed(packs, info("A", capacity_full=3300), 0)
+    feed(packs, status_v2(current=9, capacity_remaining=1), 0)
+    feed(packs, status_v2(current=9, capacity_remaining=1), SECOND)
+    view = packs.view(7, 0)
+    feed(packs, info("A", capacity_full=3300), 2 * SECOND)
+    assert (view.swaps, view.mean_current_a) == (0, 9)
+    feed(packs, info("B", capacity_full=2200), 3 * SECOND)
+    assert (view.swaps, view.mean_current_a, view.current) == (1, None, None)
+    equals(view.info.capacity_full, 2.2)
+    feed(packs, status_v2(current=1, capacity_remaining=1), 4 * SECOND)
+    assert (view.swaps, view.mean_current_a) == (1, 1)
+    feed(packs, info("", capacity_full=2200), 5 * SECOND)
+    feed(packs, info("B", capacity_full=2200), 6 * SECOND)
+    assert view.swaps == 1
+
+
+def cycles_tell_packs_apart():
+    """Without a serial number: one cycle more is the same pack after a charge, fewer or several more are another."""
+    packs = Packs()
+    for cycles, swaps in ((7, 0), (8, 0), (8, 0), (7, 1), (20, 2)):
+        feed(packs, info("", cycle_count=cycles), 0)
+        assert packs.view(7, 0).swaps == swaps, (cycles, swaps)
+
+
+def contested_numbers_are_told():
+    """Two components report number 0: one view that says so, until one of them has been silent."""
+    packs = Packs()
+    feed(packs, status(), 0)
+    feed(packs, status(), SECOND)
+    view = packs.view(7, 0)
+    assert (view.components, view.is_contested) == ((1,), False)
+    feed(packs, status(), 2 * SECOND, source=180)
+    assert (view.components, view.is_contested) == ((1, 180), True)
+    feed(packs, status(), 6 * SECOND + 1, source=180)
+    assert (view.components, view.is_contested) == ((1, 180), False)
+
+
+def systems_are_apart():
+    """The same number of two vehicles is two batteries."""
+    packs = Packs()
+    feed(packs, status(current_battery=100), 0)
+    packs.feed(bytes(Link(None, 8, 1).encode(status(current_battery=200))), 0)
+    assert [(view.system, view.number, view.current) for view in packs.views()] == [(7, 0, 1), (8, 0, 2)]
+
+
+def the_clock_starts_again():
+    """The mean and the age go on over the turn of ticks_ms(), and a long silence is not taken for a short one."""
+    packs = Packs()
+    for second in range(-10, 11):
+        feed(packs, status_v2(current=3, capacity_remaining=1), second * SECOND % TURN_MS)
+    view = packs.view(7, 0)
+    equals(view.mean_current_a, 3)
+    assert view.age_ms(12 * SECOND) == 2 * SECOND
+    for day in range(1, 13):
+        packs.feed(None, (10 * SECOND + day * 86400 * SECOND) % TURN_MS)
+        assert view.is_stale(), day
+    packs.feed(None, 11 * SECOND)  # the clock has started again
+    assert view.is_stale()
+    assert (view.age_ms(), view.current) == (None, None)
+
+
+def an_old_message_stays_old():
+    """The other generation alone goes on until the clock has started again: what came before stays too old."""
+    packs = Packs()
+    feed(packs, status_v2(current=3), 0)
+    for day in range(1, 13):
+        feed(packs, status(current_battery=100), day * 86400 * SECOND % TURN_MS)
+    feed(packs, status(current_battery=100), 0)
+    assert (packs.view(7, 0).current, packs.view(7, 0).messages) == (1, ("BATTERY_STATUS",))
+
+
+def a_clock_can_be_given():
+    """With a clock nobody tells the time."""
+    now = [0]
+    packs = Packs(now=lambda: now[0])
+    packs.feed(bytes(LINKS[1].encode(status(current_battery=100))))
+    view = packs.view(7, 0)
+    now[0] = 5000
+    assert (view.current, view.age_ms(), view.is_stale()) == (1, 5000, False)
+    now[0] = 5001
+    assert (view.current, view.is_stale()) == (None, True)
+
+
+def decoded_messages_are_handled():
+    """handle() takes what another parser found; what is of no concern is passed over."""
+    packs = Packs()
+    link = Link(None, 3, 1, messages=messages.ALL)
+    (message,) = list(link.feed(bytes(link.encode(status(1, current_battery=100)))))
+    view = packs.handle(message, 0)
+    assert (view.system, view.number, view.current) == (3, 1, 1)
+    other = type("Other", (), {"ID": 200})()
+    assert packs.handle(other, 0) is None
+
+
+CHECKS = (
+    new_generation_wins,
+    stale_alone_leaves_the_word,
+    unknown_is_none,
+    flags_have_names,
+    facts_are_read,
+    time_left_from_full_charge,
+    mean_current_counts_durations,
+    time_left_from_consumption,
+    the_charge_that_is_reported_goes_first,
+    no_time_without_a_reason,
+    several_batteries_last_together,
+    a_swap_is_noticed,
+    cycles_tell_packs_apart,
+    contested_numbers_are_told,
+    systems_are_apart,
+    the_clock_starts_again,
+    an_old_message_stays_old,
+    a_clock_can_be_given,
+    decoded_messages_are_handled,
+)
+
+
+def outcome(check):
+    """Return None if a check passes, else what went wrong."""
+    try:
+        check()
+    except AssertionError as error:
+        return repr(error)
+    return None
+
+
+print(json.dumps({check.__name__: outcome(check) for check in CHECKS}))  # noqa: T201
