@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: ab83cc4ff71ec6ab
+# Inputs: 16330972a55e04ab
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: e90a505151ca8777
+# Inputs: 18f830afac38224b
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

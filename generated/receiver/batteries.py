@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: e84a162846bb00d4
+# Inputs: ac6ad97385a4958f
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -315,7 +315,7 @@ class BatteryView(View):
 
     @property
     def cells(self):
-        """Voltage of each cell. The rover does not measure it; code that does sets it; a tuple with one for each cell. Unit: V."""
+        """Voltage of each cell, unknown until code sets it; a tuple with one for each cell. Unit: V."""
         return self._cells("cells")
 
     @property

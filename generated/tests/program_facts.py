@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 0395800b93cbc568
+# Inputs: 9215b84e41930d08
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 805c5ca265ffac7f
+# Inputs: 60ab83f0c2233831
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import time
