@@ -46,8 +46,10 @@ def resolve_representations(
             report.add(BAD_REPRESENTATION, place, f"no field of the message is about {name}")
         elif (choice := _choice(component, policy, written, parameters, report)) is not None:
             chosen[name] = choice
-    for name in sorted(read - {population.for_each} - population.represents.keys()):
-        if components[name].instances > 1:
+    # Where a choice could not be read, or the number of an instance was asked for in vain, that has been reported.
+    reported = {answer.state.removesuffix(".instance") for answer in population.fields.values() if answer.state}
+    for name in sorted(read - {population.for_each} - population.represents.keys() - reported):
+        if components[name].instances > 1 and f"represents.{name}" not in population.places:
             report.add(
                 UNCLEAR_INSTANCE,
                 population.place,

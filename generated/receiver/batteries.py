@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: ac6ad97385a4958f
+# Inputs: 75a3b845e5022e86
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -315,7 +315,7 @@ class BatteryView(View):
 
     @property
     def cells(self):
-        """Voltage of each cell, unknown until code sets it; a tuple with one for each cell. Unit: V."""
+        """Voltage of each cell, unknown until code sets it, by cell. Unit: V."""
         return self._cells("cells")
 
     @property
@@ -380,12 +380,12 @@ class BatteryView(View):
 
     @property
     def protected(self):
-        """Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it."""
+        """Whether protective circuits in the pack are on."""
         return self._quantity("protected")
 
     @property
     def remaining(self):
-        """Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve. Unit: %."""
+        """Charge that is left, of a full pack. Unit: %."""
         return self._quantity("remaining")
 
     @property

@@ -40,7 +40,7 @@ CASES = [
     Case(
         "sentinel-contradiction",
         BATTERY,
-        "voltages: {state: battery.voltage, split: true, ",
+        "voltages: {each: battery.cells, state: battery.voltage, split: true, ",
         "voltages: {constant: §0, ",
         "UINT16_MAX",
     ),
@@ -107,7 +107,7 @@ CASES = [
     Case(
         "bad-source",
         BATTERY,
-        "voltages: {state: battery.voltage, split: true, ",
+        "voltages: {each: battery.cells, state: battery.voltage, split: true, ",
         "voltages: {state: §battery.voltage, ",
         "split: true",
     ),
@@ -122,7 +122,7 @@ CASES = [
     Case(
         "answered-twice",
         BATTERY,
-        "  voltages: {state",
+        "  voltages: {each: battery.cells, state",
         "  voltages[3]: unknown\n  §voltages: {state",
         "answered twice",
         is_alone=False,
@@ -131,15 +131,15 @@ CASES = [
     Case(
         "unanswered-field",
         BATTERY,
-        "  voltages_ext: {unknown: true, ",
-        "  voltages_ext[0..2]: {unknown: true, ",
+        "  voltages_ext: {each: battery.cells, from: 10, ",
+        "  voltages_ext[0..2]: {each: battery.cells, from: 10, ",
         "element 3",
     ),
     Case(
         "unknown-element",
         BATTERY,
-        "  voltages_ext: {unknown: true, ",
-        "  §voltages_ext[0..4]: {unknown: true, ",
+        "  voltages_ext: {each: battery.cells, from: 10, ",
+        "  §voltages_ext[0..4]: {each: battery.cells, from: 10, ",
         "0 to 3",
     ),
     Case("unknown-element", SYS, "  load: {", "  §load[0]: {"),
@@ -187,7 +187,7 @@ CASES = [
     Case(
         "pointless-key",
         BATTERY,
-        "voltages: {state: battery.voltage, split: true, ",
+        "voltages: {each: battery.cells, state: battery.voltage, split: true, ",
         "voltages: {constant: 12.6 V, split: §true, ",
     ),
     Case("pointless-key", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: 0, max: §3}"),
@@ -371,13 +371,13 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:55:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:71:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:55:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:71:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
-    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:55:17"),
+    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:71:17"),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
@@ -574,7 +574,12 @@ FOLLOW_UPS = [
     ("vehicle.yaml", "rate: 400 Hz", "rate: 400", "wrong-type"),
     ("board.yaml", "samples: 5", "samples: 0", "bad-adc"),
     ("state.yaml", "invalid_after: 5", "invalid_after: -3", "bad-quantity"),
-    (BATTERY, "  voltages_ext: {unknown: true, ", "  voltages_ext[0..12]: {unknown: true, ", "unknown-element"),
+    (
+        BATTERY,
+        "  voltages_ext: {each: battery.cells, from: 10, ",
+        "  voltages_ext[0..12]: {each: battery.cells, from: 10, ",
+        "unknown-element",
+    ),
     (SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: .nan}", "unusable-number"),
     (SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: 0, unknown: true}", "one-of-keys"),
 ]

@@ -32,6 +32,8 @@ def binding_of(system: System, field: str) -> SplitBinding:
     """What fills an array of BATTERY_STATUS with the voltage, or would."""
     message = next(message for message in system.messages if message.name == "BATTERY_STATUS")
     voltages = next(binding for binding in message.bindings if binding.covers.field.name == "voltages")
+    if isinstance(voltages, EachBinding):
+        voltages = voltages.fallback or voltages
     assert isinstance(voltages, SplitBinding)
     wire = message.wire.field(field)
     assert wire is not None

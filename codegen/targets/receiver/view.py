@@ -235,7 +235,9 @@ def _attributes(readings: Iterable[Reading], taken: frozenset[str], *, is_fact: 
 def _doc(reading: Reading) -> str:
     """What the attribute is, with its unit, as one sentence or more."""
     doc = prose(reading.doc) or f"The flags of `{reading.field}` that are set, by their names, as a tuple"
-    doc = f"{doc.rstrip('.')}{'; a tuple with one for each cell' if reading.is_by_cell else ''}"
+    doc = f"{doc.rstrip('.')}{', by cell' if reading.is_by_cell else ''}"
+    if len(doc) > 90:
+        doc = doc.partition(". ")[0]  # a line of the generated code; state.yaml has the rest
     return f"{doc}. Unit: {reading.unit}." if reading.unit else f"{doc}."
 
 
