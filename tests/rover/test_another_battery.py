@@ -1,0 +1,65 @@
+"""A third battery, or one more cell, is one edit of board.yaml: everything else follows (FR-00073.9)."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from test_change_goes_everywhere import ROOT, apply, run
+
+PROGRAM = "cpython-failsafe or cpython-arming or cpython-health or cpython-instance or cpython-parameter"
+
+
+@pytest.fixture
+def project(tmp_path):
+    """The shipped specification, to be changed."""
+    subprocess.run(["cp", "-r", str(ROOT / "specs"), str(tmp_path)], check=True)
+    return tmp_path
+
+
+def suite_is_green(project: Path, selection: str) -> None:
+    """Build the project, check that nothing is wrong with it, and run a part of its own suite."""
+    run(project, "build")
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-k", selection]
+    command = [sys.executable, "-m", "pytest", *options, "generated/tests/test_program.py"]
+    done = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-3000:]
+
+
+def parameters_of(project: Path) -> dict[str, float]:
+    """Name and default of every parameter, as the firmware itself tells them."""
+    script = "import json; from parameters import Parameters; p = Parameters(); "
+    script += "print(json.dumps({name: p.get(name) for name in p.names()}))"
+    command = [sys.executable, "-c", script]
+    firmware = project / "generated" / "firmware"
+    done = subprocess.run(command, cwd=firmware, capture_output=True, text=True, check=True)
+    told: dict[str, float] = json.loads(done.stdout)
+    return told
+
+
+def test_a_third_battery_is_one_entry(project):
+    """It has parameters, a pin, a failsafe and messages of its own; the generated suite tests all three."""
+    second = "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n"
+    third = "    - {prefix: BATT3_, doc: A third pack., facts: {cells: 2}, "
+    third += "defaults: {BATT3_MONITOR: 0, BATT3_VOLT_PIN: 28}}\n"
+    apply(project, "board.yaml", second, second + third)
+    suite_is_green(project, PROGRAM)
+    values = parameters_of(project)
+    firsts = {name.removeprefix("BATT_") for name in values if name.startswith("BATT_VOLT")}
+    assert firsts
+    assert firsts <= {name.removeprefix("BATT3_") for name in values}
+    assert values["BATT3_MONITOR"] == 0
+    assert values["BATT3_VOLT_PIN"] == 28
+    assert values["BATT3_LOW_VOLT"] == pytest.approx(7.0)
+    assert values["BATT_LOW_VOLT"] == pytest.approx(10.5)
+
+
+def test_one_more_cell_is_one_number(project):
+    """The thresholds of both batteries rise by what one cell has (a divider for them is another matter)."""
+    apply(project, "board.yaml", "    cells: 3\n", "    cells: 4\n")
+    suite_is_green(project, "cpython-parameter")
+    values = parameters_of(project)
+    for prefix in ("BATT_", "BATT2_"):
+        assert values[f"{prefix}LOW_VOLT"] == pytest.approx(14.0)
+        assert values[f"{prefix}CRT_VOLT"] == pytest.approx(13.2)
