@@ -89,9 +89,9 @@ def test_mavproxy_hears_the_battery_beside_the_autopilot(tmp_path: Path) -> None
     with mavproxy(port, tmp_path) as station, sim(tmp_path, port, "smart"):
         station.wait_for("online system 1")
         station.wait_for(r"Received \d+ parameters")
+        station.wait_for("Detected vehicle 1:180")
         position = station.say("watch BATTERY_STATUS")
         station.wait_for(r"< BATTERY_STATUS \{id : 0,.*voltages : \[12000,", position)
-        station.wait_for(r"< BATTERY_STATUS \{id : 3,.*voltages : \[1(?:0999|1000|1001),", position)
         position = station.say("arm throttle")
         station.wait_for("COMPONENT_ARM_DISARM: ACCEPTED", position)
 
@@ -109,3 +109,13 @@ def test_mavsdk_sees_both_batteries(tmp_path: Path, scenario: str, number: int) 
                 seen = station.sees("battery", rf'\{{[^}}]*"id": {battery}[,}}][^}}]*\}}?')
                 assert seen["voltage_v"] == pytest.approx(volts, abs=0.005)
             assert station.do("param.get_param_int", "BATT_CAPACITY") == 3300
+
+
+def test_mavproxy_turns_to_the_battery(tmp_path: Path) -> None:
+    """FR-00074.1: MAVProxy shows the component that it is turned to, here the battery."""
+    port = free_port()
+    with mavproxy(port, tmp_path) as station, sim(tmp_path, port, "smart"):
+        station.wait_for("Detected vehicle 1:180")
+        station.say("vehicle 1:180")
+        position = station.say("watch BATTERY_STATUS")
+        station.wait_for(r"< BATTERY_STATUS \{id : 3,.*voltages : \[1(?:0999|1000|1001),", position)

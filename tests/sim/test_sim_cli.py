@@ -76,7 +76,7 @@ def test_a_broken_scenario_file_is_reported_with_all_its_places(project: Path, r
     )
     code, out, _ = run("own.yaml")
     assert code == 1
-    places = [line.split(": ")[:2] for line in out.splitlines() if not line.startswith(" ")]
+    places = [line.split(": ")[:2] for line in out.splitlines() if line.startswith("own.yaml")]
     assert places == [
         ["own.yaml:5:24", "error wrong-type"],
         ["own.yaml:10:19", "error scenario-time"],

@@ -309,7 +309,7 @@ def test_faults_of_one_input_leave_the_other_alone(project: Path, station: Any) 
         "            count = -1\n"
         "        if count not in self.seen:\n"
         "            self.seen.add(count)\n"
-        "            print('second', count, self.state.battery.voltage is not None)\n"
+        "            print('second', count)\n"
     )
     played = Scenario(
         "own", "d", 4_000, 1, (battery(12_000), battery(6_000)), (Fault(1_000, AdcFault.FAIL, 3_000, 0, 1),)

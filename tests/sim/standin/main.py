@@ -65,7 +65,7 @@ class Vehicle:
         self._update_ms = 0
 
     def arm(self, force=False):
-        if not self.state.battery.healthy and not force:
+        if not self._first().healthy and not force:
             self.texts("error: PreArm: Battery 1 unhealthy")
             return "PreArm: Battery 1 unhealthy"
         self.is_armed = self.state.vehicle.armed = True
@@ -75,6 +75,10 @@ class Vehicle:
     def disarm(self, force=False):
         self.is_armed = self.state.vehicle.armed = False
         self.state.vehicle.status = 3
+
+    def _first(self):
+        battery = self.state.battery
+        return battery[0] if isinstance(battery, list) else battery
 
     def control(self):
         pass
@@ -90,7 +94,7 @@ class Vehicle:
             connection.run(now_ms)
 
     def _watch(self, now_ms):
-        voltage = self.state.battery.voltage
+        voltage = self._first().voltage
         for name, level in (("low", 10.5), ("critical", 9.9)):
             if not self.is_armed or (voltage and voltage >= level):
                 self._below.pop(name, None)
