@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
-from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, Spec
+from codegen.model.population_spec import Rounding
+from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Spec
 from codegen.model.unit import NUMBER, UNITS, Unit
 from codegen.model.vehicle import (
     SMALL_INT_MAX,
