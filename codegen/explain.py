@@ -7,7 +7,7 @@ from textwrap import fill
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import WireMessage
-from codegen.model.system import Generations, PopulatedMessage, Representation, System
+from codegen.model.system import Generations, PopulatedMessage, Representation, System, read_quantities
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
@@ -253,7 +253,7 @@ def _quantity(quantity: Quantity, system: System) -> str:
         f"{message.name}.{binding.covers.label}"
         for message in system.messages
         for binding in message.bindings
-        if getattr(binding, "source", None) is quantity
+        if quantity in read_quantities(binding)
     ]
     conversion = quantity.conversion
     measured = ""

@@ -237,9 +237,10 @@ class BatteryState:
         self._readings.forget()
 
     def expire(self):
-        """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
-        self.forget()
-        self.expires_ms = None
+        """Forget the last reading once it is older than 1000 ms, FR-00067.3."""
+        if self.expires_ms is not None and time.ticks_diff(time.ticks_ms(), self.expires_ms) > 0:
+            self.forget()
+            self.expires_ms = None
 
 
 class VehicleState:
@@ -317,8 +318,7 @@ class SystemState:
         battery.set_count(count, self._batt_volt_mult[instance])
         battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
         if not self._battery_is_logged[instance]:
-            self._battery_is_logged[instance] = True
-            self._log(f"battery {instance + 1}: voltage {battery.voltage:.2f} V")
+            self._log_battery(instance)
         self._warn_battery(battery, time.ticks_ms(), instance)
 
     def _warn_battery(self, battery, now_ms, instance):
@@ -328,6 +328,10 @@ class SystemState:
             battery.warned_ms = now_ms
             self._log(f"warning: battery {instance + 1}'s voltage is above 13 V:", battery.voltage)
 
+    def _log_battery(self, instance):
+        self._battery_is_logged[instance] = True
+        self._log(f"battery {instance + 1}: voltage {self.battery[instance].voltage:.2f} V")
+
     def _read_battery(self, board, instance):
         with self._guard:
             return board.read_battery_adc(instance)
@@ -335,7 +339,7 @@ class SystemState:
     def _is_good_battery(self, board, count, instance):
         if self._guard.error is not None:
             if self.battery[instance].failures == 0:
-                self._log("error: the board cannot read the battery:", self._guard.error)
+                self._log(f"error: the board cannot read battery {instance + 1}:", self._guard.error)
             return False
         return not board.battery_failures[instance] and isinstance(count, int) and 0 <= count <= 4095
 

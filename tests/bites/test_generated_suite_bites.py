@@ -74,7 +74,7 @@ MUTATIONS = [
     (
         "reading-that-is-kept",
         "state.py",
-        "self.forget()\n        self.expires_ms = None",
+        "self.forget()\n            self.expires_ms = None",
         "self.expires_ms = None",
     ),
     ("time-limit", "board.py", "took > 2000", "took > 2010"),

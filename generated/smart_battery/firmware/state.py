@@ -233,9 +233,10 @@ class BatteryState:
         self._readings.forget()
 
     def expire(self):
-        """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
-        self.forget()
-        self.expires_ms = None
+        """Forget the last reading once it is older than 1000 ms, FR-00067.3."""
+        if self.expires_ms is not None and time.ticks_diff(time.ticks_ms(), self.expires_ms) > 0:
+            self.forget()
+            self.expires_ms = None
 
 
 class VehicleState:

@@ -10,7 +10,6 @@ A builder fills in what changes and returns the same message object at each call
 one. Constants and sentinels are in place from the start; nothing here allocates.
 """
 
-import time
 from struct import pack_into
 
 import messages
@@ -72,9 +71,7 @@ def build_battery_status(state, instance=0):
     message = _battery_status[instance]
     live = message.live
     battery = state.battery
-    expires_ms = battery.expires_ms
-    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
-        battery.expire()
+    battery.expire()
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = battery.consumed_mah
