@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: fe1fca92926ddb86
+# Inputs: 62335c34219868d2
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import time

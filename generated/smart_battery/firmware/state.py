@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: fe1fca92926ddb86
+# Inputs: 62335c34219868d2
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -35,14 +35,17 @@ class BatteryState:
         self.cells_mv = [None] * 3
         # Temperature of the pack [cdegC]
         self.temperature_cdegc = None
-        # How often the cells were exchanged since the start, while the board went on
+        # How often cells were put in since the start, and so may be others; the gauge chip counts their charge
         self.swaps_number = 0
+        # Whether the pack is locked until it has been charged. The gauge chip may know; code that asks it sets it
+        self.used_up = False
         # Whether protective circuits in the pack are on
         self.protected = False
         self.number = 0  # what messages call it, fixed at the start
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
+        self.gone = False  # whether it was absent at the last good reading
         # Whether the pack is measured at all: whether BATT_MONITOR is not 0
         self.monitored = True
 
@@ -130,8 +133,13 @@ class BatteryState:
         self.temperature_cdegc = to_steps(value, 100)
 
     @property
+    def absent(self):
+        """Whether there are no cells, while the board has its power from elsewhere, FR-00073.8."""
+        return self.voltage_mv is not None and self.voltage_mv < 3000
+
+    @property
     def swaps(self):
-        """Number, or None while it is unknown; FR-00074.4."""
+        """Number, or None while it is unknown; FR-00073.8."""
         return self.swaps_number
 
     @swaps.setter
@@ -185,6 +193,18 @@ class BatteryState:
         """
         self.voltage_mv = product(count, multiplier, 11, 136500)
 
+    def has_returned(self):
+        """Take in what a reading has shown; return whether it was absent before and is no longer, FR-00073.8.
+
+        Another one may have been put in: that is counted, and what was counted for the last one begins anew.
+        """
+        was_gone = self.gone
+        self.gone = self.absent
+        if self.gone or not was_gone:
+            return False
+        self.swaps_number = (self.swaps_number or 0) + 1
+        return True
+
     def forget(self):
         """Make everything that is measured unknown."""
         self.voltage_mv = None
@@ -229,6 +249,8 @@ class SystemState:
         if not self._battery_is_logged:
             self._battery_is_logged = True
             self._log(f"battery: voltage {battery.voltage:.2f} V")
+        if battery.has_returned():
+            self._log("notice: Battery connected")
         self._warn_battery(battery, time.ticks_ms())
 
     def _warn_battery(self, battery, now_ms):

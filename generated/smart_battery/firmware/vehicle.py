@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 5ebc0cbcd9c9209d
+# Inputs: be75a978e7b71f18
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: ab2359cfb5b66870
+# Inputs: 4497d803572d2aa1
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -37,6 +37,7 @@ REQUIREMENTS = {
     "conversion": "FR-00069",
     "generations": "FR-00072",
     "announcements": "FR-00074",
+    "returns": "FR-00073",
     "services": "FR-00070",
     "loop": "FR-00071",
     "storage": "NFR-00061",
@@ -75,6 +76,13 @@ MEASURED = (
             "pin": [],
             "multiplier": [],
             "enabled_by": [],
+        },
+        "returns": {
+            "gone": "absent",
+            "below": [3000],
+            "count": "swaps_number",
+            "title": "Battery",
+            "restarting": [],
         },
         "trend": None,
         "trend_half": 0,
