@@ -22,7 +22,7 @@ def resolve_returns(spec: ComponentSpec, quantities: Mapping[str, Quantity], rep
     """What counts returns in a component; None, perhaps with findings, where nothing does."""
     counting = [name for name, written in spec.quantities.items() if written.counts_returns_of is not None]
     problems = [
-        *(problem for name in counting for problem in _count_problems(spec.quantities[name], spec, quantities, name)),
+        *(problem for name in counting for problem in _count_problems(name, spec, quantities)),
         *(problem for name in spec.quantities for problem in _restart_problems(name, spec, quantities, counting)),
     ]
     for place, message, hint in problems:
@@ -39,13 +39,12 @@ def resolve_returns(spec: ComponentSpec, quantities: Mapping[str, Quantity], rep
     return None if gone is None else Returns(count, gone, restarting)
 
 
-def _count_problems(
-    written: QuantitySpec, spec: ComponentSpec, quantities: Mapping[str, Quantity], name: str
-) -> Iterator[_Problem]:
+def _count_problems(name: str, spec: ComponentSpec, quantities: Mapping[str, Quantity]) -> Iterator[_Problem]:
+    written = spec.quantities[name]
     place, watched = written.at("counts_returns_of"), written.counts_returns_of or ""
     if watched not in spec.quantities:
         yield place, f"there is no quantity {watched}", did_you_mean(watched, spec.quantities)
-    elif watched in quantities and not _follows_a_reading(quantities[watched], quantities):
+    elif not _follows_a_reading(spec.quantities[watched], spec):
         message = f"{watched} is no boolean that follows a limit of what an ADC measures"
         yield place, message, f"{watched}: {{boolean: true, follows: voltage, below: 1.0, doc: ...}}"
     count = quantities.get(name)
@@ -55,9 +54,10 @@ def _count_problems(
         yield place, f"{name} starts unknown, and nothing can be added to that", "initial: 0"
 
 
-def _follows_a_reading(quantity: Quantity, quantities: Mapping[str, Quantity]) -> bool:
-    followed = quantities.get(quantity.follows.quantity) if quantity.follows else None
-    return followed is not None and followed.conversion is not None
+def _follows_a_reading(written: QuantitySpec, spec: ComponentSpec) -> bool:
+    """As written: what cannot be resolved has been reported, and is no fault of the count."""
+    followed = spec.quantities.get(written.follows or "")
+    return written.follows is not None and (followed is None or followed.adc is not None)
 
 
 def _restart_problems(
