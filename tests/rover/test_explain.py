@@ -57,7 +57,7 @@ def test_the_price_of_generations(topic, capsys):
     109: its manufacturing date is not known, and the byte before it is one of a current.
     """
     assert main(["explain", topic]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = capsys.readouterr().out.partition("In the program")[0].splitlines()
     rows = {line.split()[0]: re.split(r"  +", line) for line in lines if line}
     assert rows["old"][1] == "99.5 to 101.5"
     assert rows["BATTERY_STATUS"][2:4] == ["2 Hz", "47 to 48"]
