@@ -11,6 +11,7 @@ from program_bench import SECOND_US, main, messages, new_rover, run, run_passes,
 CELLS = int(sys.argv[1])
 PAGE = 12  # cells that one BATTERY_CELL_VOLTAGES has
 ROVER = 10  # MAV_TYPE_GROUND_ROVER
+RELATIVE_TO_FULL = 262144  # MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL
 OVERHEAD = 12  # bytes of a MAVLink 2 frame around its payload
 
 
@@ -123,6 +124,30 @@ def new_status_is_shorter():
     assert lengths[147] == {36 + OVERHEAD}, lengths
 
 
+def cells_come_in_an_interval():
+    """Who keeps a log has them once a minute, on its own link."""
+    rover, station = _rover()
+    number = messages.BatteryCellVoltages.ID
+    rover.state.battery[0].cells_mv[0] = 4000
+    station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 60_000_000)
+    run_passes(rover, 4)
+    assert [answer.result for answer in station.received(messages.CommandAck)] == [dialect.MAV_RESULT_ACCEPTED]
+    run(rover, 600 * SECOND_US, 100_000)
+    turns = len(station.received(messages.BatteryCellVoltages)) // -(-CELLS // PAGE)
+    assert 9 <= turns <= 11, turns
+
+
+def a_power_monitor_supposes_nothing():
+    """The rover counts nothing from a full pack, and so neither says so nor tells what would be left."""
+    rover, station = _rover(BATT_REPORT=1)
+    run(rover, 5 * SECOND_US)
+    told = station.received(messages.BatteryStatusV2)
+    assert told
+    for message in told:
+        assert not message.raw("status_flags") & RELATIVE_TO_FULL
+        assert str(message.raw("capacity_remaining")) == str(message.raw("capacity_consumed")) == "nan"
+
+
 CHECKS = (
     ("", 0, batteries_are_part_of_the_autopilot),
     ("", 0, cells_come_on_request_only),
@@ -130,6 +155,8 @@ CHECKS = (
     ("", 0, one_battery_is_told_alike),
     ("", 0, large_amounts_need_the_new_generation),
     ("", 0, new_status_is_shorter),
+    ("", 0, cells_come_in_an_interval),
+    ("", 0, a_power_monitor_supposes_nothing),
 )
 
 if __name__ == "__main__":
