@@ -323,6 +323,10 @@ def _followed(quantity: Quantity) -> str:
         return f"true while {quantity.enabled_by.name} is not 0"
     if quantity.follows is not None:
         return f"true while {quantity.followed} is {limit_text(quantity)}"
+    if quantity.spec.counts_returns_of is not None:
+        return f"counts up when {quantity.spec.counts_returns_of} was true and a reading shows that it is no longer"
+    if quantity.spec.restarts_with is not None:
+        return f"begins anew when {quantity.spec.restarts_with} counts up"
     return f"true while {quantity.while_known} is known" if quantity.while_known else ""
 
 

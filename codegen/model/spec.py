@@ -106,6 +106,16 @@ class QuantitySpec(Written):
     per_cell: bool = described(
         "The limit is for one cell: the fact cells of the component multiplies it.", default=False
     )
+    counts_returns_of: str | None = described(
+        "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "
+        "true and a reading shows that it is no longer.",
+        default=None,
+    )
+    restarts_with: str | None = described(
+        "The quantity of the same component that counts returns: with each of them this one is 0 again, or what a "
+        "boolean is initially. What is unknown stays so.",
+        default=None,
+    )
     trend_of: str | None = described(
         "The quantity of the same component whose change per second this is.", default=None
     )

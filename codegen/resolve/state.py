@@ -24,6 +24,7 @@ from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived, resolve_estimate, resolve_trend
 from codegen.resolve.following import resolve_elements, resolve_following
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
+from codegen.resolve.returns import resolve_returns
 from codegen.resolve.vehicle import find_parameter
 
 BAD_QUANTITY = Rule(
@@ -53,6 +54,8 @@ _RESERVED_QUANTITIES = {
     "set_count",
     "forget",
     "keep",
+    "gone",
+    "has_returned",
 }
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 _CONVERSIONS = {"limited", "spill", *Rounding}
@@ -89,6 +92,7 @@ def resolve_components(
             first_number=_first_number(written, spec, parameters, report),
             period_ms=period,
             quantities=quantities,
+            returns=resolve_returns(written, quantities, report),
             spec=written,
             citation=cite_optional(written.requirement, written.at("requirement"), index, report),
             aspects=cite_aspects(written, index, report),

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: fd14e8c8bf37f38d
+# Inputs: 465212464f0d957e
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -431,6 +431,7 @@ def build_battery_status_v2(state, instance=0):
 
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
@@ -440,6 +441,7 @@ def build_battery_status_v2(state, instance=0):
     #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
     wire[20] = (
         (0x01 if state.battery[instance].unhealthy else 0)
+        | (0x01 if state.battery[instance].used_up else 0)
         | (0x02 if state.battery[instance].charging else 0)
         | (0x80 if state.battery[instance].protected else 0)
     )
