@@ -1,6 +1,6 @@
 """The whole story of one thing: a message, a field, a parameter, a quantity or a rule, as text for a terminal."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from textwrap import fill
 
@@ -12,7 +12,7 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
-from codegen.targets.table import FieldRow, field_rows, limit_text
+from codegen.targets.table import FLAGS, FieldRow, field_rows, limit_text
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
@@ -115,29 +115,34 @@ def _rate(message: PopulatedMessage) -> str:
     if stream is None:
         return "sent when a ground station asks for it"
     if stream.parameter is not None:
-        return f"stream {stream.name}: {stream.parameter.name} sets the rate, {stream.parameter.default} Hz by default"
+        default = decimal(stream.parameter.default * stream.parameter.step)
+        return f"stream {stream.name}: {stream.parameter.name} sets the rate, {default} Hz by default"
     return f"stream {stream.name}: {decimal(stream.rate or Fraction(0))} Hz"
 
 
-def _cells(row: FieldRow) -> tuple[str, ...]:
-    return (
+def _cells(row: FieldRow) -> Iterator[tuple[str, ...]]:
+    """The cells of a row; each further flag has a line of its own."""
+    source, *others = row.source.split(FLAGS)
+    yield (
         str(row.offset),
         str(row.size),
         row.field,
         row.type,
         row.unit,
-        row.source,
+        source,
         row.conversion,
         row.limits,
         row.sentinel,
         row.criterion,
         row.place.shown().rpartition(":")[0],
     )
+    for flag in others:
+        yield tuple(flag if name == "source" else "" for name in _COLUMNS)
 
 
 def _table(rows: Sequence[FieldRow]) -> list[str]:
     """Columns as wide as their widest cell; numbers to the right."""
-    cells = [_COLUMNS, *(_cells(row) for row in rows)]
+    cells = [_COLUMNS, *(line for row in rows for line in _cells(row))]
     widths = [max(len(row[column]) for row in cells) for column in range(len(_COLUMNS))]
     lines = []
     for row in cells:

@@ -123,7 +123,8 @@ def _rate(stream: Stream | None) -> str:
     if stream is None:
         return "on request"
     if stream.parameter is not None:
-        return f"stream {stream.name}: {stream.parameter.name}, {stream.parameter.default} Hz by default"
+        default = decimal(stream.parameter.default * stream.parameter.step)
+        return f"stream {stream.name}: {stream.parameter.name}, {default} Hz by default"
     assert stream.rate is not None
     return f"stream {stream.name}: {decimal(stream.rate)} Hz"
 

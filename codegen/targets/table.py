@@ -22,6 +22,9 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Quantity
 from codegen.source import Place
 
+FLAGS = " + "
+"""What stands between the flags of a source."""
+
 
 @dataclass(frozen=True, slots=True)
 class FieldRow:
@@ -86,7 +89,7 @@ def _story(binding: Binding) -> tuple[str, str, str]:
     if isinstance(binding, FlagsBinding):
         words = [*binding.names, *(f"{name} if {quantity.path}" for name, _, quantity in binding.conditional)]
         always = f"= {binding.mask:#x}" if binding.mask or not binding.conditional else ""
-        return " + ".join(words) or "no flag", always, ""
+        return FLAGS.join(words) or "no flag", always, ""
     if isinstance(binding, EachBinding):
         return _elements(binding)
     kept = binding.source.stored.name if isinstance(binding.source, Quantity) else binding.source.unit.name
