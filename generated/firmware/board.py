@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 28dff511fa1a0493
+# Inputs: f17655cd1797f3d3
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

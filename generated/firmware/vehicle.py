@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 16330972a55e04ab
+# Inputs: f702a5aeb37611b6
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 60ab83f0c2233831
+# Inputs: c13d7cecad17d7f0
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 60ab83f0c2233831
+# Inputs: c13d7cecad17d7f0
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.

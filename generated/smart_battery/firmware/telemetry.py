@@ -3,7 +3,7 @@
 #   specs/smart_battery/messages/battery_status.yaml,
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/state.yaml, dialect common: do not edit.
-# Inputs: e0e2a02ae057a6d8
+# Inputs: a3ac811dc67613b1
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: 6264d4f9fff5bf5a
+# Inputs: f5823ea628a5a5b2
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 78fe5abb7c484e76
+# Inputs: 028cddf86bf26dbf
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

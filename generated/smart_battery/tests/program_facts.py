@@ -6,7 +6,7 @@
 #   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: 67ef09c639358c6b
+# Inputs: 60788b4b1227be9e
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -48,7 +48,8 @@ MEASURED = (
         "instances": 1,
         "name": "voltage",
         "attribute": "voltage_mv",
-        "gpio": 26,
+        "gpios": [26],
+        "are_on": [True],
         "pin": "batt_volt_pin",
         "spare_bits": 0,
         "full_scale": 4095,
@@ -59,9 +60,8 @@ MEASURED = (
         "latched": True,
         "numerator": 11,
         "denominator": 136500,
-        "warn_above": 13000,
         "warn_every_ms": 10000,
-        "warning_count": 4085,
+        "warning_counts": [4085],
         "invalid_after": 5,
         "stale_after_ms": 1000,
         "period_us": 100000,
