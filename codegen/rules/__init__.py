@@ -6,6 +6,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.model.system import System
 from codegen.rules import (
     both_generations,
+    cell_room,
     enum_constant,
     full_scale,
     instance_field,
@@ -26,6 +27,7 @@ from codegen.rules import (
 
 RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
     both_generations.check,
+    cell_room.check,
     enum_constant.check,
     full_scale.check,
     instance_field.check,

@@ -31,14 +31,15 @@ def check(system: System) -> Iterator[Diagnostic]:
         for part, multiplier in zip(component.parts, multipliers, strict=True):
             full = full_voltage(system, part)
             if full is not None and full > largest(conversion, multiplier, quantity):
-                place = _cells_place(system, name, part.number)
+                place = system.spec.board.fact_place(name, part.number, "cells")
                 beyond.setdefault((place, full, multiplier.default), []).append(part.number)
         for (place, full, _), numbers in beyond.items():
             multiplier = multipliers[numbers[0]]
             shown = largest(conversion, multiplier, quantity)
             listed = " and ".join(str(number + 1) for number in numbers)
             who = f"{name} {listed}" if component.instances > 1 else name
-            message = f"{who} {'have' if len(numbers) > 1 else 'has'} {decimal(full)} V when full, and the ADC shows {decimal(shown)} V at most"
+            holds = "have" if len(numbers) > 1 else "has"
+            message = f"{who} {holds} {decimal(full)} V when full, and the ADC shows {decimal(shown)} V at most"
             related = (multiplier.spec.at("default"), f"with this default of {multiplier.name}")
             yield Diagnostic(place, RULE, message, _hint(full, conversion, multiplier, quantity, numbers), (related,))
 
@@ -78,12 +79,3 @@ def _hint(full: Fraction, conversion: Conversion, multiplier: Parameter, quantit
             least = better
     most = multiplier.maximum * multiplier.step
     return hint if least <= most else f"{hint}; its max in parameters.yaml is {decimal(most)}, raise it, too"
-
-
-def _cells_place(system: System, name: str, number: int) -> Place:
-    """Where the number of cells of an instance is written: with the instance, or for all."""
-    board = system.spec.board
-    written = board.instances.get(name, ())
-    if number < len(written) and "cells" in written[number].facts:
-        return written[number].at("facts.cells")
-    return board.at(f"facts.{name}.cells")

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f17655cd1797f3d3
+# Inputs: 24d58115e33a9916
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: c0bacc5c3aea0e74
+# Inputs: e1a207435c56dc0a
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

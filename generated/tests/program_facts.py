@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 6d72e4106fb843c4
+# Inputs: de812b9ef353709d
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -534,7 +534,7 @@ GENERATIONS = (
         "default": 0,
         "old": (147, 370),
         "new": (369, 372),
-        "prices": ((99.45, 131.45), (18.85, 43.85), (118.3, 175.3)),
+        "prices": ((99.45, 131.45), (18.95, 43.95), (118.4, 175.4)),
     },
 )
 
@@ -617,7 +617,7 @@ MESSAGES = {
         "instances": 2,
         "pages": 1,
         "rate": 0.05,
-        "frames": ((117, 117), (117, 117)),
+        "frames": ((119, 119), (119, 119)),
         "on_connection": True,
         "watched": ("battery", "swaps_number"),
     },
