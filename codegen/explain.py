@@ -7,7 +7,7 @@ from textwrap import fill
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import WireMessage
-from codegen.model.system import Generations, PopulatedMessage, Representation, System
+from codegen.model.system import Generations, PopulatedMessage, Representation, System, read_quantities
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
@@ -253,7 +253,7 @@ def _quantity(quantity: Quantity, system: System) -> str:
         f"{message.name}.{binding.covers.label}"
         for message in system.messages
         for binding in message.bindings
-        if getattr(binding, "source", None) is quantity
+        if quantity in read_quantities(binding)
     ]
     conversion = quantity.conversion
     measured = ""
@@ -323,6 +323,10 @@ def _followed(quantity: Quantity) -> str:
         return f"true while {quantity.enabled_by.name} is not 0"
     if quantity.follows is not None:
         return f"true while {quantity.followed} is {limit_text(quantity)}"
+    if quantity.spec.counts_returns_of is not None:
+        return f"counts up when {quantity.spec.counts_returns_of} was true and a reading shows that it is no longer"
+    if quantity.spec.restarts_with is not None:
+        return f"begins anew when {quantity.spec.restarts_with} counts up"
     return f"true while {quantity.while_known} is known" if quantity.while_known else ""
 
 

@@ -21,6 +21,7 @@ from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import RULES
+from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
 
@@ -46,11 +47,16 @@ def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
     for program in list_programs(project_file, report):
         found = Report()
         system = _checked(decode_program(program, found), main.dialect if main else None, found)
-        known = set(report)
-        report.extend(_told(finding, program) for finding in found if finding not in known)
+        known = {_said(finding) for finding in report}
+        report.extend(_told(finding, program) for finding in found if _said(finding) not in known)
         if system is not None:
             systems.append(system)
     return tuple(systems)
+
+
+def _said(finding: Diagnostic) -> tuple[Place, str, str]:
+    """What makes two findings the same: hints may differ, as they name what each program has."""
+    return finding.place, finding.rule.id, finding.message
 
 
 def _told(finding: Diagnostic, program: ListedProgram) -> Diagnostic:
@@ -87,10 +93,13 @@ def read_scenarios(path: str, systems: Sequence[System], report: Report) -> dict
 
 
 def check_scenarios(project_file: str, systems: Sequence[System], report: Report) -> None:
-    """What is wrong with the scenarios beside a project file, which may have none."""
+    """What is wrong with the scenarios beside a project file, which may have none.
+
+    After an error in the specification they are checked by themselves: what they lack there may be what is broken.
+    """
     path = scenarios_path(project_file)
     if os.path.lexists(path):
-        read_scenarios(path, systems, report)
+        read_scenarios(path, () if report.has_errors else systems, report)
 
 
 def scenarios_path(project_file: str) -> str:

@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any, assert_never
 
 from codegen.model.board_spec import BoardSpec
+from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
@@ -31,15 +32,7 @@ from codegen.model.shape import (
     one_of,
     short_forms,
 )
-from codegen.model.spec import (
-    CorrectionsSpec,
-    ParametersSpec,
-    PopulationSpec,
-    ProgramProject,
-    Project,
-    StateSpec,
-    StreamsSpec,
-)
+from codegen.model.spec import CorrectionsSpec, ParametersSpec, ProgramProject, Project, StateSpec, StreamsSpec
 from codegen.source import Written
 
 SCHEMA_MODELS: Mapping[str, type[Written]] = {

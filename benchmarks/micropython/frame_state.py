@@ -18,9 +18,9 @@ passes, count = map(int, sys.argv[1:3])
 class Board:
     """Reads the same count at any time."""
 
-    battery_failures = 0
+    battery_failures = (0, 0)
 
-    def read_battery_adc(self):
+    def read_battery_adc(self, _instance):
         """Return the count."""
         return 3000
 
@@ -28,10 +28,11 @@ class Board:
 board = Board()
 link = open_link(None)
 state = SystemState(log=lambda *_words: None)  # standard output has the answer
-state.battery.temperature_cdegc = 2345
-state.battery.current_ca = 1520
-state.battery.energy_hj = 4567
-state.battery.remaining_pct = 67
+battery = state.battery[0]
+battery.temperature_cdegc = 2345
+battery.current_ca = 1520
+battery.energy_hj = 4567
+battery.remaining_pct = 67
 
 
 def sample():
@@ -41,7 +42,6 @@ def sample():
 
 def frames(first, count):
     """Make `count` frames; the charge counts on from `first`. Return the last frame."""
-    battery = state.battery
     encode = link.encode
     build = telemetry.build_battery_status
     frame = None
@@ -52,6 +52,6 @@ def frames(first, count):
 
 
 sample()
-if state.battery.expires_ms is None or state.battery.voltage_mv is None:
+if battery.expires_ms is None or battery.voltage_mv is None:
     raise SystemExit("the voltage is not known, or never grows old")
 answer(frames, count, passes, [bytes(frames(first, 1)).hex() for first in (1234, 98765)], sample)

@@ -16,13 +16,13 @@ from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text, read_bytes
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_spec import BoardSpec
+from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.spec import (
     Correction,
     CorrectionsSpec,
     ParametersSpec,
-    PopulationSpec,
     ProgramProject,
     Project,
     Requirement,

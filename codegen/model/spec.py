@@ -1,7 +1,7 @@
 """The specification as its YAML and Markdown files state it, every record with its places.
 
 These dataclasses are the only description of the file formats: the decoder and the JSON Schemas both read them; see
-``described``. The board's have a module of their own, and so has the program that it runs.
+``described``. The board, the program that it runs, the receiver and the tables of messages have modules of their own.
 """
 
 import os
@@ -9,22 +9,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
-from typing import Any, ClassVar, Literal
+from typing import ClassVar
 
 from codegen.model.board_spec import BoardSpec
 from codegen.model.described import Amount, Verbatim, described
+from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.source import Written
-
-
-class Rounding(StrEnum):
-    """How a value between two wire steps is rounded; a half goes away from zero with ``nearest``."""
-
-    NEAREST = "nearest"
-    DOWN = "down"
-    UP = "up"
-    TOWARD_ZERO = "toward_zero"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,6 +107,16 @@ class QuantitySpec(Written):
         "The limit, or warn_above, is for one cell: the fact cells of each instance multiplies it. A warn_above is "
         "rounded to the unit that the quantity is stored in.",
         default=False,
+    )
+    counts_returns_of: str | None = described(
+        "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "
+        "true and a reading shows that it is no longer.",
+        default=None,
+    )
+    restarts_with: str | None = described(
+        "The quantity of the same component that counts returns: with each of them this one is 0 again, or what a "
+        "boolean is initially. What is unknown stays so.",
+        default=None,
     )
     trend_of: str | None = described(
         "The quantity of the same component whose change per second this is.", default=None
@@ -259,101 +261,6 @@ class StreamsSpec(Written):
         "Messages of which there is an old and a new generation, by the component that they are about.",
         default_factory=dict,
     )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FieldAnswer(Written):
-    """Where one field, or some elements of it, take their value from: exactly one of the first ten keys.
-
-    ``state`` beside ``each`` is what goes out while one of the values is unknown.
-    The short form ``field: unknown`` stands for ``field: {unknown: true}``.
-    """
-
-    state: str | None = described("A quantity of the vehicle state: component.quantity.", default=None)
-    each: str | None = described(
-        "A quantity with elements, component.quantity: one value for each element of the field. Beside it, state with "
-        "split is sent instead while one of the values is unknown.",
-        default=None,
-    )
-    page: Literal[True] | None = described(
-        "The number of the first value on the page, in a message that has pages.", default=None
-    )
-    parameter: str | None = described("A parameter.", default=None)
-    board: str | None = described("A fact of the board: component.fact.", default=None)
-    enum: str | None = described("An entry of the field's enum.", default=None)
-    flags: tuple[str, ...] | None = described(
-        "Entries of the field's bitmask; 'ENTRY if component.quantity' sets one only while the quantity is true.",
-        default=None,
-    )
-    constant: str | Fraction | None = described(
-        "A number, an amount with its unit, or text for a char field.", default=None
-    )
-    dialect: str | None = described("A fact of the dialect: version.", default=None)
-    unknown: Literal[True] | None = described("The dialect's sentinel.", default=None)
-    first: int = described("For each: the value that the first element takes, from 0.", "from", default=0)
-    per_cell: bool = described(
-        "For board: the fact is that of one cell, and the fact cells of the instance multiplies it.", default=False
-    )
-    split: bool = described("Spill a value that one element cannot hold over the following ones.", default=False)
-    min: str | Fraction | None = described("Smallest value sent, in the source's unit or as an amount.", default=None)
-    max: str | Fraction | None = described("Largest value sent, in the source's unit or as an amount.", default=None)
-    rounding: Rounding = described("How a value between two wire steps is rounded.", default=Rounding.NEAREST)
-    requirement: str | None = described("Criterion that asks for this field, such as FR-00068.3.", default=None)
-    note: str | None = described("Why the field is answered so, for reviewers.", default=None)
-
-    SOURCES = ("state", "each", "page", "parameter", "board", "enum", "flags", "constant", "dialect", "unknown")
-    ONE_OF: ClassVar[tuple[str, ...]] = SOURCES
-    BESIDE: ClassVar[Mapping[str, str]] = {"each": "state"}
-    SHORT_FORMS: ClassVar[Mapping[str, Mapping[str, Any]]] = {"unknown": {"unknown": True}}
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RepresentationSpec(Written):
-    """Which of several instances a single message reports: exactly one of the keys."""
-
-    first: Literal[True] | None = described("The first one.", default=None)
-    parameter: str | None = described(
-        "The one whose number, from 1, this parameter has; the first enabled one where that one is not enabled.",
-        default=None,
-    )
-    lowest: str | None = described(
-        "Of those that are enabled the one whose quantity of this name is lowest; the first where none is known.",
-        default=None,
-    )
-
-    ONE_OF: ClassVar[tuple[str, ...]] = ("first", "parameter", "lowest")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PopulationSpec(Written):
-    """``messages/*.yaml``: how one message is populated. Keys of ``fields``: name, name[2] or name[1..9]."""
-
-    message: str = described("Name of the message in the dialect.")
-    overlay: str | None = described(
-        "Overlay for which the table is written, as codegen.yaml names it; without that overlay it is not used.",
-        default=None,
-    )
-    requirement: str = described("Requirement, or criterion of one, that asks for the message.")
-    for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
-    stream: str | None = described(
-        "Stream that the message belongs to; without one it is sent when a ground station asks for it.", default=None
-    )
-    on_connection: bool = described(
-        "Send it at once when a link starts, and when a ground station is heard for the first time or after a silence.",
-        default=False,
-    )
-    on_change: str | None = described(
-        "Quantity, component.quantity, whose change sends the message at once: that of the instance that changed.",
-        default=None,
-    )
-    pages: str | None = described(
-        "A quantity with elements, component.quantity: the message is sent once for as many of them as it holds.",
-        default=None,
-    )
-    represents: Mapping[str, RepresentationSpec] = described(
-        "For components of several instances, by name: which of them a single message reports.", default_factory=dict
-    )
-    fields: Mapping[str, FieldAnswer] = described("An answer for every field and element.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

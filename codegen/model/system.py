@@ -9,9 +9,10 @@ from enum import Enum
 from fractions import Fraction
 
 from codegen.model.dialect import Dialect, WireField, WireMessage
+from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
-from codegen.model.spec import FieldAnswer, Generation, GenerationsSpec, PopulationSpec, Requirement, Rounding, Spec
+from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
 
 

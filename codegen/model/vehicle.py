@@ -193,6 +193,18 @@ class Quantity(Cited):
 
 
 @dataclass(frozen=True, slots=True)
+class Returns:
+    """``count`` goes up when ``gone`` was true at a good reading and is not at a later one; ``restarting`` begin anew.
+
+    A number begins with 0, if it is known, and a boolean with its initial value.
+    """
+
+    count: Quantity
+    gone: Quantity
+    restarting: tuple[Quantity, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Instance:
     """One instance of a component: its number from 0, the front of its parameters' names, and what is known of it."""
 
@@ -206,7 +218,7 @@ class Component(Cited):
     """A part of the vehicle state; ``period_ms`` is the time between two updates, or None.
 
     ``parts`` are its instances, one at least. ``first_number`` is the parameter with the number of the first one in
-    messages, or None where that is 0.
+    messages, or None where that is 0. ``returns`` is what counts that it was exchanged, or None.
     """
 
     name: str
@@ -214,6 +226,7 @@ class Component(Cited):
     first_number: Parameter | None
     period_ms: int | None
     quantities: Mapping[str, Quantity]
+    returns: Returns | None
     spec: ComponentSpec
 
     @property

@@ -5,7 +5,8 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Kind, WireField, WireMessage
-from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement
+from codegen.model.population_spec import FieldAnswer, PopulationSpec
+from codegen.model.spec import Requirement
 from codegen.model.system import Elements
 from codegen.model.vehicle import Citation
 from codegen.resolve.citation import cite

@@ -33,12 +33,13 @@ class Member:
         return self.default_place if key == "default" and self.default_place else self.spec.at(key)
 
 
-def check_single(parameter: Parameter, place: Place, report: Report) -> None:
-    """Whether a parameter is one for the whole vehicle, and not one of each instance."""
+def is_single(parameter: Parameter, place: Place, report: Report) -> bool:
+    """Whether a parameter is one for the whole vehicle; a finding where each instance has its own."""
     if parameter.siblings:
         message = f"each {parameter.component} has its own {parameter.name}, and one is needed here"
         related = [(parameter.spec.at("for_each"), f"{parameter.name} is declared here")]
         report.add(BAD_FAMILY, place, message, related=related)
+    return not parameter.siblings
 
 
 class ParameterFamilies:

@@ -3,11 +3,12 @@
 from collections.abc import Iterable, Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import Generation, GenerationsSpec, PopulationSpec, Requirement, Spec
+from codegen.model.population_spec import PopulationSpec
+from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.system import Generations, PopulatedMessage
 from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.resolve.citation import cite_optional
-from codegen.resolve.families import check_single
+from codegen.resolve.families import is_single
 from codegen.resolve.fixed import find_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
@@ -92,7 +93,8 @@ def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, Pop
 
 def _chooses(parameter: Parameter, place: Place, report: Report) -> bool:
     """Whether a parameter can choose; a finding if not."""
-    check_single(parameter, place, report)
+    if not is_single(parameter, place, report):
+        return False
     meanings = ", ".join(f"{value} {choice.value}" for value, choice in enumerate(CHOICES))
     related = [(parameter.spec.place, f"{parameter.name} is declared here")]
     if parameter.step != 1 or set(parameter.choices) != set(range(len(CHOICES))):

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import WireField
-from codegen.model.spec import FieldAnswer
+from codegen.model.population_spec import FieldAnswer
 from codegen.model.system import Elements
 from codegen.model.unit import Unit
 from codegen.resolve.measure import read_number

@@ -3,7 +3,8 @@
 from collections.abc import Iterable, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import ParametersSpec, PopulationSpec, RepresentationSpec, StateSpec
+from codegen.model.population_spec import PopulationSpec, RepresentationSpec
+from codegen.model.spec import ParametersSpec, StateSpec
 from codegen.model.system import Binding, Policy, Representation, read_quantities
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Component, Parameter, QuantityKind

@@ -8,8 +8,8 @@ from codegen.model.scenario import Battery
 from codegen.model.scenario_spec import BatterySpec, BesideSpec, EventSpec, ScenarioSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.model.wiring import BatteryInput, battery_inputs
 from codegen.resolve.scenario_values import ScenarioValues
-from codegen.resolve.wiring import BatteryInput, battery_inputs
 
 SCENARIO_INSTANCE = Rule(
     "scenario-instance",

@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
-from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Rounding, Spec
+from codegen.model.population_spec import Rounding
+from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement, Spec
 from codegen.model.unit import NUMBER, UNITS, Unit
 from codegen.model.vehicle import (
     SMALL_INT_MAX,
@@ -23,6 +24,7 @@ from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived, resolve_estimate, resolve_trend
 from codegen.resolve.following import count_cells, resolve_elements, resolve_following
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
+from codegen.resolve.returns import resolve_returns
 from codegen.resolve.vehicle import find_parameter
 
 BAD_QUANTITY = Rule(
@@ -53,6 +55,8 @@ _RESERVED_QUANTITIES = {
     "set_count",
     "forget",
     "keep",
+    "gone",
+    "has_returned",
 }
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 _CONVERSIONS = {"limited", "spill", *Rounding}
@@ -89,6 +93,7 @@ def resolve_components(
             first_number=_first_number(written, spec, parameters, report),
             period_ms=period,
             quantities=quantities,
+            returns=resolve_returns(written, quantities, report),
             spec=written,
             citation=cite_optional(written.requirement, written.at("requirement"), index, report),
             aspects=cite_aspects(written, index, report),

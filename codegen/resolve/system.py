@@ -5,7 +5,8 @@ from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
-from codegen.model.spec import FieldAnswer, PopulationSpec, Requirement, Spec
+from codegen.model.population_spec import FieldAnswer, PopulationSpec
+from codegen.model.spec import Requirement, Spec
 from codegen.model.system import Binding, Elements, PopulatedMessage, SplitBinding, System
 from codegen.model.vehicle import Component, Parameter, Stream
 from codegen.resolve.citation import cite, index_requirements

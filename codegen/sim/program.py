@@ -8,7 +8,7 @@ from typing import Any
 
 from codegen.model.scenario import Event, Scenario, Stretch, battery_data, event_data
 from codegen.model.system import System
-from codegen.resolve.wiring import FIRST_PREFIX, BatteryInput, battery_inputs, first_number
+from codegen.model.wiring import FIRST_PREFIX, BatteryInput, battery_inputs, first_number
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from codegen.model.scenario import AdcFault, Battery, Fault, Scenario
-from codegen.resolve.wiring import FIRST_PREFIX
+from codegen.model.wiring import FIRST_PREFIX
 from codegen.sim.sample import Happening, Kind, Reading, Sample, Traffic
 
 _MOST_POINTS = 20_000

@@ -131,7 +131,11 @@ def _rate(stream: Stream | None) -> str:
 def _quantity(quantity: Quantity) -> QuantityRow:
     conversion = quantity.conversion
     source = "set by the vehicle"
-    if quantity.while_known:
+    if quantity.spec.counts_returns_of:
+        source = f"counts when {quantity.component}.{quantity.spec.counts_returns_of} ends"
+    elif quantity.spec.restarts_with:
+        source += f"; anew with {quantity.component}.{quantity.spec.restarts_with}"
+    elif quantity.while_known:
         source = f"while {quantity.component}.{quantity.while_known} is known"
     elif quantity.follows:
         source = f"while {quantity.component}.{quantity.followed} is {limit_text(quantity)}"

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from codegen.model.spec import Rounding
+from codegen.model.population_spec import Rounding
 from codegen.model.system import (
     Binding,
     EachBinding,

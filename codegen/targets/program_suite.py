@@ -115,6 +115,7 @@ def _requirements(system: System, program: Program) -> dict[str, str]:
         "conversion": _document(measured.citation if measured else None),
         "generations": _document(next((each.citation for each in system.generations), None)),
         "announcements": _document(next((each.citation for each in system.messages if each.is_announced), None)),
+        "returns": _document(component.returns.count.citation if component and component.returns else None),
         "services": cited.get("services", ""),
         "loop": cited.get("control", ""),
         "storage": cited.get("storage", ""),

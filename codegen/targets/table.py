@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from codegen.model.spec import Rounding
+from codegen.model.population_spec import Rounding
 from codegen.model.system import (
     Binding,
     EachBinding,

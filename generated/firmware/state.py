@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 24d58115e33a9916
+# Inputs: 5f94cbb6ece1ca74
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -25,9 +25,9 @@ class BatteryState:
         self.voltage_mv = None
         # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
         self.current_ca = None
-        # Charge drawn since the pack was full [mAh]
+        # Charge drawn since the pack was full, or put in [mAh]
         self.consumed_mah = None
-        # Energy drawn since the pack was full [hJ]
+        # Energy drawn since the pack was full, or put in [hJ]
         self.energy_hj = None
         # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
         self.remaining_pct = None
@@ -45,13 +45,14 @@ class BatteryState:
         self.health_number = 2
         # The level that the failsafe has reached, 0 none, 1 low, 2 critical
         self.failsafe_number = 0
-        # How often the pack was exchanged since the start
+        # How often a pack was put in since the start, and so may be another one
         self.swaps_number = 0
         # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
         self.protected = False
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
+        self.gone = False  # whether it was absent at the last good reading
         self._readings = Trend(20, 1, 40)
         # Whether the pack is measured at all: whether BATT_MONITOR is not 0
         self.monitored = True
@@ -165,6 +166,11 @@ class BatteryState:
         self.failsafe_number = to_steps(value, 1)
 
     @property
+    def absent(self):
+        """Whether there is no pack. None has so little; a reading that fails says nothing about that, FR-00073.8."""
+        return self.voltage_mv is not None and self.voltage_mv < 3000
+
+    @property
     def swaps(self):
         """Number, or None while it is unknown; FR-00073.8."""
         return self.swaps_number
@@ -192,6 +198,11 @@ class BatteryState:
     def unhealthy(self):
         """Whether the pack cannot be relied on. Its voltage is too low, or unknown, FR-00072.5."""
         return self.health_number is not None and self.health_number >= 2
+
+    @property
+    def used_up(self):
+        """Whether the failsafe has found the pack low. Until the next start nothing arms the rover, FR-00072.5."""
+        return self.failsafe_number is not None and self.failsafe_number >= 1
 
     @property
     def over_voltage(self):
@@ -230,6 +241,23 @@ class BatteryState:
         """Count the last value once more: a reading has failed, and the trend takes readings at equal intervals."""
         self.trend_mv_s = self._readings.after(self.voltage_mv)
 
+    def has_returned(self):
+        """Take in what a reading has shown; return whether it was absent before and is no longer, FR-00073.8.
+
+        Another one may have been put in: that is counted, and what was counted for the last one begins anew.
+        """
+        was_gone = self.gone
+        self.gone = self.absent
+        if self.gone or not was_gone:
+            return False
+        self.swaps_number = (self.swaps_number or 0) + 1
+        if self.consumed_mah is not None:
+            self.consumed_mah = 0
+        if self.energy_hj is not None:
+            self.energy_hj = 0
+        self.counted_from_full = False
+        return True
+
     def forget(self):
         """Make everything that is measured unknown."""
         self.voltage_mv = None
@@ -237,9 +265,10 @@ class BatteryState:
         self._readings.forget()
 
     def expire(self):
-        """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
-        self.forget()
-        self.expires_ms = None
+        """Forget the last reading once it is older than 1000 ms, FR-00067.3."""
+        if self.expires_ms is not None and time.ticks_diff(time.ticks_ms(), self.expires_ms) > 0:
+            self.forget()
+            self.expires_ms = None
 
 
 class VehicleState:
@@ -317,8 +346,9 @@ class SystemState:
         battery.set_count(count, self._batt_volt_mult[instance])
         battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
         if not self._battery_is_logged[instance]:
-            self._battery_is_logged[instance] = True
-            self._log(f"battery {instance + 1}: voltage {battery.voltage:.2f} V")
+            self._log_battery(instance)
+        if battery.has_returned():
+            self._log(f"notice: Battery {instance + 1} connected")
         self._warn_battery(battery, time.ticks_ms(), instance)
 
     def _warn_battery(self, battery, now_ms, instance):
@@ -328,6 +358,10 @@ class SystemState:
             battery.warned_ms = now_ms
             self._log(f"warning: battery {instance + 1}'s voltage is above 13 V:", battery.voltage)
 
+    def _log_battery(self, instance):
+        self._battery_is_logged[instance] = True
+        self._log(f"battery {instance + 1}: voltage {self.battery[instance].voltage:.2f} V")
+
     def _read_battery(self, board, instance):
         with self._guard:
             return board.read_battery_adc(instance)
@@ -335,7 +369,7 @@ class SystemState:
     def _is_good_battery(self, board, count, instance):
         if self._guard.error is not None:
             if self.battery[instance].failures == 0:
-                self._log("error: the board cannot read the battery:", self._guard.error)
+                self._log(f"error: the board cannot read battery {instance + 1}:", self._guard.error)
             return False
         return not board.battery_failures[instance] and isinstance(count, int) and 0 <= count <= 4095
 

@@ -4,14 +4,13 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 09dfb5ec8517b6dd
+# Inputs: 2c1c3831472298b2
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
 one. Constants and sentinels are in place from the start; nothing here allocates.
 """
 
-import time
 from struct import pack_into
 
 import messages
@@ -115,9 +114,7 @@ def build_sys_status(state):
     wire = message.wire
     battery = _sys_status_battery(state)
     vehicle = state.vehicle
-    expires_ms = battery.expires_ms
-    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
-        battery.expire()
+    battery.expire()
 
     # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
     wire[3] = 0x10 | (0x02 if battery.monitored else 0)
@@ -208,9 +205,7 @@ def build_battery_status(state, instance=0):
     live = message.live
     wire = message.wire
     battery = state.battery[instance]
-    expires_ms = battery.expires_ms
-    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
-        battery.expire()
+    battery.expire()
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = battery.consumed_mah
@@ -278,8 +273,7 @@ def build_battery_status(state, instance=0):
     live[14] = value
 
     # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
-    values = battery.cells_mv
-    _fill_battery_status_voltages_ext(live, values if complete(values, 14) else ())
+    _fill_battery_status_voltages_ext(live, battery.cells_mv)
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
@@ -308,6 +302,8 @@ def _fill_battery_status_voltages(live, values):
 
 
 def _fill_battery_status_voltages_ext(live, values):
+    if not complete(values, 14):
+        values = ()
     for index in range(4):
         place = 10 + index
         value = values[place] if place < len(values) else None
@@ -386,9 +382,7 @@ def build_battery_status_v2(state, instance=0):
     message = _battery_status_v2[instance]
     live = message.live
     wire = message.wire
-    expires_ms = state.battery[instance].expires_ms
-    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
-        state.battery[instance].expire()
+    state.battery[instance].expire()
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = state.battery[instance].voltage_mv
@@ -437,6 +431,7 @@ def build_battery_status_v2(state, instance=0):
 
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
@@ -446,6 +441,7 @@ def build_battery_status_v2(state, instance=0):
     #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
     wire[20] = (
         (0x01 if state.battery[instance].unhealthy else 0)
+        | (0x01 if state.battery[instance].used_up else 0)
         | (0x02 if state.battery[instance].charging else 0)
         | (0x80 if state.battery[instance].protected else 0)
     )
@@ -568,9 +564,7 @@ def build_battery_cell_voltages(state, instance=0, page=0):
     message = _battery_cell_voltages[instance]
     live = message.live
     battery = state.battery[instance]
-    expires_ms = battery.expires_ms
-    if expires_ms is not None and time.ticks_diff(time.ticks_ms(), expires_ms) > 0:
-        battery.expire()
+    battery.expire()
 
     # index: number of the first value on the page (FR-00076.7)
     live[0] = page * 12

@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: 8e044a7ddf917729
+# Inputs: 5b08ad9019a07e27
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -58,7 +58,6 @@ def _read_battery_status_v2(message):
         "left": scaled(get("capacity_remaining"), 1000, 1),  # mAh
         "remaining": get("state_of_charge"),  # %
         "status_flags": flags(enum_names.MAV_BATTERY_STATUS_FLAGS, get("status_flags")),
-        "unhealthy": is_set(get("status_flags"), 0x1),
         "charging": is_set(get("status_flags"), 0x2),
         "protected": is_set(get("status_flags"), 0x80),
         "over_voltage": is_set(get("status_flags"), 0x200),
@@ -288,7 +287,6 @@ class BatteryView(View):
         "temperature": (1, 0),
         "time_remaining": (0,),
         "under_voltage": (1, 0),
-        "unhealthy": (1,),
         "voltage": (1, 0),
     }
     FLAGS = ("fault_bitmask", "status_flags")
@@ -335,7 +333,7 @@ class BatteryView(View):
 
     @property
     def consumed(self):
-        """Charge drawn since the pack was full. Unit: mAh."""
+        """Charge drawn since the pack was full, or put in. Unit: mAh."""
         return self._quantity("consumed")
 
     @property
@@ -350,7 +348,7 @@ class BatteryView(View):
 
     @property
     def energy(self):
-        """Energy drawn since the pack was full. Unit: hJ."""
+        """Energy drawn since the pack was full, or put in. Unit: hJ."""
         return self._quantity("energy")
 
     @property
@@ -407,11 +405,6 @@ class BatteryView(View):
     def under_voltage(self):
         """Whether the pack is below what its cells stand."""
         return self._quantity("under_voltage")
-
-    @property
-    def unhealthy(self):
-        """Whether the pack cannot be relied on. Its voltage is too low, or unknown."""
-        return self._quantity("unhealthy")
 
     @property
     def voltage(self):

@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: de812b9ef353709d
+# Inputs: 0fca1c85bcc29334
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -35,6 +35,7 @@ REQUIREMENTS = {
     "conversion": "FR-00069",
     "generations": "FR-00072",
     "announcements": "FR-00076",
+    "returns": "FR-00073",
     "services": "FR-00070",
     "loop": "FR-00071",
     "storage": "NFR-00061",
@@ -73,6 +74,13 @@ MEASURED = (
             "pin": ["batt_volt_pin", "batt2_volt_pin"],
             "multiplier": ["batt_volt_mult", "batt2_volt_mult"],
             "enabled_by": ["batt_monitor", "batt2_monitor"],
+        },
+        "returns": {
+            "gone": "absent",
+            "below": [3000, 3000],
+            "count": "swaps_number",
+            "title": "Battery",
+            "restarting": [("consumed_mah", None), ("energy_hj", None), ("counted_from_full", False)],
         },
         "trend": "trend_mv_s",
         "trend_half": 20,

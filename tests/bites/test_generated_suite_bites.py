@@ -74,10 +74,11 @@ MUTATIONS = [
     (
         "reading-that-is-kept",
         "state.py",
-        "self.forget()\n        self.expires_ms = None",
+        "self.forget()\n            self.expires_ms = None",
         "self.expires_ms = None",
     ),
     ("time-limit", "board.py", "took > 2000", "took > 2010"),
+    ("what-is-gone-is-not-back", "state.py", "if self.gone or not was_gone", "if self.gone"),
 ]
 
 SHORT = "not day and not heap"  # what takes long protects nothing that is changed here

@@ -28,7 +28,10 @@ CASES = [
     ),
     Case(BAD, "streams.yaml", OLD, "old: §[]", "has no message"),
     Case(BAD, "streams.yaml", "  battery:\n    doc: >-", "  §batery:\n    doc: >-", "no component", is_alone=False),
-    Case(BAD, "streams.yaml", "parameter: BATT_REPORT", "parameter: §BATT_CAPACITY", "not 0, 1 and 2"),
+    Case(BAD, "streams.yaml", "parameter: BATT_REPORT", "parameter: §SYSID_THISMAV", "not 0, 1 and 2"),
+    Case(
+        "bad-parameter-family", "streams.yaml", "parameter: BATT_REPORT", "parameter: §BATT_CAPACITY", "one is needed"
+    ),
     Case(BAD, "parameters.yaml", CHOICES, "", "give it the values 0 old, 1 new, 2 both", at="streams.yaml:41:16"),
     Case(BAD, "parameters.yaml", CHOICES, "    values: {0: Old, 1: New}\n", at="streams.yaml:41:16"),
     Case(BAD, "parameters.yaml", CHOICES, CHOICES + "    reboot: true\n", "after a restart", at="streams.yaml:41:16"),

@@ -54,7 +54,7 @@ CASES = [
     Case("bad-program", VEHICLE, "module: pack", "module: §vehicle", "cannot be the name of a module"),
     Case("bad-program", VEHICLE, "class: Pack", "class: §Vehicle", "cannot be the name of a class"),
     Case("bad-program", VEHICLE, "measure: 10 Hz", "measure: §0.001 Hz", "every 536 s"),
-    Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", "vehicle.yaml:23:3"),
+    Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", "vehicle.yaml:24:3"),
     Case("program-alone", "codegen.yaml", "project: pico-trail", "project: pico-trail\nbase: §.."),
 ]  # fmt: skip
 
@@ -111,7 +111,7 @@ def test_a_finding_in_a_base_file_tells_for_which_program(
     assert main(["check"]) == 1
     printed = capsys.readouterr().out
     assert "specs/messages/sys_status.yaml:4:9: error unknown-stream" in printed
-    assert "specs/codegen.yaml:11:18: found for the program smart_battery" in printed
+    assert "specs/codegen.yaml:13:18: found for the program smart_battery" in printed
 
 
 def test_a_table_that_the_program_does_not_list_is_told(

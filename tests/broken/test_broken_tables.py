@@ -26,7 +26,7 @@ class Case:
     at: str = ""
     """The place, where it lies in another file than the change."""
     is_alone: bool = True
-    """Whether nothing else is found: what is missing in the state is missed by each table that reads it."""
+    """Whether nothing else is found: what is wrong in the state or the facts is so for each table that reads it."""
 
 
 BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status", "sys_status", "heartbeat"))
@@ -81,6 +81,7 @@ CASES = [
         "chemistry: MAV_BATTERY_TYPE_LIPO",
         "chemistry: MAV_BATTERY_TYPE_LEAD",
         "MAV_BATTERY_TYPE",
+        is_alone=False,
     ),
     Case(
         "unknown-enum",
@@ -258,8 +259,8 @@ CASES = [
     Case(
         "bad-program",
         "state.yaml",
-        "        initial: 0\n        min: 0\n        max: 1000000\n",
-        "        boolean: true\n        initial: false\n",
+        "of the autopilot's own.\n        initial: 0\n        min: 0\n        max: 1000000\n",
+        "of the autopilot's own.\n        boolean: true\n        initial: false\n",
         "no number mode",
         at=PROGRAM,
         is_alone=False,
@@ -371,13 +372,13 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:71:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:74:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:71:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:74:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
-    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:71:17"),
+    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:74:17"),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
@@ -399,7 +400,7 @@ CASES = [
     Case("unit-mismatch", "state.yaml", "unit: hJ\n", "unit: hJ\n        estimate_from: §voltage\n", "in %"),
 ]
 
-ESTIMATE = "state.yaml:46:24"
+ESTIMATE = "state.yaml:48:24"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 ESTIMATES = [
     Case(
@@ -419,9 +420,21 @@ ESTIMATES = [
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 V: §95.5", "whole number of %"),
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 A: §95", "not a voltage of a cell"),
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "much: §95", "not a voltage of a cell"),
-    Case("bad-estimate", "board.yaml", "    cells: 3\n", "", "the chemistry and the cells", at=ESTIMATE),
-    Case("bad-estimate", "board.yaml", "cells: 3", "cells: 0", "the chemistry and the cells", at=ESTIMATE),
-    Case("bad-estimate", "board.yaml", "cells: 3", "cells: 2.5", "the chemistry and the cells", at=ESTIMATE),
+    Case(
+        "bad-estimate", "board.yaml", "    cells: 3\n", "", "the chemistry and the cells", at=ESTIMATE, is_alone=False
+    ),
+    Case(
+        "bad-estimate", "board.yaml", "cells: 3", "cells: 0", "the chemistry and the cells", at=ESTIMATE, is_alone=False
+    ),
+    Case(
+        "bad-estimate",
+        "board.yaml",
+        "cells: 3",
+        "cells: 2.5",
+        "the chemistry and the cells",
+        at=ESTIMATE,
+        is_alone=False,
+    ),
     Case(
         "bad-estimate",
         "board.yaml",
@@ -436,6 +449,7 @@ ESTIMATES = [
         "chemistry: MAV_BATTERY_TYPE_LIPO",
         "chemistry: MAV_BATTERY_TYPE_LIP",
         at=CHEMISTRY,
+        is_alone=False,
     ),
 ]
 """With ``estimate_from: voltage`` in state.yaml."""
@@ -509,7 +523,7 @@ def test_a_message_without_stream_needs_a_program(tmp_path, monkeypatch, capsys)
     monkeypatch.chdir(tmp_path)
     found = [line for line in findings(capsys) if " error bad-announcement: " not in line]
     assert [line.partition(": ")[0] for line in found] == [
-        f"specs/messages/{name}.yaml:2:1" for name in ("autopilot_version", "protocol_version")
+        f"specs/messages/{name}.yaml:2:1" for name in ("autopilot_version", "battery_cell_voltages", "protocol_version")
     ]
     assert all(" error unknown-stream: " in line for line in found)
 

@@ -60,10 +60,11 @@ def test_overlays_choose_tables_and_corrections(
     assert {message.name: (message.wire.id, message.wire.length) for message in found.messages} == messages
 
 
-def test_two_tables_in_use_for_one_message(tmp_path: Path) -> None:
+@pytest.mark.parametrize("overlays", [(UPSTREAM, DRAFT), (CELLS, FAULTS)])
+def test_two_tables_in_use_for_one_message(overlays: tuple[str, str], tmp_path: Path) -> None:
     """With both overlays it is open which table counts, and the messages of the XML contradict each other, too."""
     report = Report()
-    read_system(str(project(tmp_path, UPSTREAM, DRAFT)), report)
+    read_system(str(project(tmp_path, *overlays)), report)
     assert {"duplicate-table", "message-conflict"} <= {one.rule.id for one in report}
 
 

@@ -1,9 +1,15 @@
 """The smart battery beside an autopilot, on the bench of its generated suite; prints what went wrong in each check."""
 
 import asyncio
+import binascii
 
-import dialect
-from program_bench import (
+import machine
+
+CHIP = b"\xe6\x00\x64\x08\x43\x29\x5a\xff"
+machine.set_unique_id(CHIP)  # before the firmware looks at it, which is once
+
+import dialect  # noqa: E402
+from program_bench import (  # noqa: E402
     SECOND_US,
     live,
     main,
@@ -16,6 +22,7 @@ from program_bench import (
 
 TYPE_BATTERY = 36  # MAV_TYPE_BATTERY and MAV_AUTOPILOT_INVALID of MAVLink's minimal.xml
 NO_AUTOPILOT = 8
+RELATIVE_TO_FULL = 1 << 18  # MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL
 
 
 def _started(**values):
@@ -59,27 +66,86 @@ def component_id_counts_from_the_next_start():
         assert len(station.received(messages.CommandAck)) == count, component
 
 
-def status_comes_every_two_seconds():
-    """0.5 Hz by default; the parameter changes it at once, and 0 switches it off."""
+def _measuring(measure):
+    """Return a battery whose user code reads the gauge chip by a call with the battery's state."""
     battery = new_rover()
-    station = battery.ground_station()
-    for rate, expected in ((None, 30), (2, 120), (0, 0)):
-        if rate is not None:
-            assert battery.parameters.set("BATT_STATUS_RATE", rate)
-        run(battery, SECOND_US // 10)
-        station.received()
-        run(battery, 60 * SECOND_US)
-        found = len(station.received(messages.BatteryStatus))
-        assert abs(found - expected) <= 1, (rate, found)
+    slot = next(job for job in battery.scheduler._jobs if job.name == "measure")
+    slot.call = lambda: measure(battery.state.battery)
+    return battery
+
+
+def status_comes_every_two_seconds():
+    """0.5 Hz by default, in the generation that is chosen; the parameter changes it at once, and 0 switches it off."""
+    for choice, kinds in ((0, (1, 0)), (1, (0, 1)), (2, (1, 1))):
+        battery = new_rover()
+        station = battery.ground_station()
+        if choice:
+            assert battery.parameters.set("BATT_REPORT", choice)
+        for rate, expected in ((None, 30), (2, 120), (0, 0)):
+            if rate is not None:
+                assert battery.parameters.set("BATT_STATUS_RATE", rate)
+            run(battery, SECOND_US // 10)
+            station.received()
+            run(battery, 60 * SECOND_US)
+            found = station.received(messages.BatteryStatus, messages.BatteryStatusV2)
+            for kind, is_sent in zip((messages.BatteryStatus, messages.BatteryStatusV2), kinds):  # noqa: B905
+                count = len([message for message in found if isinstance(message, kind)])
+                assert abs(count - is_sent * expected) <= is_sent, (choice, rate, kind, count)
+
+
+ABOUT_THE_BATTERY = (
+    messages.BatteryStatus,
+    messages.BatteryStatusV2,
+    messages.SmartBatteryInfo,
+    messages.BatteryInfo,
+    messages.BatteryCellVoltages,
+)
 
 
 def battery_has_an_id_of_its_own():
-    """2 by default, so that the autopilot's own batteries, 0 and 1, are others."""
+    """2 by default, so that the autopilot's own batteries, 0 and 1, are others; the same in each of its messages."""
     for battery, expected in ((new_rover(), 2), (_started(BATT_ID=5), 5)):
         station = battery.ground_station()
+        for kind in ABOUT_THE_BATTERY:
+            station.received()
+            station.command(dialect.MAV_CMD_REQUEST_MESSAGE, kind.ID)
+            run(battery, SECOND_US)
+            found = {message.raw("id") for message in station.received(kind)}
+            assert found == {expected}, (kind, found)
+
+
+INFOS = (messages.SmartBatteryInfo, messages.BatteryInfo)
+
+
+def info_comes_when_it_is_wanted():
+    """At the start, every 20 s, to who appears, on request and when the cells were exchanged; in what is chosen."""
+    for choice in (0, 1):
+        battery = _started(BATT_REPORT=choice)
+        station = battery.ground_station()
         run(battery, SECOND_US)
-        found = {status.raw("id") for status in station.received(messages.BatteryStatus)}
-        assert found == {expected}, found
+        assert [type(info) for info in station.received(*INFOS)] == [INFOS[choice]], "at the start"
+        run(battery, 60 * SECOND_US)
+        assert len(station.received(*INFOS)) == 3, "every 20 s"
+        station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
+        run(battery, SECOND_US)
+        assert [type(info) for info in station.received(*INFOS)] == [INFOS[choice]], "who appears"
+        for kind in INFOS:
+            station.command(dialect.MAV_CMD_REQUEST_MESSAGE, kind.ID)
+            run(battery, SECOND_US)
+            assert [type(info) for info in station.received(*INFOS)] == [kind], "on request"
+        battery.state.battery.swaps_number += 1
+        run(battery, SECOND_US)
+        assert [type(info) for info in station.received(*INFOS)] == [INFOS[choice]], "on a change"
+
+
+def serial_number_is_that_of_the_chip():
+    """In hex, all of it, in both infos."""
+    for choice in (0, 1):
+        battery = _started(BATT_REPORT=choice)
+        station = battery.ground_station()
+        run(battery, SECOND_US)
+        found = [info.serial_number for info in station.received(INFOS[choice])]
+        assert found == [binascii.hexlify(CHIP).decode()], (choice, found)
 
 
 def nothing_can_be_armed():
@@ -142,18 +208,52 @@ def measure_that_raises_stops_nothing():
     assert battery.state.battery.voltage_mv is not None
 
 
-def measured_current_goes_out():
-    """What measure() writes into the state is in the next status."""
-    battery = new_rover()
-    slot = next(job for job in battery.scheduler._jobs if job.name == "measure")
+def what_the_gauge_says_goes_out():
+    """What measure() writes into the state is in the next status of either generation."""
 
-    def measure():
-        battery.state.battery.current_ca = 1234
+    def measure(pack):
+        pack.current_ca = 1234
+        pack.consumed_mah = 1100
+        pack.energy_hj = 456
+        pack.left_mah = 2200
+        pack.remaining_pct = 67
+        pack.temperature_cdegc = 2525
+        pack.counted_from_full = True
 
-    slot.call = measure
+    battery = _measuring(measure)
+    assert battery.parameters.set("BATT_REPORT", 2)
     station = battery.ground_station()
     run(battery, 5 * SECOND_US)
-    assert station.received(messages.BatteryStatus)[-1].raw("current_battery") == 1234
+    found = station.received(messages.BatteryStatus, messages.BatteryStatusV2)
+    old = [message for message in found if isinstance(message, messages.BatteryStatus)][-1]
+    new = [message for message in found if isinstance(message, messages.BatteryStatusV2)][-1]
+    assert [old.raw(name) for name in OLD_GAUGE] == [1234, 1100, 456, 67, 2525]
+    expected = (12.34, 1.1, 2.2, 67.0)
+    for place, name in enumerate(NEW_GAUGE):
+        assert abs(new.get(name) - expected[place]) < 1e-5, (name, new.get(name))
+    assert new.raw("temperature") == 2525
+    assert new.status_flags == RELATIVE_TO_FULL, new.status_flags
+
+
+OLD_GAUGE = ("current_battery", "current_consumed", "energy_consumed", "battery_remaining", "temperature")
+NEW_GAUGE = ("current", "capacity_consumed", "capacity_remaining", "state_of_charge")
+
+
+def what_no_gauge_says_is_unknown():
+    """Without code that reads a gauge chip the voltage is all that is known; nothing is guessed."""
+    battery = new_rover()
+    assert battery.parameters.set("BATT_REPORT", 2)
+    station = battery.ground_station()
+    run(battery, 5 * SECOND_US)
+    found = station.received(messages.BatteryStatus, messages.BatteryStatusV2)
+    old = [message for message in found if isinstance(message, messages.BatteryStatus)][-1]
+    new = [message for message in found if isinstance(message, messages.BatteryStatusV2)][-1]
+    assert [old.raw(name) for name in OLD_GAUGE] == [-1, -1, -1, -1, 32767]
+    for name in NEW_GAUGE:
+        assert new.get(name) is None, (name, new.get(name))
+    assert old.raw("voltages")[0] == battery.state.battery.voltage_mv
+    assert abs(new.voltage - battery.state.battery.voltage) < 1e-5
+    assert new.status_flags == 0, new.status_flags
 
 
 def two_batteries_share_a_vehicle():
@@ -174,12 +274,15 @@ CHECKS = (
     ("", 2, component_id_counts_from_the_next_start),
     ("", 2, two_batteries_share_a_vehicle),
     ("", 3, status_comes_every_two_seconds),
+    ("", 4, info_comes_when_it_is_wanted),
+    ("", 6, serial_number_is_that_of_the_chip),
     ("", 7, battery_has_an_id_of_its_own),
     ("", 0, nothing_can_be_armed),
     ("", 0, parameters_are_saved_within_a_second),
     ("", 9, measure_comes_before_the_reading),
     ("", 9, measure_that_raises_stops_nothing),
-    ("", 9, measured_current_goes_out),
+    ("", 9, what_the_gauge_says_goes_out),
+    ("", 9, what_no_gauge_says_is_unknown),
 )
 
 if __name__ == "__main__":

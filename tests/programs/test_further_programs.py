@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -10,11 +11,17 @@ from pathlib import Path
 import pytest
 
 from codegen import stamp
-from codegen.diagnostics import Report
+from codegen.diagnostics import Report, Severity
 from codegen.model.system import System
 from codegen.pipeline import read_systems
 
 ROOT = Path(__file__).resolve().parents[2]
+
+
+QUIET = ("battery_status_v2", "battery_info")
+"""Tables that a build has warnings about, after which it leaves no stamp."""
+NEW_STREAMS = r"^  EXTRA3:\n(    .*\n)+\n|^generations:\n(  .*\n)+"
+"""What streams.yaml says of them."""
 
 
 @pytest.fixture
@@ -36,7 +43,7 @@ def read(folder: Path) -> tuple[System, System]:
     """The systems of the rover and of the battery."""
     report = Report()
     rover, battery = read_systems(str(folder / "specs" / "codegen.yaml"), report)
-    assert list(report) == []
+    assert [finding for finding in report if finding.rule.severity is Severity.ERROR] == []
     return rover, battery
 
 
@@ -45,7 +52,8 @@ def test_own_files_win_and_the_base_has_the_others(project: Path) -> None:
     rover, battery = read(project)
     assert battery.spec.program == "smart_battery"
     assert battery.spec.path("board.yaml") == str(project / "specs" / "smart_battery" / "board.yaml")
-    assert battery.spec.path("state.yaml") == str(project / "specs" / "state.yaml")
+    assert battery.spec.path("state.yaml") == str(project / "specs" / "smart_battery" / "state.yaml")
+    assert battery.spec.path("receiver.yaml") == str(project / "specs" / "receiver.yaml")
     assert battery.requirements.keys() == rover.requirements.keys()
     tables = {message.name: message.population.place.file for message in battery.messages}
     assert tables["HEARTBEAT"] == str(project / "specs" / "smart_battery" / "messages" / "heartbeat.yaml")
@@ -58,7 +66,7 @@ def test_only_listed_messages_are_used(project: Path) -> None:
     assert "SYS_STATUS" in {message.name for message in rover.messages}
     assert "SYS_STATUS" not in {message.name for message in battery.messages}
     assert str(project / "specs" / "messages" / "sys_status.yaml") not in battery.spec.files
-    assert str(project / "specs" / "state.yaml") in battery.spec.files
+    assert str(project / "specs" / "messages" / "battery_status.yaml") in battery.spec.files
 
 
 def test_all_messages_without_a_list(project: Path) -> None:
@@ -84,7 +92,8 @@ def test_one_build_writes_all_programs(project: Path) -> None:
     assert not (output / "smart_battery" / "manifest.json").exists()
     board = (output / "smart_battery" / "firmware" / "board.py").read_text()
     assert board.startswith("# Generated from specs/smart_battery/board.yaml, ")
-    assert "specs/state.yaml" in board.splitlines()[0]
+    builders = (output / "smart_battery" / "firmware" / "telemetry.py").read_text()
+    assert "specs/messages/battery_status.yaml" in builders[: builders.index("Inputs:")]
     assert "import pack" in (output / "smart_battery" / "firmware" / "main.py").read_text()
     assert run(project, "build", "--check").returncode == 0
 
@@ -103,6 +112,7 @@ def test_one_build_writes_all_programs(project: Path) -> None:
 def test_a_change_in_the_folder_of_a_program_is_noticed(project: Path, path: str) -> None:
     """A build that seems unchanged is over before anything is read."""
     assert run(project, "build").returncode == 0
+    without_warnings(project)
     main = str(project / "specs" / "codegen.yaml")
     (project / "specs" / "smart_battery" / "requirements").mkdir(exist_ok=True)
     if "requirements" in path:
@@ -114,6 +124,20 @@ def test_a_change_in_the_folder_of_a_program_is_noticed(project: Path, path: str
     with (project / path).open("a") as file:
         file.write("\n")
     assert stamp.unchanged(main) is None
+
+
+def without_warnings(project: Path) -> None:
+    """Leave the new generation out of the specification, as a project may."""
+    specs = project / "specs"
+    for path in specs.rglob("*.yaml"):
+        if path.stem in QUIET:
+            path.unlink()
+        elif path.name == "streams.yaml":
+            path.write_text(re.sub(NEW_STREAMS, "", path.read_text(), flags=re.MULTILINE))
+    listed = specs / "smart_battery" / "codegen.yaml"
+    listed.write_text(listed.read_text().replace("BATTERY_STATUS_V2, ", "").replace("BATTERY_INFO, BATT", "BATT"))
+    for path in specs.rglob("*"):
+        os.utime(path, (1, 1))
 
 
 def test_explain_tells_what_differs(project: Path) -> None:

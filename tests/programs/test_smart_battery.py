@@ -13,20 +13,39 @@ BATTERY = ROOT / "generated" / "smart_battery"
 PATHS = [str(BATTERY / name) for name in ("firmware", "mocks", "tests")]
 
 
-@pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
-def test_the_battery_behaves(interpreter):
-    """HEARTBEAT, ids, rates, no arming, saves, measure()."""
+def run(interpreter, folders, script, *arguments, given=""):
+    """What a script beside this file prints, with the generated folders on its path."""
     python = sys.executable if interpreter == "cpython" else str(Path(sys.executable).with_name("micropython"))
-    path = os.pathsep.join([*PATHS, ".frozen"])
+    path = os.pathsep.join([*folders, ".frozen"])
     done = subprocess.run(
-        [python, str(Path(__file__).with_name("battery_checks.py"))],
+        [python, str(Path(__file__).with_name(script)), *arguments],
         capture_output=True,
         text=True,
+        input=given,
         env=os.environ | {"MICROPYPATH": path, "PYTHONPATH": path},
         timeout=100,
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    outcomes = json.loads(done.stdout)
-    assert len(outcomes) >= 10
+    return done.stdout
+
+
+@pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
+def test_the_battery_behaves(interpreter):
+    """HEARTBEAT, ids, rates, info, serial number, no arming, saves, measure()."""
+    outcomes = json.loads(run(interpreter, PATHS, "battery_checks.py"))
+    assert len(outcomes) >= 13
     assert {name: outcome for name, outcome in outcomes.items() if outcome is not None} == {}
+
+
+@pytest.mark.parametrize("choice", [0, 1], ids=["old", "new"])
+def test_a_receiver_notices_that_it_was_exchanged(choice):
+    """FR-00074.5: another serial number in the info that the new one sends when it starts, in either generation."""
+    packs = (("first...", 2500), ("second..", 10))
+    frames = "".join(
+        run("cpython", PATHS, "exchange_frames.py", chip, str(drawn_mah), str(choice)) for chip, drawn_mah in packs
+    )
+    seen = json.loads(run("cpython", [str(ROOT / "generated" / "receiver")], "exchange_seen.py", given=frames))
+    serials = [chip.encode().hex() for chip, _ in packs]
+    assert [(serial, swaps) for serial, swaps, _ in seen] == [(serials[0], 0), (serials[1], 1)]
+    assert [consumed for _, _, consumed in seen] == pytest.approx([2500, 10])

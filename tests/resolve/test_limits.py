@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from codegen.diagnostics import Report
 from codegen.model.dialect import FieldDefinition, WireField
-from codegen.model.spec import FieldAnswer, Rounding
+from codegen.model.population_spec import FieldAnswer, Rounding
 from codegen.model.system import Elements, LiveBinding
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Citation, Parameter

@@ -24,8 +24,8 @@ class Wire:
         return len(frame)
 
 state = SystemState()
-state.battery.voltage = 12.6
-state.battery.current = -0.01
+state.battery[0].voltage = 12.6
+state.battery[0].current = -0.01
 link = open_link(Wire())
 for build in (telemetry.build_heartbeat, telemetry.build_sys_status, telemetry.build_battery_status):
     link.send(build(state))

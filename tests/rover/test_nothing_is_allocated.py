@@ -35,7 +35,7 @@ link = open_link(sink)
 state = SystemState(log=lambda *words: None)
 board = MockBoard()
 streams = Streams(state, link)
-battery, vehicle = state.battery, state.vehicle
+battery, vehicle = state.battery[0], state.vehicle
 
 def build_and_send():
     for value in VALUES:
@@ -74,7 +74,7 @@ def counted(function):
 
 for function in (build_and_send, sample, stream):
     before = sink.frames
-    print(counted(function), sink.frames - before, state.battery.voltage_mv or 0, board.battery_failures)
+    print(counted(function), sink.frames - before, battery.voltage_mv or 0, sum(board.battery_failures))
 """
 
 

@@ -46,7 +46,7 @@ links = [Link(Sink(), version=2), Link(Sink(), version=1)]
 state = SystemState()
 for values in states:
     for name, value in values["battery"].items():
-        setattr(state.battery, name, value)
+        setattr(state.battery[0], name, value)
     for name, value in values["vehicle"].items():
         setattr(state.vehicle, name, value)
     built = (telemetry.build_heartbeat(state), telemetry.build_sys_status(state))
@@ -106,6 +106,14 @@ def cells(millivolts):
     return filled + [65535] * (10 - len(filled))
 
 
+def faults(millivolts, temperature):
+    """By hand: deep discharge below 3.0 V a cell, over- and under-temperature from 60 and below -20 degC."""
+    bits = 0 if millivolts is None or millivolts >= 3 * 3000 else 1
+    if temperature is not None:
+        bits |= 16 if temperature >= 6000 else 32 if temperature < -2000 else 0
+    return bits
+
+
 def expected_frames(state) -> list[str]:
     """The six frames of a state by pymavlink: three messages, each in MAVLink 2 and MAVLink 1."""
     battery, vehicle = state["battery"], state["vehicle"]
@@ -143,6 +151,7 @@ def expected_frames(state) -> list[str]:
                 limited(battery["consumed_mah"], -(2**31), 2**31 - 1, -1),
                 limited(battery["energy_hj"], -(2**31), 2**31 - 1, -1),
                 remaining,
+                *([] if dialect is v10 else [0, 0, [0] * 4, 0, faults(voltage, temperature)]),
             )
         )
     senders = [v20.MAVLink(None, srcSystem=1, srcComponent=1), v10.MAVLink(None, srcSystem=1, srcComponent=1)]

@@ -146,7 +146,7 @@ def test_the_shipped_scenarios() -> None:
     assert set(scenarios) >= {
         *("nominal", "discharge", "sag", "charging", "sensor_loss"),
         *("adc_fault", "rising", "falling", "low", "critical"),
-        *("two_batteries", "smart_battery", "swap"),
+        *("two_batteries", "smart_battery", "swap", "swap_on_the_autopilot"),
     }
     for name in ("low", "critical", "discharge", "sag", "falling"):
         events = scenarios[name].events

@@ -147,7 +147,7 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("vehicle", VEHICLE.replace("400 Hz", "400"), [("wrong-type", 1, 17)], False),
     ("vehicle", VEHICLE.replace("chunk: 64", "chunk: big"), [("wrong-type", 2, 33)], False),
     ("vehicle", VEHICLE.replace("[a, b]", "a"), [("wrong-type", 2, 18)], False),
-    ("vehicle", VEHICLE.replace("arming: {force: 1}\n", ""), [("missing-key", 1, 1)], False),
+    ("vehicle", VEHICLE.replace("services: {fastest: 10 Hz}\n", ""), [("missing-key", 1, 1)], False),
     ("board", "board: b\nmcu: m\nlinks: {a: {usb: false}}\n", [("wrong-type", 3, 18)], True),
     ("board", "board: b\nmcu: m\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 3, 24)], True),
     ("board", "board: b\nmcu: m\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 3, 9)], True),

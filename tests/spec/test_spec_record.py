@@ -12,21 +12,11 @@ from spec_examples import BROKEN, GOOD, field
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
+from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
-from codegen.model.spec import (
-    BoardSpec,
-    CorrectionsSpec,
-    FieldAnswer,
-    ParametersSpec,
-    PopulationSpec,
-    Project,
-    QuantitySpec,
-    Rounding,
-    StateSpec,
-    StreamsSpec,
-)
+from codegen.model.spec import BoardSpec, CorrectionsSpec, ParametersSpec, Project, QuantitySpec, StateSpec, StreamsSpec
 from codegen.source import Place, Written
 
 FILE = "/specs/a.yaml"
@@ -78,7 +68,7 @@ def test_values_have_the_types_of_the_model() -> None:
         None,
     )
     assert type(voltage.invalid_after) is int
-    assert state.components["battery"].instances == 1
+    assert state.components["battery"].first_number is None
     assert state.components["battery"].quantities["armed"].initial is False
     parameters, _ = decoded("parameters", GOOD["parameters"])
     assert parameters.parameters["MULT"].default == Fraction(79, 20)

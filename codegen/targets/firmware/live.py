@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.model.dialect import Kind
-from codegen.model.spec import Rounding
+from codegen.model.population_spec import Rounding
 from codegen.model.system import (
     Binding,
     EachBinding,

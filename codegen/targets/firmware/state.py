@@ -102,6 +102,29 @@ class EstimateView:
 
 
 @dataclass(frozen=True, slots=True)
+class RestartView:
+    """What begins anew when something has come back: with 0 if it is known, or ``initial``, a boolean."""
+
+    attribute: str
+    initial: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class ReturnsView:
+    """``gone`` is the boolean whose end counts in the attribute ``count``; ``below`` its limit by instance, if any.
+
+    ``title`` is what texts call the component.
+    """
+
+    gone: str
+    below: tuple[int, ...]
+    count: str
+    title: str
+    restarting: tuple[RestartView, ...]
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class ComponentView:
     """One class of the state, and how SystemState holds it: alone, or as a list of several."""
 
@@ -115,6 +138,7 @@ class ComponentView:
     measured: MeasuredView | None
     trend: TrendView | None
     estimate: EstimateView | None
+    returns: ReturnsView | None
     enabled: str | None
     period_ms: int | None
     citation: str
@@ -177,6 +201,7 @@ def _component(component: Component, system: System) -> ComponentView:
         measured=measured[0] if measured else None,
         trend=next(filter(None, (_trend(quantity, component) for quantity in component.quantities.values())), None),
         estimate=next(filter(None, (_estimate(quantity) for quantity in component.quantities.values())), None),
+        returns=_returns(component),
         enabled=component.enabled.name if component.enabled else None,
         period_ms=component.period_ms,
         citation=str(component.citation or ""),
@@ -253,6 +278,24 @@ def _trend(quantity: Quantity, component: Component) -> TrendView | None:
 def _estimate(quantity: Quantity) -> EstimateView | None:
     estimate = quantity.estimate
     return None if estimate is None else EstimateView(quantity.attribute, quantity.name, estimate.curves)
+
+
+def _returns(component: Component) -> ReturnsView | None:
+    returns = component.returns
+    if returns is None:
+        return None
+    follows = returns.gone.follows
+    return ReturnsView(
+        gone=returns.gone.name,
+        below=follows.limits if follows and follows.is_below else (),
+        count=returns.count.attribute,
+        title=component.name.capitalize(),
+        restarting=tuple(
+            RestartView(each.attribute, str(bool(each.initial)) if each.kind is QuantityKind.BOOLEAN else None)
+            for each in returns.restarting
+        ),
+        citation=str(returns.count.citation or ""),
+    )
 
 
 def _measured(quantity: Quantity, component: Component, system: System) -> MeasuredView:

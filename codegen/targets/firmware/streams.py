@@ -85,6 +85,15 @@ class StreamView:
 
 
 @dataclass(frozen=True, slots=True)
+class PeriodView:
+    """Streams of one rate, which ``stream`` has; ``condition`` is what their indexes are, behind their variable."""
+
+    stream: StreamView
+    condition: str
+    comment: str
+
+
+@dataclass(frozen=True, slots=True)
 class StreamsView:
     """The module: who the vehicle is on the link, its streams and its messages, with a literal for each table."""
 
@@ -96,6 +105,7 @@ class StreamsView:
     version: int
     longest: int
     streams: tuple[StreamView, ...]
+    periods: tuple[PeriodView, ...]
     messages: tuple[SentView, ...]
     parameters: tuple[str, ...]
     ids: str
@@ -129,6 +139,7 @@ def streams_view(system: System) -> StreamsView:
         version=project.protocol,
         longest=max((wire.length for wire in system.sent), default=1),
         streams=streams,
+        periods=_periods(streams),
         messages=messages,
         parameters=tuple(f"parameters.{name}" for name in parameters),
         ids=_tuple([message.id for message in messages]),
@@ -141,6 +152,26 @@ def streams_view(system: System) -> StreamsView:
         chosen_comments=_chosen_comments(system),
         announced=_announcements(messages, system),
         has_program=system.program is not None,
+    )
+
+
+def _periods(streams: tuple[StreamView, ...]) -> tuple[PeriodView, ...]:
+    """The streams by what sets their rate, in their order: some share a parameter."""
+    alike: dict[object, list[StreamView]] = {}
+    for stream in streams:
+        alike.setdefault(stream.parameter or (stream.period_numerator, stream.period_denominator), []).append(stream)
+    return tuple(_period(group) for group in alike.values())
+
+
+def _period(group: list[StreamView]) -> PeriodView:
+    """What is said of streams that have their rate in common."""
+    first, indexes = group[0], ", ".join(str(each.index) for each in group)
+    names = ", ".join([*(each.name for each in group[:-1]), group[-1].comment])
+    cited = ", ".join(sorted({each.citation for each in group if each.citation}))
+    return PeriodView(
+        stream=first,
+        condition=f"== {first.index}" if len(group) == 1 else f"in ({indexes})",
+        comment=f"{names} ({cited})" if cited else names,
     )
 
 

@@ -104,7 +104,6 @@ class TelemetryView:
     builders: tuple[BuilderView, ...]
     conversions: tuple[str, ...]
     uses_nan: bool
-    uses_clock: bool
     uses_chip: bool
     packs: bool
     machine_code: bool
@@ -137,7 +136,6 @@ def telemetry_view(system: System) -> TelemetryView:
         builders=builders,
         conversions=tuple(sorted(used)),
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
-        uses_clock=any(builder.expiring for builder in builders),
         uses_chip=any(isinstance(binding, TextBinding) for binding in bindings),
         packs=any(map(packs, system.messages)) or any("pack_into" in statement for statement in prefilled),
         machine_code=system.spec.project.machine_code,

@@ -1,5 +1,6 @@
-# Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: c13d7cecad17d7f0
+# Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
+#   specs/smart_battery/state.yaml: do not edit.
+# Inputs: 62335c34219868d2
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import time

@@ -1,7 +1,9 @@
-# Generated from specs/messages/autopilot_version.yaml, specs/messages/protocol_version.yaml,
-#   specs/smart_battery/messages/battery_status.yaml,
-#   specs/smart_battery/messages/heartbeat.yaml, dialect common: do not edit.
-# Inputs: e1ff01073e380e35
+# Generated from specs/messages/autopilot_version.yaml, specs/messages/battery_cell_voltages.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/protocol_version.yaml, specs/smart_battery/messages/battery_info.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml,
+#   specs/smart_battery/messages/smart_battery_info.yaml, dialect common: do not edit.
+# Inputs: af74fbf1d76526e6
 """Messages as the dialect lays them out; what each field is stands with its class."""
 
 from message import Message
@@ -350,6 +352,120 @@ class ParamError(Message):
     FIELDS = "param_index:h target_system:B target_component:B param_id:16s error:B"
 
 
+class BatteryStatusV2(Message):
+    """BATTERY_STATUS_V2.
+
+    voltage: float, V, unknown: nan
+    current: float, A, unknown: nan
+    capacity_consumed: float, Ah, unknown: nan
+    capacity_remaining: float, Ah, unknown: nan
+    state_of_charge: float, %, unknown: nan
+    status_flags: uint32, MAV_BATTERY_STATUS_FLAGS
+    temperature: int16, cdegC, unknown: 32767
+    id: uint8
+    """
+
+    NAME = "BATTERY_STATUS_V2"
+    ID = 369
+    CRC_EXTRA = 145
+    BASE_LENGTH = 27
+    LENGTH = 27
+    FIELDS = (
+        "voltage:f=nan current:f=nan capacity_consumed:f=nan capacity_remaining:f=nan state_of_charge:f=nan "
+        "status_flags:I temperature:h=32767 id:B"
+    )
+
+
+class SmartBatteryInfo(Message):
+    """SMART_BATTERY_INFO.
+
+    capacity_full_specification: int32, mAh
+    capacity_full: int32, mAh, unknown: -1
+    cycle_count: uint16, unknown: 65535
+    weight: uint16, g
+    discharge_minimum_voltage: uint16, mV
+    charging_minimum_voltage: uint16, mV
+    resting_minimum_voltage: uint16, mV
+    id: uint8
+    battery_function: uint8, MAV_BATTERY_FUNCTION
+    type: uint8, MAV_BATTERY_TYPE
+    serial_number: char[16], unknown: empty text
+    device_name: char[50]
+    charging_maximum_voltage: uint16, mV, extension
+    cells_in_series: uint8, extension
+    discharge_maximum_current: uint32, mA, extension
+    discharge_maximum_burst_current: uint32, mA, extension
+    manufacture_date: char[11], unknown: empty text, extension
+    """
+
+    NAME = "SMART_BATTERY_INFO"
+    ID = 370
+    CRC_EXTRA = 75
+    BASE_LENGTH = 87
+    LENGTH = 109
+    FIELDS = (
+        "capacity_full_specification:i capacity_full:i=-1 cycle_count:H=65535 weight:H "
+        "discharge_minimum_voltage:H charging_minimum_voltage:H resting_minimum_voltage:H id:B battery_function:B "
+        "type:B serial_number:16s=0 device_name:50s charging_maximum_voltage:H cells_in_series:B "
+        "discharge_maximum_current:I discharge_maximum_burst_current:I manufacture_date:11s=0"
+    )
+
+
+class BatteryInfo(Message):
+    """BATTERY_INFO.
+
+    discharge_minimum_voltage: float, V, unknown: 0
+    charging_minimum_voltage: float, V, unknown: 0
+    resting_minimum_voltage: float, V, unknown: 0
+    charging_maximum_voltage: float, V, unknown: 0
+    charging_maximum_current: float, A, unknown: 0
+    nominal_voltage: float, V, unknown: 0
+    discharge_maximum_current: float, A, unknown: 0
+    discharge_maximum_burst_current: float, A, unknown: 0
+    design_capacity: float, Ah, unknown: 0
+    full_charge_capacity: float, Ah, unknown: nan
+    cycle_count: uint16, unknown: 65535
+    weight: uint16, g, unknown: 0
+    id: uint8
+    battery_function: uint8, MAV_BATTERY_FUNCTION
+    type: uint8, MAV_BATTERY_TYPE
+    state_of_health: uint8, %, unknown: 255
+    cells_in_series: uint8, unknown: 0
+    manufacture_date: char[9], unknown: empty text
+    serial_number: char[32], unknown: empty text
+    name: char[50], unknown: empty text
+    """
+
+    NAME = "BATTERY_INFO"
+    ID = 372
+    CRC_EXTRA = 26
+    BASE_LENGTH = 140
+    LENGTH = 140
+    FIELDS = (
+        "discharge_minimum_voltage:f=0 charging_minimum_voltage:f=0 resting_minimum_voltage:f=0 "
+        "charging_maximum_voltage:f=0 charging_maximum_current:f=0 nominal_voltage:f=0 "
+        "discharge_maximum_current:f=0 discharge_maximum_burst_current:f=0 design_capacity:f=0 "
+        "full_charge_capacity:f=nan cycle_count:H=65535 weight:H=0 id:B battery_function:B type:B "
+        "state_of_health:B=255 cells_in_series:B=0 manufacture_date:9s=0 serial_number:32s=0 name:50s=0"
+    )
+
+
+class BatteryCellVoltages(Message):
+    """BATTERY_CELL_VOLTAGES.
+
+    id: uint16
+    index: uint16
+    voltages: uint16[12], mV, unknown: 0 in an element
+    """
+
+    NAME = "BATTERY_CELL_VOLTAGES"
+    ID = 54371
+    CRC_EXTRA = 8
+    BASE_LENGTH = 28
+    LENGTH = 28
+    FIELDS = "id:H index:H voltages:12H=0"
+
+
 ALL = (
     Heartbeat,
     Ping,
@@ -368,4 +484,8 @@ ALL = (
     Statustext,
     ProtocolVersion,
     ParamError,
+    BatteryStatusV2,
+    SmartBatteryInfo,
+    BatteryInfo,
+    BatteryCellVoltages,
 )

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/parameters.yaml: do not edit.
-# Inputs: 64330acf166aa65e
+# Inputs: f84a195752e62b43
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -10,6 +10,7 @@ NAMES = (
     "BATT_CAPACITY",
     "BATT_ID",
     "BATT_MONITOR",
+    "BATT_REPORT",
     "BATT_STATUS_RATE",
     "BATT_VOLT_MULT",
     "BATT_VOLT_PIN",
@@ -52,6 +53,17 @@ _TABLE = {
         2,  # int8
         True,
         (0, 3),
+    ),
+    "BATT_REPORT": (
+        "batt_report",
+        0,
+        0,
+        2,
+        1,
+        1,
+        2,  # int8
+        False,
+        (0, 1, 2),
     ),
     "BATT_STATUS_RATE": (
         "batt_status_rate",
@@ -126,7 +138,9 @@ class Parameters:
         self.batt_id = 2  # 2
         # How the battery is measured; 0 leaves it out of measurements and telemetry.
         self.batt_monitor = 3  # 3: Analog Voltage Only
-        # Rate of the STATUS stream; 0 switches it off.
+        # Which generation of battery messages is sent; the other one is sent when a ground station asks for it.
+        self.batt_report = 0  # 0: Old
+        # Rate of the status, in the generation that BATT_REPORT chooses; 0 switches it off.
         self.batt_status_rate = 5  # 0.5 Hz, in steps of 0.1 Hz
         # Pack voltage over the voltage at the ADC pin, set by the divider and calibrated against a meter.
         self.batt_volt_mult = 39500  # 3.95, in steps of 0.0001

@@ -1,5 +1,6 @@
-# Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: c13d7cecad17d7f0
+# Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
+#   specs/smart_battery/state.yaml: do not edit.
+# Inputs: 62335c34219868d2
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -10,16 +11,15 @@ import time
 from conversion import product, to_steps
 from guard import Guard
 from parameters import Parameters
-from trend import Trend
 
 
 class BatteryState:
-    """One battery of the rover."""
+    """The pack that this board is part of."""
 
     def __init__(self):
         # Voltage of the whole pack [mV]
         self.voltage_mv = None
-        # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
+        # Current drawn from the pack, negative while charging [cA]
         self.current_ca = None
         # Charge drawn since the pack was full [mAh]
         self.consumed_mah = None
@@ -27,28 +27,25 @@ class BatteryState:
         self.energy_hj = None
         # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
         self.remaining_pct = None
-        # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]
+        # Charge that is left [mAh]
         self.left_mah = None
         # Whether the charge that was drawn counts from a full pack, and not from power-on
         self.counted_from_full = False
-        # Voltage of each cell, unknown until code sets it [mV]
+        # Voltage of each cell [mV]
         self.cells_mv = [None] * 3
-        # Temperature of the pack. The rover has no sensor for it [cdegC]
+        # Temperature of the pack [cdegC]
         self.temperature_cdegc = None
-        # Change of the pack's voltage per second, positive while it rises [mV/s]
-        self.trend_mv_s = None
-        # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
-        self.health_number = 2
-        # The level that the failsafe has reached, 0 none, 1 low, 2 critical
-        self.failsafe_number = 0
-        # How often the pack was exchanged since the start
+        # How often cells were put in since the start, and so may be others; the gauge chip counts their charge
         self.swaps_number = 0
-        # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
+        # Whether the pack is locked until it has been charged. The gauge chip may know; code that asks it sets it
+        self.used_up = False
+        # Whether protective circuits in the pack are on
         self.protected = False
+        self.number = 0  # what messages call it, fixed at the start
         self.failures = 0  # failed readings in a row
         self.expires_ms = None  # when the last good one will be too old
         self.warned_ms = None  # when it was last warned about
-        self._readings = Trend(20, 1, 40)
+        self.gone = False  # whether it was absent at the last good reading
         # Whether the pack is measured at all: whether BATT_MONITOR is not 0
         self.monitored = True
 
@@ -65,7 +62,7 @@ class BatteryState:
 
     @property
     def current(self):
-        """A, or None while it is unknown; FR-00068.4."""
+        """A, or None while it is unknown; FR-00074.9."""
         if self.current_ca is None:
             return None
         return self.current_ca / 100
@@ -76,7 +73,7 @@ class BatteryState:
 
     @property
     def consumed(self):
-        """mAh, or None while it is unknown; FR-00068.6."""
+        """mAh, or None while it is unknown; FR-00074.9."""
         return self.consumed_mah
 
     @consumed.setter
@@ -85,7 +82,7 @@ class BatteryState:
 
     @property
     def energy(self):
-        """hJ, or None while it is unknown; FR-00068.6."""
+        """hJ, or None while it is unknown; FR-00074.9."""
         return self.energy_hj
 
     @energy.setter
@@ -94,7 +91,7 @@ class BatteryState:
 
     @property
     def remaining(self):
-        """%, or None while it is unknown; FR-00068.5."""
+        """%, or None while it is unknown; FR-00074.9."""
         return self.remaining_pct
 
     @remaining.setter
@@ -103,7 +100,7 @@ class BatteryState:
 
     @property
     def left(self):
-        """mAh, or None while it is unknown; FR-00072.4."""
+        """mAh, or None while it is unknown; FR-00074.9."""
         return self.left_mah
 
     @left.setter
@@ -126,7 +123,7 @@ class BatteryState:
 
     @property
     def temperature(self):
-        """degC, or None while it is unknown; FR-00068.6."""
+        """degC, or None while it is unknown; FR-00074.9."""
         if self.temperature_cdegc is None:
             return None
         return self.temperature_cdegc / 100
@@ -136,29 +133,9 @@ class BatteryState:
         self.temperature_cdegc = to_steps(value, 100)
 
     @property
-    def trend(self):
-        """V/s, or None while it is unknown; FR-00021.1."""
-        if self.trend_mv_s is None:
-            return None
-        return self.trend_mv_s / 1000
-
-    @property
-    def health(self):
-        """Number, or None while it is unknown; FR-00021.3."""
-        return self.health_number
-
-    @health.setter
-    def health(self, value):
-        self.health_number = to_steps(value, 1)
-
-    @property
-    def failsafe(self):
-        """Number, or None while it is unknown; FR-00073.5."""
-        return self.failsafe_number
-
-    @failsafe.setter
-    def failsafe(self, value):
-        self.failsafe_number = to_steps(value, 1)
+    def absent(self):
+        """Whether there are no cells, while the board has its power from elsewhere, FR-00073.8."""
+        return self.voltage_mv is not None and self.voltage_mv < 3000
 
     @property
     def swaps(self):
@@ -180,14 +157,9 @@ class BatteryState:
         return self.current_ca is not None and self.current_ca < 0
 
     @property
-    def warning(self):
-        """Whether the health is no longer good, FR-00072.5."""
-        return self.health_number is not None and self.health_number >= 1
-
-    @property
     def unhealthy(self):
-        """Whether the pack cannot be relied on. Its voltage is too low, or unknown, FR-00072.5."""
-        return self.health_number is not None and self.health_number >= 2
+        """Whether the pack is too empty to be relied on, FR-00072.5."""
+        return self.voltage_mv is not None and self.voltage_mv < 9900
 
     @property
     def over_voltage(self):
@@ -220,58 +192,28 @@ class BatteryState:
         The same formula as voltage_from_adc() in whole numbers: nothing is lost and nothing allocated.
         """
         self.voltage_mv = product(count, multiplier, 11, 136500)
-        self.trend_mv_s = self._readings.after(self.voltage_mv)
 
-    def keep(self):
-        """Count the last value once more: a reading has failed, and the trend takes readings at equal intervals."""
-        self.trend_mv_s = self._readings.after(self.voltage_mv)
+    def has_returned(self):
+        """Take in what a reading has shown; return whether it was absent before and is no longer, FR-00073.8.
+
+        Another one may have been put in: that is counted, and what was counted for the last one begins anew.
+        """
+        was_gone = self.gone
+        self.gone = self.absent
+        if self.gone or not was_gone:
+            return False
+        self.swaps_number = (self.swaps_number or 0) + 1
+        return True
 
     def forget(self):
         """Make everything that is measured unknown."""
         self.voltage_mv = None
-        self.trend_mv_s = None
-        self._readings.forget()
 
     def expire(self):
-        """Forget the last reading: it is older than 1000 ms, FR-00067.3."""
-        self.forget()
-        self.expires_ms = None
-
-
-class VehicleState:
-    """The rover as a whole."""
-
-    def __init__(self):
-        # Whether the motors may turn
-        self.armed = False
-        # Whether the checks before arming pass
-        self.ready = False
-        # Drive mode, a number of the autopilot's own
-        self.mode_number = 0
-        # What the vehicle is doing (MAV_STATE)
-        self.status = 3
-        # Share of the main loop's time that is used [d%]
-        self.load_dpct = 0
-
-    @property
-    def mode(self):
-        """Number, or None while it is unknown."""
-        return self.mode_number
-
-    @mode.setter
-    def mode(self, value):
-        self.mode_number = to_steps(value, 1)
-
-    @property
-    def load(self):
-        """%, or None while it is unknown."""
-        if self.load_dpct is None:
-            return None
-        return self.load_dpct / 10
-
-    @load.setter
-    def load(self, value):
-        self.load_dpct = to_steps(value, 10)
+        """Forget the last reading once it is older than 1000 ms, FR-00067.3."""
+        if self.expires_ms is not None and time.ticks_diff(time.ticks_ms(), self.expires_ms) > 0:
+            self.forget()
+            self.expires_ms = None
 
 
 class SystemState:
@@ -282,10 +224,10 @@ class SystemState:
         self._log = log
         self._guard = Guard()
         self.battery = BatteryState()
+        self.battery.number = self.parameters.batt_id
         self.battery.monitored = self.parameters.batt_monitor != 0
         # A multiplier that is changed counts from the next start.
         self._batt_volt_mult = self.parameters.batt_volt_mult
-        self.vehicle = VehicleState()
         self._battery_is_logged = False
 
     def update_battery(self, board):
@@ -301,8 +243,6 @@ class SystemState:
             battery.failures += 1
             if battery.failures >= 5:
                 battery.forget()
-            if battery.voltage_mv is not None:
-                battery.keep()
             return
         battery.failures = 0
         battery.set_count(count, self._batt_volt_mult)
@@ -310,6 +250,8 @@ class SystemState:
         if not self._battery_is_logged:
             self._battery_is_logged = True
             self._log(f"battery: voltage {battery.voltage:.2f} V")
+        if battery.has_returned():
+            self._log("notice: Battery connected")
         self._warn_battery(battery, time.ticks_ms())
 
     def _warn_battery(self, battery, now_ms):

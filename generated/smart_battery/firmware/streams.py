@@ -1,8 +1,11 @@
-# Generated from specs/messages/autopilot_version.yaml, specs/messages/protocol_version.yaml,
-#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
-#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
-#   specs/smart_battery/streams.yaml: do not edit.
-# Inputs: 4da42ff4f3266502
+# Generated from specs/messages/autopilot_version.yaml, specs/messages/battery_cell_voltages.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/protocol_version.yaml, specs/smart_battery/codegen.yaml,
+#   specs/smart_battery/messages/battery_info.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml,
+#   specs/smart_battery/messages/smart_battery_info.yaml,
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/streams.yaml: do not edit.
+# Inputs: 98e5c71e0dae95d9
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -15,18 +18,21 @@ from mavlink import Link
 SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it
 COMPONENT_ID = 180  # MAV_COMP_ID_BATTERY; COMPID_BATT sets it
 VERSION = 2
-LONGEST = 78  # bytes of the longest payload; a link keeps a view of each length
+LONGEST = 140  # bytes of the longest payload; a link keeps a view of each length
 
 OFF = -1
 
 # What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
-_IDS = (0, 147, 148, 300)
-_STREAMS = (0, 1, None, None)
-_SHORTEST_US = (100000, 100000, 100000, 100000)
+_IDS = (0, 147, 369, 370, 372, 148, 300, 54371)
+_STREAMS = (0, 1, 2, 3, 3, None, None, None)
+_SHORTEST_US = (100000, 100000, 100000, 1000000, 1000000, 100000, 100000, 100000)
+
+# Generations of messages: 1 the old one, 2 the new one, 3 what is sent in any case.
+_GENERATIONS = (3, 1, 2, 1, 2, 3, 3, 3)
 
 # Streams: the number by which REQUEST_DATA_STREAM asks for each (None: it cannot) and the highest rate in Hz.
-_DATA_STREAMS = (None, 10)
-_FASTEST_HZ = (10, 10)
+_DATA_STREAMS = (None, 10, 12, None)
+_FASTEST_HZ = (10, 10, 10, 1)
 
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMPONENT_ID):
@@ -43,6 +49,21 @@ def _send_battery_status(state, link):
         link.send(telemetry.build_battery_status(state))
 
 
+def _send_battery_status_v2(state, link):
+    if state.battery.monitored:  # what is not measured is not reported
+        link.send(telemetry.build_battery_status_v2(state))
+
+
+def _send_smart_battery_info(state, link):
+    if state.battery.monitored:  # what is not measured is not reported
+        link.send(telemetry.build_smart_battery_info(state))
+
+
+def _send_battery_info(state, link):
+    if state.battery.monitored:  # what is not measured is not reported
+        link.send(telemetry.build_battery_info(state))
+
+
 def _send_autopilot_version(state, link):
     link.send(telemetry.build_autopilot_version(state))
 
@@ -51,12 +72,40 @@ def _send_protocol_version(state, link):
     link.send(telemetry.build_protocol_version(state))
 
 
+def _send_battery_cell_voltages(state, link):
+    if state.battery.monitored:  # what is not measured is not reported
+        link.send(telemetry.build_battery_cell_voltages(state))
+
+
 _SENDERS = (
     _send_heartbeat,
     _send_battery_status,
+    _send_battery_status_v2,
+    _send_smart_battery_info,
+    _send_battery_info,
     _send_autopilot_version,
     _send_protocol_version,
+    _send_battery_cell_voltages,
 )
+
+
+def _announce_smart_battery_info(state, link, _instance, _page):
+    if state.battery.monitored:
+        link.send(telemetry.build_smart_battery_info(state))
+
+
+def _announce_battery_info(state, link, _instance, _page):
+    if state.battery.monitored:
+        link.send(telemetry.build_battery_info(state))
+
+
+# What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.
+# The first _ON_CONNECTION of them are for who appears on the link.
+_ANNOUNCED = (
+    (3, _announce_smart_battery_info, 0, 0),
+    (4, _announce_battery_info, 0, 0),
+)
+_ON_CONNECTION = 2
 
 
 class Streams:
@@ -64,6 +113,8 @@ class Streams:
 
     A message's rate is that of its stream: fixed, or set by a parameter. request() overrides it for a stream until the
     parameter changes, set_interval() for a message until it is called again.
+
+    Of two generations of messages only the chosen one is streamed and announced; send() and set_interval() reach both.
     """
 
     def __init__(self, state, link):
@@ -79,21 +130,78 @@ class Streams:
         # The period that _find_period() found, in milliseconds.
         self._numerator = 0
         self._denominator = 1
+        self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
+        self._seen = [state.battery.swaps_number]
+        self.connect()
 
     def run(self, now_ms):
         """Send what is due; call it in every pass of the main loop with time.ticks_ms()."""
         if self._state.parameters.changes != self._changes:
             self._follow_parameters(now_ms)
-        for index in range(4):
+        for index in range(8):
             if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
                 self._send_due(index, now_ms)
 
     def connect(self):
         """Let everything be announced that who appears on the link has to know."""
-        # No message is sent on connection.
+        for place in range(_ON_CONNECTION):
+            self._waits[place] = 1
 
     def announce(self):
-        """Send what waits to be announced: nothing ever does."""
+        """Send at most one of the messages that wait to be announced; call it in every pass while the port is up."""
+        self._look_for_changes()
+        for place in range(len(_ANNOUNCED)):
+            if self._waits[place]:
+                self._waits[place] = 0  # before it can raise: so a faulty one goes
+                if self._is_off(_ANNOUNCED[place][0]):
+                    continue
+                if not self._send_announced(place):
+                    self._waits[place] = 1
+                return
+
+    def _look_for_changes(self):
+        """Let what tells about an instance be announced where a quantity of the instance has changed."""
+        state = self._state
+        seen = self._seen
+        value = state.battery.swaps_number
+        if value != seen[0]:
+            seen[0] = value
+            self._await(3, 0)  # SMART_BATTERY_INFO
+            self._await(4, 0)  # BATTERY_INFO
+
+    def _await(self, index, instance):
+        for place in range(len(_ANNOUNCED)):
+            if _ANNOUNCED[place][0] == index and _ANNOUNCED[place][2] == instance:
+                self._waits[place] = 1
+
+    def _is_off(self, index):
+        """Return whether a message is left out: by its generation, or because a ground station has switched it off."""
+        return self._interval_us[index] < 0 or not self._is_chosen(index)
+
+    def _is_announced_soon(self, index):
+        """Return whether a message waits; then all of its instances do, so that its stream need not send it, too."""
+        found = False
+        for place in range(len(_ANNOUNCED)):
+            if _ANNOUNCED[place][0] == index and self._waits[place]:
+                found = True
+        if found:
+            for place in range(len(_ANNOUNCED)):
+                if _ANNOUNCED[place][0] == index:
+                    self._waits[place] = 1
+        return found
+
+    def _send_announced(self, place):
+        """Send one frame; return False if the port did not take it, so that it is not counted as lost either."""
+        link = self._link
+        sequence = link.sequence
+        errors = link.tx_errors
+        announced = _ANNOUNCED[place]
+        announced[1](self._state, link, announced[2], announced[3])
+        if link.tx_errors == errors:
+            return True
+        link.sequence = sequence
+        link.tx_errors = errors
+        return False
 
     def send(self, message_id):
         """Send a message once, each of its instances; return whether this vehicle has it."""
@@ -153,7 +261,7 @@ class Streams:
     def _parameter_steps(self):
         """Return what the parameters of the streams are, in steps."""
         parameters = self._state.parameters
-        return [parameters.batt_status_rate]
+        return [parameters.batt_status_rate, parameters.batt_status_rate]
 
     def _follow_parameters(self, now_ms):
         """Drop what was asked for where the stream's parameter has changed."""
@@ -162,6 +270,9 @@ class Streams:
         if steps[0] != self._steps[0]:
             self._override(1, OFF, now_ms)
             self._restart_stream(1, now_ms)
+        if steps[1] != self._steps[1]:
+            self._override(2, OFF, now_ms)
+            self._restart_stream(2, now_ms)
         self._steps = steps
 
     def _restart_stream(self, stream, now_ms):
@@ -183,6 +294,8 @@ class Streams:
             due_ms = time.ticks_add(now_ms, parts // self._denominator)
         self._due_ms[index] = due_ms
         self._rest[index] = parts % self._denominator
+        if not self._is_off(index) and self._is_announced_soon(index):
+            return
         self._send(index)
 
     def _find_period(self, index):
@@ -193,7 +306,7 @@ class Streams:
             self._denominator = 1000
             return interval_us > 0
         stream = _STREAMS[index]
-        if stream is None:
+        if stream is None or not self._is_chosen(index):
             return False
         if self._asked_hz[stream] >= 0:
             self._numerator = 1000
@@ -202,13 +315,22 @@ class Streams:
             self._find_own_period(stream)
         return self._denominator > 0
 
+    def _is_chosen(self, index):
+        """Return whether the generation of a message is sent without being asked for."""
+        parameters = self._state.parameters
+        # BATT_REPORT is 0 for the old ones, 1 for the new ones, 2 for both (FR-00072.2)
+        return _GENERATIONS[index] & (parameters.batt_report + 1) != 0
+
     def _find_own_period(self, stream):
         if stream == 0:  # HEARTBEAT: 1 Hz (FR-00074.1)
             self._numerator = 1000
             self._denominator = 1
-        elif stream == 1:  # STATUS: BATT_STATUS_RATE sets the rate (FR-00074.3)
+        elif stream in (1, 2):  # EXTRA1, EXTRA3: BATT_STATUS_RATE sets the rate (FR-00074.3)
             self._numerator = 10000
             self._denominator = self._state.parameters.batt_status_rate
+        elif stream == 3:  # INFO: 0.05 Hz (FR-00074.4)
+            self._numerator = 20000
+            self._denominator = 1
 
     def _send(self, index):
         _SENDERS[index](self._state, self._link)

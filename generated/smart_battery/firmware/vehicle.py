@@ -1,6 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
-#   specs/smart_battery/parameters.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: f5823ea628a5a5b2
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
+#   specs/smart_battery/vehicle.yaml: do not edit.
+# Inputs: be75a978e7b71f18
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -91,7 +92,6 @@ class Vehicle:
 
     def _watch_battery(self):
         self.state.update_battery(self.board)
-        self.state.vehicle.load_dpct = self.scheduler.load
 
     def _communicate(self):
         now_ms = time.ticks_ms()

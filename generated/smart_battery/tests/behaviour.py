@@ -2,12 +2,15 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
-#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
-#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
-#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
-#   dialect common: do not edit.
-# Inputs: cf64376f3ed6a6e2
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/protocol_version.yaml,
+#   specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
+#   specs/smart_battery/messages/battery_info.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml,
+#   specs/smart_battery/messages/smart_battery_info.yaml,
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
+#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
+# Inputs: 64c054bc39f30b07
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -187,6 +190,8 @@ def battery_late_reading_keeps_the_last_value():
 def battery_old_reading_is_unknown():
     for build in [
         telemetry.build_battery_status,
+        telemetry.build_battery_status_v2,
+        telemetry.build_battery_cell_voltages,
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
@@ -299,17 +304,10 @@ def every_value_allocates_nothing():
         (state.battery, "left_mah"),
         (state.battery, "counted_from_full"),
         (state.battery, "temperature_cdegc"),
-        (state.battery, "trend_mv_s"),
-        (state.battery, "health_number"),
-        (state.battery, "failsafe_number"),
         (state.battery, "swaps_number"),
         (state.battery, "monitored"),
+        (state.battery, "used_up"),
         (state.battery, "protected"),
-        (state.vehicle, "armed"),
-        (state.vehicle, "ready"),
-        (state.vehicle, "mode_number"),
-        (state.vehicle, "status"),
-        (state.vehicle, "load_dpct"),
     )
     heap_lock()
     try:
@@ -375,15 +373,33 @@ def sent_in_40_seconds(state, message_id):
 
 def heartbeat_stream_keeps_its_rate():
     state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
     assert abs(sent_in_40_seconds(state, 0) - 1 * 40) <= 1
 
 
-def status_stream_keeps_its_rate():
+def extra1_stream_keeps_its_rate():
     state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
     for rate in (0, 5, 100):
         state.parameters.batt_status_rate = rate
         expected = 1 * 40 * rate * 1 // 10
         assert abs(sent_in_40_seconds(state, 147) - expected) <= (expected > 0), rate
+
+
+def extra3_stream_keeps_its_rate():
+    state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
+    for rate in (0, 5, 100):
+        state.parameters.batt_status_rate = rate
+        expected = 1 * 40 * rate * 1 // 10
+        assert abs(sent_in_40_seconds(state, 369) - expected) <= (expected > 0), rate
+
+
+def info_stream_keeps_its_rate():
+    state = SystemState(log=Log())
+    state.parameters.batt_report = 2  # both generations
+    assert abs(sent_in_40_seconds(state, 370) - 1 * 2) <= 1
+    assert abs(sent_in_40_seconds(state, 372) - 1 * 2) <= 1
 
 
 def late_pass_sends_no_burst():
@@ -406,6 +422,7 @@ def parameters_start_with_their_defaults():
         ("batt_capacity", "BATT_CAPACITY", 3300, 3300.0),
         ("batt_id", "BATT_ID", 2, 2.0),
         ("batt_monitor", "BATT_MONITOR", 3, 3.0),
+        ("batt_report", "BATT_REPORT", 0, 0.0),
         ("batt_status_rate", "BATT_STATUS_RATE", 5, 0.5),
         ("batt_volt_mult", "BATT_VOLT_MULT", 39500, 3.95),
         ("batt_volt_pin", "BATT_VOLT_PIN", 26, 26.0),
@@ -414,7 +431,7 @@ def parameters_start_with_their_defaults():
     ):
         assert getattr(parameters, attribute) == steps, name
         assert abs(parameters.get(name) - value) < 1e-5, name
-    assert len(parameters.names()) == 8
+    assert len(parameters.names()) == 9
 
 
 def parameters_keep_their_limits():
@@ -434,6 +451,10 @@ BUILDERS = (
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
+    telemetry.build_battery_status_v2,
+    telemetry.build_smart_battery_info,
+    telemetry.build_battery_info,
+    telemetry.build_battery_cell_voltages,
 )
 
 STEADY = (  # those without live float fields, which allocate
@@ -441,6 +462,8 @@ STEADY = (  # those without live float fields, which allocate
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
+    telemetry.build_smart_battery_info,
+    telemetry.build_battery_cell_voltages,
 )
 
 CHECKS = (
@@ -458,7 +481,9 @@ CHECKS = (
     ("NFR-00062.2", battery_scenarios),
     ("NFR-00060.3", battery_steady_cycle_allocates_nothing),
     ("FR-00074.1", heartbeat_stream_keeps_its_rate),
-    ("FR-00074.3", status_stream_keeps_its_rate),
+    ("FR-00074.3", extra1_stream_keeps_its_rate),
+    ("FR-00074.3", extra3_stream_keeps_its_rate),
+    ("FR-00074.4", info_stream_keeps_its_rate),
     ("", every_value_allocates_nothing),
     ("", battery_cells_allocate_nothing),
     ("FR-00076.7", battery_cells_in_their_unit),

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 8da59537ca10de33
+# Inputs: 62d0801856aa06a9
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -130,6 +130,7 @@ def missed_slots_are_reported():
 def load_is_the_share_of_time():
     """Passes that take a fifth of their period are a load of 20 %."""
     rover = new_rover()
+    needs(hasattr(getattr(rover.state, "vehicle", None), "load_dpct"), "the load in the state")
     rover.scheduler._control.call = lambda: mock_time.advance_us(CONTROL_US // 5)
     run(rover, 5 * SECOND_US)
     assert abs(rover.state.vehicle.load_dpct - 200) <= 1, rover.state.vehicle.load_dpct
@@ -151,6 +152,8 @@ def faults_do_not_stop_the_loop():
         rover.scheduler._control.call = control
         run(rover, SECOND_US)
     assert len(rover.said("control failed")) == 2, rover.said()
+    if FORCE_ARM is None:
+        return  # nothing is armed, so nothing is checked
     rover.check_arming = fail
     run(rover, SECOND_US)
     assert not rover.state.vehicle.ready, "a check that fails is no reason to be ready"

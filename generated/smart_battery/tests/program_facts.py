@@ -2,11 +2,15 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
-#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
-#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
-#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: 60788b4b1227be9e
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/protocol_version.yaml,
+#   specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
+#   specs/smart_battery/messages/battery_info.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml,
+#   specs/smart_battery/messages/smart_battery_info.yaml,
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
+#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
+# Inputs: 4497d803572d2aa1
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -31,8 +35,9 @@ REQUIREMENTS = {
     "update": "FR-00067",
     "telemetry": "FR-00074",
     "conversion": "FR-00069",
-    "generations": "",
-    "announcements": "",
+    "generations": "FR-00072",
+    "announcements": "FR-00074",
+    "returns": "FR-00073",
     "services": "FR-00070",
     "loop": "FR-00071",
     "storage": "NFR-00061",
@@ -72,8 +77,15 @@ MEASURED = (
             "multiplier": [],
             "enabled_by": [],
         },
-        "trend": "trend_mv_s",
-        "trend_half": 20,
+        "returns": {
+            "gone": "absent",
+            "below": [3000],
+            "count": "swaps_number",
+            "title": "Battery",
+            "restarting": [],
+        },
+        "trend": None,
+        "trend_half": 0,
         "estimate": None,
         "estimate_points": [],
     },
@@ -122,6 +134,18 @@ PARAMETERS = (
         "type": 2,
         "after_restart": True,
         "choices": (0, 3),
+    },
+    {
+        "name": "BATT_REPORT",
+        "attribute": "batt_report",
+        "default": 0,
+        "minimum": 0,
+        "maximum": 2,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 2,
+        "after_restart": False,
+        "choices": (0, 1, 2),
     },
     {
         "name": "BATT_STATUS_RATE",
@@ -204,7 +228,7 @@ STREAMS = (
         "messages": [(0, 1, False)],
     },
     {
-        "name": "STATUS",
+        "name": "EXTRA1",
         "period_numerator": 0,
         "period_denominator": 1,
         "parameter": "batt_status_rate",
@@ -218,16 +242,55 @@ STREAMS = (
         "fastest_hz": 10,
         "messages": [(147, 1, True)],
     },
+    {
+        "name": "EXTRA3",
+        "period_numerator": 0,
+        "period_denominator": 1,
+        "parameter": "batt_status_rate",
+        "parameter_name": "BATT_STATUS_RATE",
+        "numerator": 1,
+        "denominator": 10,
+        "default": 5,
+        "minimum": 0,
+        "maximum": 100,
+        "data_stream": 12,
+        "fastest_hz": 10,
+        "messages": [(369, 1, True)],
+    },
+    {
+        "name": "INFO",
+        "period_numerator": 20000,
+        "period_denominator": 1,
+        "parameter": None,
+        "parameter_name": "",
+        "numerator": 1,
+        "denominator": 1,
+        "default": 0,
+        "minimum": 0,
+        "maximum": 0,
+        "data_stream": None,
+        "fastest_hz": 1,
+        "messages": [(370, 1, True), (372, 1, True)],
+    },
 )
 
 # Ids of the messages that are sent on request only, and the shortest interval of each message in microseconds.
-ON_REQUEST = [148, 300]
-SENT = (0, 147, 148, 300)
-SHORTEST_US = (100000, 100000, 100000, 100000)
+ON_REQUEST = [148, 300, 54371]
+SENT = (0, 147, 369, 370, 372, 148, 300, 54371)
+SHORTEST_US = (100000, 100000, 100000, 1000000, 1000000, 100000, 100000, 100000)
 
 # Generations of messages: the parameter that chooses ("" for a fixed choice), the ids of each, bytes per second of the
 # old one, the new one and both: the least and the most.
-GENERATIONS = ()
+GENERATIONS = (
+    {
+        "parameter": "BATT_REPORT",
+        "attribute": "batt_report",
+        "default": 0,
+        "old": (147, 370),
+        "new": (369, 372),
+        "prices": ((28.95, 36.95), (12.35, 25.35), (41.3, 62.3)),
+    },
+)
 
 # Messages by id: the component that they are about with the boolean that switches it on, the default rate in Hz, the
 # least and the most bytes of a frame by instance, and what announces them.
@@ -248,7 +311,7 @@ MESSAGES = {
         "instances": 1,
         "pages": 1,
         "rate": 0.5,
-        "frames": ((47, 48),),
+        "frames": ((47, 63),),
         "on_connection": False,
         "watched": None,
     },
@@ -269,6 +332,46 @@ MESSAGES = {
         "pages": 1,
         "rate": 0.0,
         "frames": ((17, 17),),
+        "on_connection": False,
+        "watched": None,
+    },
+    369: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.5,
+        "frames": ((13, 39),),
+        "on_connection": False,
+        "watched": None,
+    },
+    370: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.05,
+        "frames": ((109, 109),),
+        "on_connection": True,
+        "watched": ("battery", "swaps_number"),
+    },
+    372: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.05,
+        "frames": ((117, 117),),
+        "on_connection": True,
+        "watched": ("battery", "swaps_number"),
+    },
+    54371: {
+        "component": "battery",
+        "enabled": "monitored",
+        "instances": 1,
+        "pages": 1,
+        "rate": 0.0,
+        "frames": ((13, 40),),
         "on_connection": False,
         "watched": None,
     },

@@ -2,12 +2,15 @@
 #   specs/dialects/battery_upstream.xml, specs/dialects/corrections.yaml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
-#   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
-#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
-#   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
-#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
-#   dialect common: do not edit.
-# Inputs: cf64376f3ed6a6e2
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_status.yaml,
+#   specs/messages/battery_status_v2.yaml, specs/messages/protocol_version.yaml,
+#   specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
+#   specs/smart_battery/messages/battery_info.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml,
+#   specs/smart_battery/messages/smart_battery_info.yaml,
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
+#   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
+# Inputs: 64c054bc39f30b07
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -51,23 +51,20 @@ def battery_inputs(system: System) -> tuple[BatteryInput, ...]:
     voltage = _conversion(component, "voltage")
     current = _conversion(component, "current")
     assert voltage is not None
-    prefixes = [part.prefix or FIRST_PREFIX for part in getattr(component, "parts", ())] or [
-        FIRST_PREFIX
-    ] * component.instances
     return tuple(
         BatteryInput(
-            prefix,
-            _input(voltage, instance, system),
-            None if current is None else _input(current, instance, system),
+            part.prefix or FIRST_PREFIX,
+            _input(voltage, part.number, system),
+            None if current is None else _input(current, part.number, system),
         )
-        for instance, prefix in enumerate(prefixes)
+        for part in component.parts
     )
 
 
 def first_number(system: System) -> str | None:
     """The name of the parameter with the id of the first battery; None where the ids begin with 0."""
-    parameter = getattr(_battery(system), "first_number", None)
-    return None if parameter is None else str(parameter.name)
+    component = _battery(system)
+    return component.first_number.name if component and component.first_number else None
 
 
 def _battery(system: System) -> Component | None:
@@ -90,5 +87,4 @@ def _input(conversion: Conversion, instance: int, system: System) -> AdcInput:
 
 def _sibling(parameter: Parameter, instance: int, system: System) -> Parameter:
     """The parameter of a family that belongs to an instance, from 0; one that is no family belongs to all."""
-    names: tuple[str, ...] = getattr(parameter, "siblings", ())
-    return system.parameters[names[instance]] if names else parameter
+    return system.parameters[parameter.siblings[instance]] if parameter.siblings else parameter

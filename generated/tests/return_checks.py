@@ -1,0 +1,216 @@
+# Generated from templates/tests/program/return_checks.py: do not edit.
+# Inputs: 3f93905cdffee6b2
+"""What was gone and comes back, such as a pack that is exchanged: it counts once, is told, and counting begins anew."""
+
+from instance_checks import rover_with
+from program_bench import (
+    CONTROL_US,
+    IS_MICROPYTHON,
+    SECOND_US,
+    Sink,
+    analog,
+    good_count,
+    machine,
+    main,
+    mock_time,
+    needs,
+    new_rover,
+    run,
+)
+from program_facts import MEASURED, MESSAGES
+
+import dialect
+
+try:
+    from micropython import mem_total
+except ImportError:  # CPython has no heap that grows silently
+    mem_total = None
+
+WORTH = 77  # of what is counted, before something returns
+
+
+def _returning():
+    found = [measured for measured in MEASURED if measured["returns"]]
+    needs(found, "something that counts what comes back")
+    return found
+
+
+def _inputs(measured):
+    """Return a call for a vehicle, and by instance that can be on, the script of its ADC input."""
+    families = measured["families"]
+    if measured["instances"] > 1 and families["pin"] and families["enabled_by"]:
+        pins = [26, 27, 28][: measured["instances"]]
+        return lambda **arguments: rover_with(measured, **arguments), [machine.analog(pin) for pin in pins]
+    return new_rover, [analog(measured)]
+
+
+def _owner(rover, measured, instance):
+    owner = getattr(rover.state, measured["component"])
+    return owner[instance] if isinstance(owner, list) else owner
+
+
+def _counts(rover, measured, places):
+    return [getattr(_owner(rover, measured, place), measured["returns"]["count"]) for place in range(places)]
+
+
+def _texts(rover):
+    return [text for text in rover.said() if text[1].endswith(" connected")]
+
+
+def _title(measured, instance):
+    return measured["returns"]["title"] + (f" {instance + 1}" if measured["instances"] > 1 else "")
+
+
+def gone_and_back_counts_once():
+    """However long it is gone, and however long it is back: one more, and one text that says which."""
+    for measured in _returning():
+        start, inputs = _inputs(measured)
+        for instance, wire in enumerate(inputs):
+            rover = start()
+            run(rover, SECOND_US)
+            expected = [0] * len(inputs)
+            for turn in (1, 2):
+                wire.source = 0
+                run(rover, turn * SECOND_US)
+                assert _counts(rover, measured, len(inputs)) == expected, "gone is not back"
+                wire.source = good_count(measured)
+                run(rover, 3 * SECOND_US)
+                expected[instance] += 1
+                assert _counts(rover, measured, len(inputs)) == expected
+                texts = [(dialect.MAV_SEVERITY_NOTICE, _title(measured, instance) + " connected")] * turn
+                assert _texts(rover) == texts, _texts(rover)
+
+
+def only_what_is_below_the_limit_is_gone():
+    """To the stored unit, and by readings: the last count that is enough, and the first that is not."""
+    for measured in _returning():
+        limits = measured["returns"]["below"]
+        needs(limits, "a limit below which it is gone")
+        start, inputs = _inputs(measured)
+        for instance, wire in enumerate(inputs):
+            rover = start()
+            owner = _owner(rover, measured, instance)
+            for value, is_gone in ((limits[instance], False), (limits[instance] - 1, True), (None, False)):
+                setattr(owner, measured["attribute"], value)
+                assert getattr(owner, measured["returns"]["gone"]) is is_gone, value
+            attribute = measured["families"]["multiplier"]
+            multiplier = getattr(rover.parameters, attribute[instance] if attribute else measured["multiplier"])
+            steps = (multiplier * measured["numerator"], measured["denominator"])
+            least = 0
+            while (least * steps[0] * 2 + steps[1]) // (steps[1] * 2) < limits[instance]:
+                least += 1
+            for count, is_gone in ((least, 0), (least - 1, 1)):
+                wire.source = count << measured["spare_bits"]
+                run(rover, SECOND_US)
+                wire.source = good_count(measured)
+                run(rover, SECOND_US)
+                assert _counts(rover, measured, len(inputs))[instance] == is_gone, (count, is_gone)
+
+
+def a_failed_reading_says_nothing():
+    """A value that is unknown for a while is no absence, and an absence is not forgotten over failed readings."""
+    for measured in _returning():
+        start, inputs = _inputs(measured)
+        rover = start()
+        run(rover, SECOND_US)
+        for before, count in ((good_count(measured), 0), (0, 1)):
+            for source in (before, None, good_count(measured)):
+                inputs[0].source = source
+                run(rover, 3 * SECOND_US)
+            assert _counts(rover, measured, 1) == [count], before
+            assert len(_texts(rover)) == count
+
+
+def put_in_after_the_start():
+    """What was not there at the start, and is put in, counts and is told; nothing is told before that is untrue."""
+    for measured in _returning():
+        start, inputs = _inputs(measured)
+        rover = start()
+        inputs[-1].source = 0
+        run(rover, 3 * SECOND_US)
+        assert _counts(rover, measured, len(inputs)) == [0] * len(inputs)
+        assert _texts(rover) == []
+        inputs[-1].source = good_count(measured)
+        run(rover, SECOND_US)
+        assert _counts(rover, measured, len(inputs))[-1] == 1
+        assert [text for _, text in _texts(rover)] == [_title(measured, len(inputs) - 1) + " connected"]
+
+
+def counting_begins_anew():
+    """Back, and not before: a number is 0, a boolean as at first; what is unknown, and what others have, stays."""
+    for measured in _returning():
+        restarting = measured["returns"]["restarting"]
+        needs(restarting, "something that begins anew")
+        start, inputs = _inputs(measured)
+        for is_known in (True, False):
+            rover = start()
+            run(rover, SECOND_US)
+            for attribute, initial in restarting:
+                before = (WORTH if initial is None else not initial) if is_known else None
+                after = (0 if is_known else None) if initial is None else initial
+                for instance in range(len(inputs)):
+                    setattr(_owner(rover, measured, instance), attribute, before)
+                expected = [before] * len(inputs)
+                for source in (0, good_count(measured)):
+                    inputs[0].source = source
+                    run(rover, SECOND_US)
+                    expected[0] = before if source == 0 else after
+                    found = [getattr(_owner(rover, measured, place), attribute) for place in range(len(inputs))]
+                    assert found == expected, (attribute, source, found)
+
+
+def its_info_is_sent_at_once():
+    """Messages that a change of the count announces go out within a fraction of a second after the reading."""
+    for measured in _returning():
+        watched = (measured["component"], measured["returns"]["count"])
+        numbers = [number for number, facts in MESSAGES.items() if facts["watched"] == watched]
+        needs(numbers, "a message that is sent when something comes back")
+        start, inputs = _inputs(measured)
+        rover = start()
+        run(rover, SECOND_US)
+        inputs[0].source = 0
+        run(rover, SECOND_US)
+        rover.port.frames = []
+        run(rover, SECOND_US // 2)
+        before = [frame for frame in rover.port.frames if _id(frame) in numbers]
+        inputs[0].source = good_count(measured)
+        rover.port.frames = []
+        run(rover, SECOND_US // 2)
+        after = [frame for frame in rover.port.frames if _id(frame) in numbers]
+        assert (len(before), len(after)) == (0, 1), (len(before), len(after))
+
+
+def _id(frame):
+    return frame[7] | frame[8] << 8 | frame[9] << 16
+
+
+def one_that_is_gone_allocates_nothing():
+    """While it is away the readings go on, and leave the heap alone as ever."""
+    needs(IS_MICROPYTHON, "a heap that tells")
+    for measured in _returning():
+        start, inputs = _inputs(measured)
+        rover = start(ports=[Sink()])
+        run(rover, 20 * SECOND_US)
+        for source in (0, good_count(measured)):
+            for wire in inputs:
+                wire.source = source
+            run(rover, 20 * SECOND_US)
+            before = mem_total()
+            for _ in range(800):
+                rover.run_pass()
+                mock_time.advance_us(CONTROL_US)
+            assert mem_total() == before, (source, mem_total() - before)
+
+
+CHECKS = (
+    ("returns", 8, gone_and_back_counts_once),
+    ("returns", 8, only_what_is_below_the_limit_is_gone),
+    ("returns", 8, a_failed_reading_says_nothing),
+    ("returns", 8, put_in_after_the_start),
+    ("returns", 8, counting_begins_anew),
+    ("returns", 8, its_info_is_sent_at_once),
+    ("returns", 8, one_that_is_gone_allocates_nothing),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)
