@@ -339,7 +339,8 @@ def _warning(quantity: Quantity) -> str:
     if quantity.warn_above is None:
         return ""
     pause = "" if quantity.warn_every_ms is None else f", every {quantity.warn_every_ms} ms at most"
-    return f"above {quantity.warn_above} {quantity.stored.name}{pause}"
+    limits = ", ".join(str(limit) for limit in dict.fromkeys(quantity.warn_above))
+    return f"above {limits} {quantity.stored.name}{pause}"
 
 
 def _becomes_unknown(quantity: Quantity) -> str:

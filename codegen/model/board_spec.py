@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import ClassVar, Literal
 
 from codegen.model.described import Amount, described
-from codegen.source import Written
+from codegen.source import Place, Written
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,3 +99,10 @@ class BoardSpec(Written):
         "rest, such as 3.84 V: 50.",
         default_factory=dict,
     )
+
+    def fact_place(self, component: str, number: int, fact: str) -> Place:
+        """Where a fact of an instance is written: with the instance, or with the component."""
+        written = self.instances.get(component, ())
+        if number < len(written) and fact in written[number].facts:
+            return written[number].at(f"facts.{fact}")
+        return self.at(f"facts.{component}.{fact}")

@@ -49,6 +49,9 @@ class FieldAnswer(Written):
     dialect: str | None = described("A fact of the dialect: version.", default=None)
     unknown: Literal[True] | None = described("The dialect's sentinel.", default=None)
     first: int = described("For each: the value that the first element takes, from 0.", "from", default=0)
+    per_cell: bool = described(
+        "For board: the fact is that of one cell, and the fact cells of the instance multiplies it.", default=False
+    )
     split: bool = described("Spill a value that one element cannot hold over the following ones.", default=False)
     min: str | Fraction | None = described("Smallest value sent, in the source's unit or as an amount.", default=None)
     max: str | Fraction | None = described("Largest value sent, in the source's unit or as an amount.", default=None)

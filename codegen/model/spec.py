@@ -104,7 +104,9 @@ class QuantitySpec(Written):
     )
     below: Fraction | None = described("For follows: it is true below this value, in its unit.", default=None)
     per_cell: bool = described(
-        "The limit is for one cell: the fact cells of the component multiplies it.", default=False
+        "The limit, or warn_above, is for one cell: the fact cells of each instance multiplies it. A warn_above is "
+        "rounded to the unit that the quantity is stored in.",
+        default=False,
     )
     counts_returns_of: str | None = described(
         "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "

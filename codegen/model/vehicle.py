@@ -155,6 +155,7 @@ class Quantity(Cited):
     the quantity of the same component that a boolean follows, ``enabled_by`` the parameter that it follows: it
     cannot be set then, as a boolean that ``follows`` a limit.
     With ``elements`` it is a list of such integers, each of which can be None; they are counted for each instance.
+    ``warn_above`` is the value above which a warning is logged, by instance.
     """
 
     component: str
@@ -175,7 +176,7 @@ class Quantity(Cited):
     estimate: Estimate | None
     enum: EnumDefinition | None
     conversion: Conversion | None
-    warn_above: int | None
+    warn_above: tuple[int, ...] | None
     warn_every_ms: int | None
     stale_after_ms: int | None
     spec: QuantitySpec

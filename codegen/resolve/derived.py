@@ -9,7 +9,7 @@ from codegen.model.dialect import Dialect
 from codegen.model.spec import ComponentSpec, QuantitySpec, Spec
 from codegen.model.unit import NUMBER, UNITS, Unit, read_measure
 from codegen.model.vehicle import Estimate, Instance, Quantity, Trend
-from codegen.resolve.instances import cells_of, fact_place
+from codegen.resolve.instances import cells_of
 from codegen.resolve.measure import UNIT_MISMATCH, read_time
 from codegen.source import Place
 
@@ -126,7 +126,7 @@ def _report_chemistry(
     answers = (answer for population in whole.populations for answer in population.fields.values())
     if not any(answer.board == f"{component}.chemistry" for answer in answers):
         message = f"MAV_BATTERY_TYPE has no entry {chemistry}"
-        place = fact_place(whole, component, part.number, "chemistry")
+        place = whole.board.fact_place(component, part.number, "chemistry")
         report.add(BAD_ESTIMATE, place, message, did_you_mean(chemistry, names))
 
 

@@ -7,10 +7,10 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
 from codegen.model.spec import Spec, StateSpec
 from codegen.model.system import Elements, FixedBinding, FlagsBinding, PartBinding, TextBinding
-from codegen.model.unit import read_measure
-from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.model.unit import decimal, read_measure
+from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind
 from codegen.resolve.constant import BAD_CONSTANT, bind_constant, fits
-from codegen.resolve.instances import known_facts
+from codegen.resolve.instances import cells_of, known_facts
 from codegen.resolve.state import UNKNOWN_ENTRY, UNKNOWN_ENUM, UNKNOWN_QUANTITY
 from codegen.source import Place
 
@@ -174,6 +174,11 @@ def bind_fact(
         message = f"board.yaml has no fact {name} of {owner} {facts.index(None) + 1}"
         report.add(UNKNOWN_FACT, place, message, f"state it under instances, or under facts for every {owner}")
         return None
+    if covers.answer.per_cell:
+        times = _of_packs(covers, path, found, parts, report)
+        if times is None:
+            return None
+        found = times
     bindings = []
     for fact in dict.fromkeys(found):
         binding = _bind_value(covers, fact, dialect, report)
@@ -184,6 +189,22 @@ def bind_fact(
         return bindings[0]
     by_fact = dict(zip(dict.fromkeys(found), bindings, strict=True))
     return PartBinding(covers, tuple(by_fact[fact] for fact in found))
+
+
+def _of_packs(
+    covers: Elements, path: str, facts: list[str | Fraction], parts: tuple[Instance, ...], report: Report
+) -> list[str | Fraction] | None:
+    """Facts of one cell, by instance, as those of the packs: numbers or amounts times the fact cells."""
+    packs: list[str | Fraction] = []
+    for fact, part in zip(facts, parts, strict=False):
+        cells = cells_of(part)
+        measure = read_measure(fact) if isinstance(fact, str) else None
+        if cells is None or (isinstance(fact, str) and measure is None):
+            message = f"{path} of {fact} cannot be multiplied with {part.facts.get('cells', 'no number of')} cells"
+            report.add(UNKNOWN_FACT, covers.answer.at("per_cell"), message)
+            return None
+        packs.append(f"{decimal(measure.value * cells)} {measure.unit.name}" if measure else Fraction(fact) * cells)
+    return packs
 
 
 def _bind_value(covers: Elements, fact: str | Fraction, dialect: Dialect, report: Report) -> FixedBinding | None:

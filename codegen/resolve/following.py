@@ -17,7 +17,8 @@ BAD_ELEMENTS = Rule(
 BAD_FOLLOWING = Rule(
     "bad-following",
     "A boolean that follows names a number of the same component and one limit for it, at_least or below, in its unit. "
-    "With per_cell the limit is multiplied with the fact cells, which board.yaml states for every instance.",
+    "With per_cell the limit, or warn_above, is multiplied with the fact cells, which board.yaml states for every "
+    "instance.",
 )
 MOST_ELEMENTS = 255
 
@@ -58,6 +59,11 @@ def _counts(
     return tuple(counts)
 
 
+def count_cells(component: str, facts: tuple[Facts, ...], place: Place, report: Report) -> tuple[int, ...] | None:
+    """The cells of each instance, which a limit per cell is multiplied with; None after a finding."""
+    return _counts("cells", component, facts, place, BAD_FOLLOWING, report)
+
+
 def resolve_following(
     spec: QuantitySpec,
     component: str,
@@ -68,7 +74,7 @@ def resolve_following(
     """The limit that a boolean follows, by instance; None where it follows none, or after a finding."""
     limits = [key for key in ("at_least", "below") if getattr(spec, key) is not None]
     if spec.follows is None:
-        for key in [*limits, *(["per_cell"] if spec.per_cell else [])]:
+        for key in [*limits, *(["per_cell"] if spec.per_cell and spec.warn_above is None else [])]:
             report.add(BAD_FOLLOWING, spec.at(key), f"{key} says nothing without follows")
         return None
     place = spec.at("follows")
@@ -91,7 +97,7 @@ def resolve_following(
         return None  # the units of the followed quantity have been reported
     counts: tuple[int, ...] | None = (1,) * len(facts)
     if spec.per_cell:
-        counts = _counts("cells", component, facts, spec.at("per_cell"), BAD_FOLLOWING, report)
+        counts = count_cells(component, facts, spec.at("per_cell"), report)
     if counts is None:
         return None
     written: Fraction = getattr(spec, limits[0])

@@ -66,14 +66,6 @@ def cells_of(instance: Instance) -> int | None:
     return int(cells) if isinstance(cells, Fraction) and cells.denominator == 1 and cells > 0 else None
 
 
-def fact_place(spec: Spec, component: str, number: int, fact: str) -> Place:
-    """Where a fact of an instance is written: with the instance, or with the component."""
-    written = spec.board.instances.get(component, ())
-    if number < len(written) and fact in written[number].facts:
-        return written[number].at(f"facts.{fact}")
-    return spec.board.at(f"facts.{component}.{fact}")
-
-
 def known_facts(spec: Spec, components: Mapping[str, Component]) -> list[str]:
     """Every fact that board.yaml states, as tables name them: ``battery.cells``."""
     names = {f"{owner}.{fact}" for owner, facts in spec.board.facts.items() for fact in facts}

@@ -22,7 +22,7 @@ from codegen.model.vehicle import (
 )
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived, resolve_estimate, resolve_trend
-from codegen.resolve.following import resolve_elements, resolve_following
+from codegen.resolve.following import count_cells, resolve_elements, resolve_following
 from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_rate, read_time
 from codegen.resolve.returns import resolve_returns
 from codegen.resolve.vehicle import find_parameter
@@ -50,6 +50,7 @@ _RESERVED_QUANTITIES = {
     "failures",
     "expires_ms",
     "warned_ms",
+    "warn_above",
     "expire",
     "set_count",
     "forget",
@@ -199,7 +200,7 @@ class _QuantityResolver:
         conversion = self._conversion(channels, parameters, stored)
         if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
             self._bad("invalid_after", f"invalid_after of {self.name} is {spec.invalid_after}, not 1 to 1000")
-        warn_above = None if spec.warn_above is None else self._in_steps("warn_above", spec.warn_above, steps)
+        warn_above = self._warn_above(steps, parts)
         stale_after, warn_every = self._time("stale_after", spec.stale_after), self._time("warn_every", spec.warn_every)
         trend = resolve_trend(spec, stored, period_ms, self.whole.state.components[self.component], self.report)
         estimate = resolve_estimate(spec, self.component, parts, self.whole, dialect, self.report)
@@ -282,6 +283,22 @@ class _QuantityResolver:
         elif abs(scaled) > SMALL_INT_MAX:
             self._bad(key, f"{key} of {self.name} is beyond a small integer in stored units")
         return int(scaled)
+
+    def _warn_above(self, steps: Fraction, parts: tuple[Instance, ...]) -> tuple[int, ...] | None:
+        """The value above which a warning is logged, by instance."""
+        written = self.spec.warn_above
+        if written is None:
+            return None
+        if not self.spec.per_cell:
+            return (self._in_steps("warn_above", written, steps),) * len(parts)
+        facts = tuple(part.facts for part in parts)
+        counts = count_cells(self.component, facts, self.spec.at("per_cell"), self.report)
+        if counts is None:
+            self.failed = True
+            return None
+        return tuple(
+            self._in_steps("warn_above", Fraction(round(written * count * steps)), Fraction(1)) for count in counts
+        )
 
     def _limits(self, steps: Fraction) -> tuple[int, int]:
         spec = self.spec

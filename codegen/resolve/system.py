@@ -257,6 +257,8 @@ class _Binder:
     def _report_pointless(self, answer: FieldAnswer) -> None:
         if "from" in answer.places and answer.each is None:
             self.report.add(POINTLESS_KEY, answer.at("from"), "from says nothing without each")
+        if "per_cell" in answer.places and answer.board is None:
+            self.report.add(POINTLESS_KEY, answer.at("per_cell"), "per_cell says nothing without board")
         if answer.each is not None and answer.state is None and "split" in answer.places:
             self.report.add(POINTLESS_KEY, answer.at("split"), "split says nothing without state beside each")
         if answer.state is not None or answer.each is not None or answer.parameter is not None:

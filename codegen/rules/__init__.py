@@ -6,6 +6,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.model.system import System
 from codegen.rules import (
     both_generations,
+    cell_room,
     enum_constant,
     full_scale,
     instance_field,
@@ -14,6 +15,7 @@ from codegen.rules import (
     overlay_flag,
     overlay_id,
     overlay_text,
+    pack_full_scale,
     protocol,
     shared_pin,
     small_int,
@@ -25,6 +27,7 @@ from codegen.rules import (
 
 RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
     both_generations.check,
+    cell_room.check,
     enum_constant.check,
     full_scale.check,
     instance_field.check,
@@ -33,6 +36,7 @@ RULES: tuple[Callable[[System], Iterator[Diagnostic]], ...] = (
     overlay_flag.check,
     overlay_id.check,
     overlay_text.check,
+    pack_full_scale.check,
     protocol.check,
     shared_pin.check,
     small_int.check,

@@ -4,6 +4,8 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.system import System
+from codegen.model.vehicle import by_instance
+from codegen.rules.pack_full_scale import full_voltage, largest
 
 RULE = Rule(
     "unreachable-threshold",
@@ -14,17 +16,24 @@ RULE = Rule(
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every measured quantity with a threshold."""
-    for _, quantity in system.measured():
+    """Every measured quantity with a threshold; where a full pack is beyond full scale, that is what is reported."""
+    for name, quantity in system.measured():
         conversion = quantity.conversion
         if conversion is None or quantity.warn_above is None:
             continue
-        product = conversion.channel.full_scale * conversion.multiplier.default * conversion.numerator
-        full_scale = product // conversion.denominator
-        if full_scale <= quantity.warn_above:
+        component = system.components[name]
+        multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
+        found = set()
+        for part, multiplier, limit in zip(component.parts, multipliers, quantity.warn_above, strict=True):
+            most = largest(conversion, multiplier, quantity)
+            full = full_voltage(system, part)
+            if most * quantity.steps > limit or (full is not None and full > most):
+                continue
+            found.add((int(most * quantity.steps), limit))
+        for full_scale, limit in sorted(found):
             yield Diagnostic(
                 quantity.spec.at("warn_above"),
                 RULE,
                 f"{quantity.path} reads at most {full_scale} {quantity.stored.name}",
-                f"the threshold is {quantity.warn_above} {quantity.stored.name}",
+                f"the threshold is {limit} {quantity.stored.name}",
             )

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from codegen.model.program import Program
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Parameter, Quantity
+from codegen.model.vehicle import Component, Parameter, Quantity, by_instance
 from codegen.render import render_template
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
@@ -31,6 +31,14 @@ class MeasuredFamilies:
 
 
 @dataclass(frozen=True, slots=True)
+class InputView:
+    """Where an instance is read by default, and whether it is measured at all."""
+
+    gpio: int
+    is_on: bool
+
+
+@dataclass(frozen=True, slots=True)
 class ProgramSuiteView:
     """What the checks of the program compare with; ``requirements`` are the documents of each topic of the checks."""
 
@@ -40,6 +48,7 @@ class ProgramSuiteView:
     parameters: tuple[ParameterView, ...]
     streams: StreamsView
     families: dict[str, MeasuredFamilies]
+    inputs: dict[str, tuple[InputView, ...]]
     generations: tuple[GenerationFacts, ...]
     messages: tuple[MessageFacts, ...]
     requirements: dict[str, str]
@@ -57,6 +66,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         parameters=parameter_views(system),
         streams=streams_view(system),
         families={name: _families(system.components[name], quantity) for name, quantity in system.measured()},
+        inputs={name: _inputs(system, system.components[name], quantity) for name, quantity in system.measured()},
         generations=generation_facts(system),
         messages=message_facts(system),
         requirements=_requirements(system, program),
@@ -74,6 +84,14 @@ def _families(component: Component, quantity: Quantity) -> MeasuredFamilies:
         multiplier=_attributes(conversion.multiplier if conversion else None),
         enabled_by=_attributes(switch.enabled_by if switch else None),
     )
+
+
+def _inputs(system: System, component: Component, quantity: Quantity) -> tuple[InputView, ...]:
+    assert quantity.conversion is not None
+    gpios = system.gpios(component, quantity.conversion.channel)
+    switch = component.enabled.enabled_by if component.enabled else None
+    switches = by_instance(switch, system.parameters, component.instances) if switch else (None,) * len(gpios)
+    return tuple(InputView(gpio, each is None or each.default != 0) for gpio, each in zip(gpios, switches, strict=True))
 
 
 def _attributes(parameter: Parameter | None) -> tuple[str, ...]:

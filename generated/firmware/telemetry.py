@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 465212464f0d957e
+# Inputs: 2c1c3831472298b2
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -478,7 +478,7 @@ def _new_smart_battery_info(instance):
     wire[19] = 1  # battery_function: MAV_BATTERY_FUNCTION_ALL
     wire[20] = 1  # type: MAV_BATTERY_TYPE_LIPO
     # serial_number: unknown ([0])
-    message.set("device_name", "generic_3S-3300")  # device_name: text
+    message.set("device_name", "generic_LiPo-3300")  # device_name: text
     pack_into("<H", wire, 87, 4200)  # charging_maximum_voltage: 4.2 V
     wire[89] = 3  # cells_in_series: 3
     pack_into("<I", wire, 90, 66000)  # discharge_maximum_current: 66 A
@@ -527,7 +527,7 @@ def _new_battery_info(instance):
     wire[48] = 3  # cells_in_series: 3
     # manufacture_date: unknown ([0])
     # serial_number: unknown ([0])
-    message.set("name", "generic_3S-3300")  # name: text
+    message.set("name", "generic_LiPo-3300")  # name: text
     return message
 
 

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: ef183aee74d3dab2
+# Inputs: 06b848c5d666076f
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames.py: do not edit.
-# Inputs: 8ae0d2d584aa14b8
+# Inputs: d34c507c5528049c
 """Making and reading frames, in the fastest form that this interpreter runs, and the table of their checksum.
 
 CPython has no module `micropython` (ImportError) or a mock of it (AttributeError), a port without native code cannot
@@ -32,7 +32,7 @@ def is_entry(value):
 
 
 # Entry 256 + n carries a byte n on over one step, entry n over two: so two bytes take two look-ups and no shift.
-TABLE = array("H", [0] * 512)
+TABLE = array("H", bytes(1024))  # 512 zeros; a list of them is a large piece of a heap that is in use
 for _byte in range(256):
     TABLE[256 + _byte] = _entry(_byte)
 for _byte in range(256):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/day_checks.py: do not edit.
-# Inputs: 3fd06c34c6c1eaf1
+# Inputs: d7fe1b59c3e844c3
 """A simulated day across the turn of ticks_ms(): no drift, no gap, and everything works after it."""
 
 from program_bench import (
@@ -8,7 +8,7 @@ from program_bench import (
     Sink,
     main,
     mock_time,
-    new_rover,
+    ready_rover,
     run,
 )
 from program_facts import CONTROL_US, FORCE_ARM, MEASURED, STREAMS
@@ -29,7 +29,7 @@ def day_across_the_wrap():
     """A day that begins half a day before ticks_ms() starts again: readings, streams, grid, all as at its start."""
     sink = Sink()
     start_us = TURN_MS_US - HALF_DAY_US
-    rover = new_rover(ports=[sink], at_us=start_us)
+    rover = ready_rover(ports=[sink], at_us=start_us)
     times = []
     rover.scheduler._control.call = lambda: times.append(mock_time.elapsed_us()) if not times else None
     run(rover, DAY_US, STEP_US)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: a391367a06147599
+# Inputs: 62d0801856aa06a9
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -10,6 +10,7 @@ from program_bench import (
     mock_time,
     needs,
     new_rover,
+    ready_rover,
     run,
 )
 from program_facts import CONTROL_US, FAILSAFES, FORCE_ARM, LINKS_US, MEASURED, REPORT_MS
@@ -47,7 +48,7 @@ def jitter_is_no_drift():
 def order_within_a_pass():
     """Control, then reading, failsafe, arming checks in the same pass, then the links; readings in their period."""
     needs(MEASURED, "something that is measured")
-    rover = new_rover()
+    rover = ready_rover()
     order = []
 
     def noted(name, call, owner, attribute):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: d5ea14d2b973e8d1
+# Inputs: 7315f696218355c9
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -29,6 +29,7 @@ from program_facts import (  # noqa: E402
     LINKS_US,
     MEASURED,
     ON_REQUEST,
+    PARAMETERS,
     SENT,
     SYSTEM_ID,
 )
@@ -260,24 +261,68 @@ def silent(_text):
 
 
 def new_rover(**arguments):
-    """Return a vehicle whose components read a good value, with working converters and empty flash."""
+    """Return a vehicle whose components read a good value, each instance its own, with working converters."""
     machine.reset_analog()
     for measured in MEASURED:
-        analog(measured).source = good_count(measured)
+        for instance in range(measured["instances"]):
+            if measured["are_on"][instance]:  # another one may have the pin of one that is off
+                analog(measured, instance).source = good_count(measured, instance)
     return Rover(**arguments)
 
 
-def analog(measured):
-    """Return the script of a component's ADC input."""
-    return machine.analog(measured["gpio"])
+def ready_rover(**arguments):
+    """Return the same with thresholds that the good values are above."""
+    return fitted(new_rover(**arguments))
 
 
-def good_count(measured):
+def fitted(rover):
+    """Lower thresholds that no value of the ADC is above: a default divider may be too small for its pack."""
+    for facts in FAILSAFES:
+        measured = next(each for each in MEASURED if each["component"] == facts["component"])
+        for instance in range(facts["instances"]):
+            value = good_value(measured, instance)
+            limits = []
+            for level, share in (("minimum", 9), ("low", 8), ("critical", 7)):
+                name = name_of(facts, level, instance)
+                if name:
+                    limits.append((name, facts[level + "_scale"], share))
+            if max(getattr(rover.parameters, name) * scale for name, scale, _ in limits) >= value:
+                for name, scale, share in limits:
+                    if getattr(rover.parameters, name):
+                        setattr(rover.parameters, name, value * share // 10 // scale)
+    return rover
+
+
+def name_of(facts, key, instance):
+    """Return the attribute of an instance's parameter, of a family or the only one."""
+    family = facts["families"][key]
+    return family[instance] if family else facts[key]
+
+
+def analog(measured, instance=0):
+    """Return the script of the ADC input that an instance of a component has by default."""
+    return machine.analog(measured["gpios"][instance])
+
+
+def good_count(measured, instance=0):
     """Return a count of the 12 bit converter that is neither low nor worth a warning."""
-    ceiling = measured["full_scale"]
-    if measured["warning_count"] is not None:
-        ceiling = measured["warning_count"] - 1
+    first = measured["warning_counts"][instance]
+    ceiling = measured["full_scale"] if first is None else first - 1
     return (ceiling * 19 // 20) << measured["spare_bits"]
+
+
+def good_value(measured, instance=0):
+    """Return what this count is in stored steps, with the default multiplier."""
+    return value_of(measured, good_count(measured, instance), instance)
+
+
+def value_of(measured, count, instance=0):
+    """Return what a count is in stored steps, with the default multiplier of an instance."""
+    family = measured["families"]["multiplier"]
+    name = family[instance] if family else measured["multiplier"]
+    multiplier = next(each["default"] for each in PARAMETERS if each["attribute"] == name)
+    whole = (count >> measured["spare_bits"]) * multiplier * measured["numerator"]
+    return (whole + measured["denominator"] // 2) // measured["denominator"]
 
 
 def run(vehicle, duration_us, step_us=None):
@@ -334,7 +379,7 @@ class Watch:
     def __init__(self, low, critical, timer, at_us=0, flash=None):
         needs(FAILSAFES, "a failsafe")
         self.facts = FAILSAFES[0]
-        self.rover = new_rover(at_us=at_us, flash=flash)
+        self.rover = ready_rover(at_us=at_us, flash=flash)
         self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafes")[0]
         component = getattr(self.rover.state, self.facts["component"])
         self.component = component if self.facts["instances"] == 1 else component[0]
@@ -352,7 +397,9 @@ class Watch:
         setattr(self.parameters, self.facts["critical"], critical // self.facts["critical_scale"])
         setattr(self.parameters, self.facts["after"], timer)
 
-    def _update(self, _board):
+    def _update(self, board):
+        for instance in range(1, self.facts["instances"]):
+            getattr(self.rover.state, "_update_" + self.facts["component"])(board, instance)
         setattr(self.component, self.facts["attribute"], self.value)
 
     def readings(self, value, count=1):

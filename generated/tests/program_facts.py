@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 2478e905922a0c2f
+# Inputs: 0fca1c85bcc29334
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -51,7 +51,8 @@ MEASURED = (
         "instances": 2,
         "name": "voltage",
         "attribute": "voltage_mv",
-        "gpio": 26,
+        "gpios": [26, 27],
+        "are_on": [True, False],
         "pin": "batt_volt_pin",
         "spare_bits": 0,
         "full_scale": 4095,
@@ -62,9 +63,8 @@ MEASURED = (
         "latched": True,
         "numerator": 11,
         "denominator": 136500,
-        "warn_above": 13000,
         "warn_every_ms": 10000,
-        "warning_count": 4085,
+        "warning_counts": [4085, 4085],
         "invalid_after": 5,
         "stale_after_ms": 1000,
         "period_us": 100000,
@@ -111,6 +111,7 @@ FAILSAFES = (
             "critical": ["batt_crt_volt", "batt2_crt_volt"],
             "low_action": ["batt_fs_low_act", "batt2_fs_low_act"],
             "critical_action": ["batt_fs_crt_act", "batt2_fs_crt_act"],
+            "minimum": ["batt_arm_volt", "batt2_arm_volt"],
             "after": ["batt_low_timer", "batt2_low_timer"],
         },
         "level": "failsafe_number",
@@ -541,7 +542,7 @@ GENERATIONS = (
         "default": 0,
         "old": (147, 370),
         "new": (369, 372),
-        "prices": ((99.45, 131.45), (18.85, 43.85), (118.3, 175.3)),
+        "prices": ((99.45, 131.45), (18.95, 43.95), (118.4, 175.4)),
     },
 )
 
@@ -624,7 +625,7 @@ MESSAGES = {
         "instances": 2,
         "pages": 1,
         "rate": 0.05,
-        "frames": ((117, 117), (117, 117)),
+        "frames": ((119, 119), (119, 119)),
         "on_connection": True,
         "watched": ("battery", "swaps_number"),
     },

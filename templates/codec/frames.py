@@ -30,7 +30,7 @@ def is_entry(value):
 
 
 # Entry 256 + n carries a byte n on over one step, entry n over two: so two bytes take two look-ups and no shift.
-TABLE = array("H", [0] * 512)
+TABLE = array("H", bytes(1024))  # 512 zeros; a list of them is a large piece of a heap that is in use
 for _byte in range(256):
     TABLE[256 + _byte] = _entry(_byte)
 for _byte in range(256):

@@ -53,6 +53,7 @@ class FailsafeView:
     after_name: str
     afters: tuple[str, ...]
     minimum: ThresholdView | None
+    minimums: tuple[str, ...]
     health: str | None
     level: str | None
     health_every_ms: int
@@ -113,6 +114,7 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
         after_name=failsafe.after.name,
         afters=tuple(map(parameter_attribute, failsafe.after.siblings)),
         minimum=None if failsafe.minimum_to_arm is None else _threshold(failsafe.minimum_to_arm, quantity),
+        minimums=tuple(map(parameter_attribute, failsafe.minimum_to_arm.siblings)) if failsafe.minimum_to_arm else (),
         health=failsafe.health.attribute if failsafe.health else None,
         level=failsafe.level.attribute if failsafe.level else None,
         health_every_ms=failsafe.health_every_ms,

@@ -8,7 +8,7 @@ from fractions import Fraction
 from codegen.model.spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
@@ -69,10 +69,11 @@ class MeasuredView:
     latched: bool
     numerator: int
     denominator: int
-    warn_above: int | None
+    warn_above: str | None
     warn_text: str
     warn_every_ms: int | None
-    warning_count: int | None
+    warnings: OwnView | None
+    warning_counts: tuple[int | None, ...]
     invalid_after: int | None
     stale_after_ms: int | None
     cited: Mapping[str, str]
@@ -159,7 +160,7 @@ class StateView:
 
 def state_view(system: System) -> StateView:
     """The view of the whole module."""
-    components = tuple(_component(component) for component in system.components.values())
+    components = tuple(_component(component, system) for component in system.components.values())
     used = set()
     if any(component.measured for component in components):
         used |= {"product"}
@@ -185,8 +186,10 @@ def _families(system: System) -> tuple[FamilyView, ...]:
     return tuple(family_view(parameter) for parameter in (*switches, *multipliers) if parameter.siblings)
 
 
-def _component(component: Component) -> ComponentView:
-    measured = [_measured(quantity) for quantity in component.quantities.values() if quantity.conversion]
+def _component(component: Component, system: System) -> ComponentView:
+    measured = [
+        _measured(quantity, component, system) for quantity in component.quantities.values() if quantity.conversion
+    ]
     return ComponentView(
         name=component.name,
         class_name=state_class(component.name),
@@ -252,13 +255,16 @@ def _limit_name(quantity: Quantity) -> str:
 
 def _own(quantity: Quantity) -> OwnView | None:
     """What is not the same in all instances, if there is such a thing."""
-    numbers = quantity.follows.limits if quantity.follows else quantity.elements or ()
+    if quantity.follows:
+        return _own_numbers(_limit_name(quantity), quantity.follows.limits)
+    own = _own_numbers(quantity.attribute, quantity.elements or ())
+    return own and OwnView(own.attribute, f"[None] * {own.first}", f"[None] * {own.each}")
+
+
+def _own_numbers(attribute: str, numbers: tuple[int, ...]) -> OwnView | None:
     if len(set(numbers)) <= 1:
         return None
-    listed = f"({', '.join(map(str, numbers))})[instance]"
-    if quantity.follows:
-        return OwnView(_limit_name(quantity), str(numbers[0]), listed)
-    return OwnView(quantity.attribute, f"[None] * {numbers[0]}", f"[None] * {listed}")
+    return OwnView(attribute, str(numbers[0]), f"({', '.join(map(str, numbers))})[instance]")
 
 
 def _trend(quantity: Quantity, component: Component) -> TrendView | None:
@@ -292,13 +298,19 @@ def _returns(component: Component) -> ReturnsView | None:
     )
 
 
-def _measured(quantity: Quantity) -> MeasuredView:
+def _measured(quantity: Quantity, component: Component, system: System) -> MeasuredView:
     conversion = quantity.conversion
     assert conversion is not None
     channel, multiplier = conversion.channel, conversion.multiplier
     warn_text = ""
+    warn_above = None
     if quantity.warn_above is not None:
-        warn_text = f"{decimal(quantity.warn_above / quantity.steps)} {quantity.unit.name}"
+        same = len(set(quantity.warn_above)) == 1
+        warn_above = str(quantity.warn_above[0]) if same else f"{quantity.component}.warn_above"
+        text = decimal(quantity.warn_above[0] / quantity.steps)
+        if not same:
+            text = f"{{{warn_above} / {decimal(quantity.steps)}}}"
+        warn_text = f"{text} {quantity.unit.name}"
     return MeasuredView(
         name=quantity.name,
         attribute=quantity.attribute,
@@ -313,22 +325,27 @@ def _measured(quantity: Quantity) -> MeasuredView:
         latched=multiplier.spec.reboot,
         numerator=conversion.numerator,
         denominator=conversion.denominator,
-        warn_above=quantity.warn_above,
+        warn_above=warn_above,
         warn_text=warn_text,
         warn_every_ms=quantity.warn_every_ms,
-        warning_count=_warning_count(quantity),
+        warnings=_own_numbers("warn_above", quantity.warn_above or ()),
+        warning_counts=_warning_counts(quantity, component, system),
         invalid_after=quantity.spec.invalid_after,
         stale_after_ms=quantity.stale_after_ms,
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )
 
 
-def _warning_count(quantity: Quantity) -> int | None:
-    """The smallest count that is warned about with the default multiplier; None if there is none."""
+def _warning_counts(quantity: Quantity, component: Component, system: System) -> tuple[int | None, ...]:
+    """The smallest count of each instance that is warned about with its default multiplier; None if there is none."""
     conversion = quantity.conversion
     if conversion is None or quantity.warn_above is None:
-        return None
-    per_count = Fraction(conversion.multiplier.default * conversion.numerator, conversion.denominator)
-    # Rounded to nearest, a result is above the threshold from half a step above it.
-    first = math.ceil((quantity.warn_above + Fraction(1, 2)) / per_count)
-    return first if 0 < first <= conversion.channel.full_scale else None
+        return (None,) * component.instances
+    multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
+    counts = []
+    for multiplier, limit in zip(multipliers, quantity.warn_above, strict=True):
+        per_count = Fraction(multiplier.default * conversion.numerator, conversion.denominator)
+        # Rounded to nearest, a result is above the threshold from half a step above it.
+        first = math.ceil((limit + Fraction(1, 2)) / per_count)
+        counts.append(first if 0 < first <= conversion.channel.full_scale else None)
+    return tuple(counts)

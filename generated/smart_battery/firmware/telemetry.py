@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: 270c84dd87515176
+# Inputs: bf1cf748e69338f8
 """Messages of the telemetry, one builder each.
 
 A builder fills in what changes and returns the same message object at each call: send or encode it before the next
@@ -353,7 +353,7 @@ def _new_smart_battery_info(instance):
     wire[19] = 1  # battery_function: MAV_BATTERY_FUNCTION_ALL
     wire[20] = 1  # type: MAV_BATTERY_TYPE_LIPO
     message.set("serial_number", hexlify(machine.unique_id()).decode()[:16])  # serial_number: number of the chip
-    message.set("device_name", "generic_3S-3300")  # device_name: text
+    message.set("device_name", "generic_LiPo-3300")  # device_name: text
     pack_into("<H", wire, 87, 4200)  # charging_maximum_voltage: 4.2 V
     wire[89] = 3  # cells_in_series: 3
     pack_into("<I", wire, 90, 66000)  # discharge_maximum_current: 66 A
@@ -404,7 +404,7 @@ def _new_battery_info(instance):
     wire[48] = 3  # cells_in_series: 3
     # manufacture_date: unknown ([0])
     message.set("serial_number", hexlify(machine.unique_id()).decode()[:32])  # serial_number: number of the chip
-    message.set("name", "generic_3S-3300")  # name: text
+    message.set("name", "generic_LiPo-3300")  # name: text
     return message
 
 

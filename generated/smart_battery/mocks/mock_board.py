@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: 55a8150856e85535
+# Inputs: 407b2c8dfc3c8582
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 64c054bc39f30b07
+# Inputs: a7e9f85cda6bbd3d
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -91,7 +91,7 @@ def fresh(count):
 
 def battery_mean():
     board, _, _ = fresh(0)
-    low = 1023
+    low = 1021
     counts = [low] * 4 + [low + 4]  # the mean is nearer to low + 1
     board.set_adc_waveform([count << 0 for count in counts])
     assert board.read_battery_adc() == low + 1
@@ -106,11 +106,11 @@ def battery_full_scale():
 
 
 def battery_failed_reading_keeps_the_last_value():
-    board, state, log = fresh(3071)
+    board, state, log = fresh(3063)
     state.update_battery(board)
     before = state.battery.voltage_mv
     assert before is not None
-    board.set_adc_value(1023)
+    board.set_adc_value(1021)
     board.fail_adc(1)
     state.update_battery(board)
     assert state.battery.voltage_mv == before
@@ -122,7 +122,7 @@ def battery_failed_reading_keeps_the_last_value():
 
 
 def battery_repeated_failures_make_it_unknown():
-    board, state, log = fresh(3071)
+    board, state, log = fresh(3063)
     state.update_battery(board)
     board.fail_adc(5)
     for failures in range(1, 6):
@@ -162,7 +162,7 @@ class BatteryOddity:
 def battery_broken_board_does_not_raise():
     oddities = (None, "12", -1, 4096, 12.5, float("nan"), OSError(5), ValueError())
     for board in [None] + [BatteryOddity(result) for result in oddities]:
-        good, state, log = fresh(3071)
+        good, state, log = fresh(3063)
         state.update_battery(good)
         before = state.battery.voltage_mv
         state.update_battery(board)
@@ -174,10 +174,10 @@ def battery_broken_board_does_not_raise():
 
 
 def battery_late_reading_keeps_the_last_value():
-    board, state, log = fresh(3071)
+    board, state, log = fresh(3063)
     state.update_battery(board)
     before = state.battery.voltage_mv
-    board.set_adc_value(1023)
+    board.set_adc_value(1021)
     board.delay_adc(401)
     state.update_battery(board)
     assert state.battery.voltage_mv == before
@@ -195,7 +195,7 @@ def battery_old_reading_is_unknown():
     ]:
         for start_us in (0, (1 << 30) * 1000 - 500000):  # the second is just before ticks_ms() wraps
             mock_time.set_ticks_us(start_us)
-            board, state, _ = fresh(3071)
+            board, state, _ = fresh(3063)
             state.update_battery(board)
             mock_time.advance_us(1000 * 1000)
             build(state)
@@ -226,15 +226,15 @@ def battery_high_value_warns_now_and_then():
 
 
 def battery_formula_of_people_agrees():
-    board, state, _ = fresh(3071)
+    board, state, _ = fresh(3063)
     state.update_battery(board)
     component = state.battery
-    by_hand = component.voltage_from_adc(3071, state.parameters.get("BATT_VOLT_MULT"))
+    by_hand = component.voltage_from_adc(3063, state.parameters.get("BATT_VOLT_MULT"))
     assert abs(component.voltage - by_hand) < 0.001
 
 
 def battery_calibration():
-    board, state, _ = fresh(3071)
+    board, state, _ = fresh(3063)
     state.update_battery(board)
     component = state.battery
     before = component.voltage_mv

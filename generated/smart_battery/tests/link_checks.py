@@ -1,12 +1,12 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 0259ee25c12f3042
+# Inputs: b64d6c60a596952d
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
 import sys
 
 from program_bench import SECOND_US, GroundStation, Port, live, machine, main, messages, new_rover, run, run_passes
-from program_facts import CONTROL_US, STREAMS
+from program_facts import CONTROL_US, MEASURED, STREAMS
 
 import board
 from serial_port import open_uart
@@ -43,8 +43,9 @@ def _wired(size=512):
 
 def partial_writes_keep_frames_whole():
     """A UART that takes a few bytes at a time, or none: the receiver finds whole frames and no false ones."""
-    rover, station, line, port = _wired()
-    line.parts = [0, 1, 2, 3, 5, 7, 11, 0, 0, 13] * 200
+    several = sum(sum(measured["are_on"]) for measured in MEASURED)  # each has messages of its own
+    rover, station, line, port = _wired(512 * max(1, several))
+    line.parts = ([0, 1, 2, 3, 5, 7, 11, 0, 0, 13] + [32, 32] * (several - 1)) * 200
     run(rover, 10 * SECOND_US)
     found = station.received(*messages.ALL)
     assert len([each for each in found if each.ID == messages.Heartbeat.ID]) >= _beats(10), len(found)

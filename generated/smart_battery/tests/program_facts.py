@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 4497d803572d2aa1
+# Inputs: f46bc1bee7b9e563
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -53,7 +53,8 @@ MEASURED = (
         "instances": 1,
         "name": "voltage",
         "attribute": "voltage_mv",
-        "gpio": 26,
+        "gpios": [26],
+        "are_on": [True],
         "pin": "batt_volt_pin",
         "spare_bits": 0,
         "full_scale": 4095,
@@ -64,9 +65,8 @@ MEASURED = (
         "latched": True,
         "numerator": 11,
         "denominator": 136500,
-        "warn_above": 13000,
         "warn_every_ms": 10000,
-        "warning_count": 4085,
+        "warning_counts": [4085],
         "invalid_after": 5,
         "stale_after_ms": 1000,
         "period_us": 100000,
@@ -288,7 +288,7 @@ GENERATIONS = (
         "default": 0,
         "old": (147, 370),
         "new": (369, 372),
-        "prices": ((28.95, 36.95), (12.35, 25.35), (41.3, 62.3)),
+        "prices": ((28.95, 36.95), (12.45, 25.45), (41.4, 62.4)),
     },
 )
 
@@ -361,7 +361,7 @@ MESSAGES = {
         "instances": 1,
         "pages": 1,
         "rate": 0.05,
-        "frames": ((117, 117),),
+        "frames": ((119, 119),),
         "on_connection": True,
         "watched": ("battery", "swaps_number"),
     },

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 32caf9e54eb99db0
+# Inputs: 5ae09b8ceac79964
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -11,6 +11,7 @@ from program_bench import (
     messages,
     needs_arming,
     new_rover,
+    ready_rover,
     run,
     run_passes,
 )
@@ -41,7 +42,7 @@ else:
 
 def _met():
     """Return a vehicle that has run for a second, and its ground station."""
-    rover = new_rover()
+    rover = ready_rover()
     run(rover, SECOND_US)
     station = rover.ground_station()
     station.received()

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/small_heap.py: do not edit.
-# Inputs: 6beb0ad73705947b
+# Inputs: 8cef0e6f6f87b788
 """Starts the program as the board does, in whatever heap the interpreter was given, and lets it run a minute."""
 
 import mock_time
@@ -13,11 +13,10 @@ mock_asyncio.install()
 import asyncio  # noqa: E402
 
 import machine  # noqa: E402
-from program_facts import MEASURED  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
 
-for measured in MEASURED:
-    machine.analog(measured["gpio"]).source = measured["full_scale"] // 2 << measured["spare_bits"]
+for gpio in (26, 27, 28, 29):  # whichever the program reads; facts of the suite would take heap of the program's
+    machine.analog(gpio).source = 2047
 
 
 async def minute():

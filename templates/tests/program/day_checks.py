@@ -6,7 +6,7 @@ from program_bench import (
     Sink,
     main,
     mock_time,
-    new_rover,
+    ready_rover,
     run,
 )
 from program_facts import CONTROL_US, FORCE_ARM, MEASURED, STREAMS
@@ -27,7 +27,7 @@ def day_across_the_wrap():
     """A day that begins half a day before ticks_ms() starts again: readings, streams, grid, all as at its start."""
     sink = Sink()
     start_us = TURN_MS_US - HALF_DAY_US
-    rover = new_rover(ports=[sink], at_us=start_us)
+    rover = ready_rover(ports=[sink], at_us=start_us)
     times = []
     rover.scheduler._control.call = lambda: times.append(mock_time.elapsed_us()) if not times else None
     run(rover, DAY_US, STEP_US)

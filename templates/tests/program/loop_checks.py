@@ -8,6 +8,7 @@ from program_bench import (
     mock_time,
     needs,
     new_rover,
+    ready_rover,
     run,
 )
 from program_facts import CONTROL_US, FAILSAFES, FORCE_ARM, LINKS_US, MEASURED, REPORT_MS
@@ -45,7 +46,7 @@ def jitter_is_no_drift():
 def order_within_a_pass():
     """Control, then reading, failsafe, arming checks in the same pass, then the links; readings in their period."""
     needs(MEASURED, "something that is measured")
-    rover = new_rover()
+    rover = ready_rover()
     order = []
 
     def noted(name, call, owner, attribute):

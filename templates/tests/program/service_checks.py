@@ -9,6 +9,7 @@ from program_bench import (
     messages,
     needs_arming,
     new_rover,
+    ready_rover,
     run,
     run_passes,
 )
@@ -39,7 +40,7 @@ else:
 
 def _met():
     """Return a vehicle that has run for a second, and its ground station."""
-    rover = new_rover()
+    rover = ready_rover()
     run(rover, SECOND_US)
     station = rover.ground_station()
     station.received()

@@ -11,11 +11,10 @@ mock_asyncio.install()
 import asyncio  # noqa: E402
 
 import machine  # noqa: E402
-from program_facts import MEASURED  # noqa: E402
 from vehicle import Vehicle  # noqa: E402
 
-for measured in MEASURED:
-    machine.analog(measured["gpio"]).source = measured["full_scale"] // 2 << measured["spare_bits"]
+for gpio in (26, 27, 28, 29):  # whichever the program reads; facts of the suite would take heap of the program's
+    machine.analog(gpio).source = 2047
 
 
 async def minute():

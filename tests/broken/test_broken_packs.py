@@ -1,0 +1,114 @@
+"""Packs that the ADC or a message is too small for: a warning with its place and a number that is enough."""
+
+import shutil
+
+import pytest
+from test_broken_tables import ROOT
+
+from codegen.cli import main
+
+SECOND = "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n"
+MULTIPLIER = "    default: 3.95\n"
+
+CASES = {
+    "cells 4": (
+        [("board.yaml", "    cells: 3\n", "    cells: 4\n")],
+        "specs/board.yaml:30:12: warning pack-beyond-adc: battery 1 and 2 have 16.8 V when full, and the ADC shows 13.035 V",
+        "BATT_VOLT_MULT of at least 5.091, 5.2528 for the warning above 17.333 V",
+    ),
+    "cells 4 of the second": (
+        [("board.yaml", SECOND, f"{SECOND}      facts: {{cells: 4}}\n")],
+        "warning pack-beyond-adc: battery 2 has 16.8 V when full",
+        "BATT2_VOLT_MULT of at least 5.091",
+    ),
+    "facts beat the curve": (
+        [("board.yaml", "charging_maximum_voltage: 4.2 V", "charging_maximum_voltage: 4.35 V")],
+        "battery 1 and 2 have 13.05 V when full",
+        "BATT_VOLT_MULT of at least 3.9546",
+    ),
+    "beyond the parameter": (
+        [("board.yaml", "    cells: 3\n", "    cells: 15\n")],
+        "battery 1 and 2 have 63 V when full",
+        "its max in parameters.yaml is 10, raise it, too",
+    ),
+    "more cells than elements": (
+        [("board.yaml", "    cells: 3\n", "    cells: 15\n")],
+        "specs/board.yaml:30:12: warning values-beyond-message: battery 1 has 15 cells, and BATTERY_STATUS has room for 14",
+        "battery.voltage is sent instead",
+    ),
+}
+
+
+def check(folder, monkeypatch, capsys, changes):
+    """What the command prints about a changed copy of the shipped specification, and its exit code."""
+    shutil.copytree(ROOT / "specs", folder / "specs")
+    for name, old, new in changes:
+        path = folder / "specs" / name
+        text = path.read_text()
+        assert old in text, (name, old)
+        path.write_text(text.replace(old, new, 1))
+    monkeypatch.chdir(folder)
+    code = main(["check"])
+    return code, capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_is_warned_about(name, tmp_path, monkeypatch, capsys):
+    """The finding stands at the cells, names the battery, and says what is enough; it does not stop the build."""
+    changes, *parts = CASES[name]
+    code, out = check(tmp_path, monkeypatch, capsys, changes)
+    assert code == 0, out
+    for part in parts:
+        assert part in out, out
+
+
+@pytest.mark.parametrize("cells", [1, 2, 3])
+def test_packs_that_fit(cells, tmp_path, monkeypatch, capsys):
+    """Nothing is said of packs that the ADC shows whole."""
+    changes = [] if cells == 3 else [("board.yaml", "    cells: 3\n", f"    cells: {cells}\n")]
+    _, out = check(tmp_path, monkeypatch, capsys, changes)
+    for rule in ("pack-beyond-adc", "unreachable-threshold", "values-beyond-message"):
+        assert rule not in out, out
+
+
+def test_the_multiplier_that_the_hint_names_is_enough(tmp_path, monkeypatch, capsys):
+    """With it neither the pack nor the warning is beyond the ADC; one step less is too little for the warning."""
+    cells = ("board.yaml", "    cells: 3\n", "    cells: 4\n")
+    for default, rules in (
+        ("5.2528", []),
+        ("5.2527", ["unreachable-threshold"]),
+        ("5.091", ["unreachable-threshold"]),
+        ("5.0909", ["pack-beyond-adc"]),
+    ):
+        folder = tmp_path / default
+        folder.mkdir()
+        changes = [cells, ("parameters.yaml", MULTIPLIER, f"    default: {default}\n")]
+        _, out = check(folder, monkeypatch, capsys, changes)
+        found = [rule for rule in ("pack-beyond-adc", "unreachable-threshold") if rule in out]
+        assert found == rules, (default, out)
+
+
+def test_a_warning_per_cell_needs_cells(tmp_path, monkeypatch, capsys):
+    """A pack without a number of cells is an error at the key, as for every limit per cell."""
+    changes = [("board.yaml", "    cells: 3\n", "")]
+    code, out = check(tmp_path, monkeypatch, capsys, changes)
+    assert code == 1
+    assert (
+        "specs/state.yaml:16:19: error bad-following: board.yaml does not state the fact cells of battery 1" in out
+    ), out
+
+
+def test_per_cell_is_for_facts(tmp_path, monkeypatch, capsys):
+    """Only a fact of the board can be multiplied with the cells, and only a number or an amount."""
+    file, old = "messages/battery_info.yaml", "weight: {board: battery.weight}"
+    for index, (new, rule) in enumerate(
+        (
+            ("weight: {constant: 250 g, per_cell: true}", "error pointless-key: per_cell says nothing without board"),
+            ("weight: {board: battery.chemistry, per_cell: true}", "error unknown-fact: battery.chemistry of"),
+        )
+    ):
+        folder = tmp_path / str(index)
+        folder.mkdir()
+        code, out = check(folder, monkeypatch, capsys, [(file, old, new)])
+        assert code == 1
+        assert rule in out, out
