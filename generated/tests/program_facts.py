@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 2c453329333e8a28
+# Inputs: f8b7551d62bc4641
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: f78d4196673c2c5a
+# Inputs: 31340939a5498588
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

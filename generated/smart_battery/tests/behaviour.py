@@ -7,7 +7,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
 #   dialect common: do not edit.
-# Inputs: 581dacfce3449571
+# Inputs: 44f66b1545da5540
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.

@@ -6,7 +6,7 @@
 #   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_status.yaml,
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml: do not edit.
-# Inputs: 67ef09c639358c6b
+# Inputs: 39a67b4134710cca
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000

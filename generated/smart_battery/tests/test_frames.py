@@ -7,7 +7,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, specs/state.yaml,
 #   dialect common: do not edit.
-# Inputs: 581dacfce3449571
+# Inputs: 44f66b1545da5540
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json
