@@ -9,9 +9,9 @@ from codegen.model.vehicle import SMALL_INT_MAX
 RULE = Rule(
     "allocating-field",
     "A float field takes a live value that integer arithmetic cannot bring into the form of the wire. What is sent is "
-    "right, but each build of the message allocates memory for a float, so the message is no part of the steady telemetry "
-    f"cycle that allocates nothing. A float of 32 bits does without where the stored value, times the numerator of its "
-    f"conversion, stays within {SMALL_INT_MAX} and the denominator is at most {FLOAT_DIVISOR_MAX}.",
+    "right, but each build of the message allocates memory for a float, so the message is no part of the steady "
+    "telemetry cycle that allocates nothing. A float of 32 bits does without where the stored value, times the "
+    f"numerator of its conversion, stays within {SMALL_INT_MAX} and the denominator is at most {FLOAT_DIVISOR_MAX}.",
     Severity.WARNING,
 )
 

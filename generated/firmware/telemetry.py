@@ -15,7 +15,12 @@ from struct import pack_into
 
 import messages
 import micropython
-from conversion import complete, limited, put_float, spill
+from conversion import complete, limited, spill
+
+try:
+    from floats_viper import put_float
+except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+    from floats_plain import put_float
 
 NAN = float("nan")
 

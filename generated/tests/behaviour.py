@@ -498,7 +498,7 @@ BUILDERS = (
     telemetry.build_battery_cell_voltages,
 )
 
-STEADY = (  # those without live float fields, which allocate
+STEADY = (  # those that make no float, which allocates
     telemetry.build_heartbeat,
     telemetry.build_sys_status,
     telemetry.build_battery_status,

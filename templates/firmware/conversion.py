@@ -1,7 +1,7 @@
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
-nothing as long as it stays below 2 ** 30; so do floats of the wire come about.
+nothing as long as it stays below 2 ** 30.
 """
 
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
@@ -62,51 +62,6 @@ def product(first, second, numerator, denominator):
     """
     both = first * second
     return both // denominator * numerator + (both % denominator * numerator + denominator // 2) // denominator
-
-
-def put_float(wire, offset, value, divisor):
-    """Write value / divisor as a float of 32 bits, little-endian, rounded to nearest, a half to even.
-
-    No float is made, so nothing is allocated, and boards with floats of 32 bits do not round the value beforehand. The
-    divisor is at most 2 ** 25: so neither denormals nor infinity come out.
-    """
-    if value:
-        _put_quotient(wire, offset, -value if value < 0 else value, divisor)
-    else:
-        wire[offset] = wire[offset + 1] = wire[offset + 2] = wire[offset + 3] = 0
-    if value < 0:
-        wire[offset + 3] |= 0x80
-
-
-def _put_quotient(wire, offset, value, divisor):
-    # Long division of a positive value: so many bits at a time as leave the rest, and the quotient, below 2 ** 30.
-    rest = value % divisor
-    value //= divisor
-    exponent = 150  # as the wire has it, for a significand of 24 bits whose last one counts 1
-    while value < 1 << 15 and divisor <= 1 << 15:
-        rest <<= 15
-        value = (value << 15) | (rest // divisor)
-        rest %= divisor
-        exponent -= 15
-    while value < 1 << 25:
-        rest <<= 5
-        value = (value << 5) | (rest // divisor)
-        rest %= divisor
-        exponent -= 5
-    _put_rounded(wire, offset, value | 1 if rest else value, exponent)
-
-
-def _put_rounded(wire, offset, value, exponent):
-    # 26 to 30 bits; below the first 25 it only counts whether there are any.
-    while value >= 1 << 26:
-        value = (value >> 1) | (value & 1)
-        exponent += 1
-    value = (value + 1 + ((value >> 2) & 1)) >> 2
-    exponent += 2 + (value >> 24)  # one more where rounding has carried into another bit
-    wire[offset] = value & 0xFF
-    wire[offset + 1] = (value >> 8) & 0xFF
-    wire[offset + 2] = ((value >> 16) & 0x7F) | ((exponent & 1) << 7)
-    wire[offset + 3] = exponent >> 1
 
 
 def complete(values, room):

@@ -106,6 +106,7 @@ class TelemetryView:
     uses_nan: bool
     uses_chip: bool
     packs: bool
+    puts_floats: bool
     machine_code: bool
 
 
@@ -128,7 +129,7 @@ def telemetry_view(system: System) -> TelemetryView:
             if isinstance(view, LiveView | SpillView) and view.scale:
                 used.update(["limited", view.scale[0]])
             if isinstance(view, LiveView) and view.is_float:
-                used.update(["limited", "put_float"] if view.ratio else ["limited"])
+                used.add("limited")
             used.update(["spill"] if isinstance(view, SpillView) else [])
     values = [view for builder in builders for view in builder.live if isinstance(view, LiveView)]
     unknowns = [view.unknown for view in values]
@@ -139,6 +140,7 @@ def telemetry_view(system: System) -> TelemetryView:
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
         uses_chip=any(isinstance(binding, TextBinding) for binding in bindings),
         packs=any(view.packs for view in values) or any("pack_into" in statement for statement in prefilled),
+        puts_floats=any(view.ratio for view in values),
         machine_code=system.spec.project.machine_code,
     )
 
@@ -153,7 +155,8 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
     chosen = tuple(_choice(choice, message) for choice in message.represents.values() if _chooses(choice))
     reach |= {choice.component: f"{choice.function}(state)" for choice in chosen}
     # A board keeps only so many variables and intermediate values of a function off the heap: so only the components
-    # that are read most are variables, and none where values are written into the payload, which takes five intermediate ones.
+    # that are read most are variables, and none where values are written into the payload: that takes five intermediate
+    # ones.
     most_read = [] if writes_payload(message) else read.most_common(LOCALS)
     frequent = [name for name, count in most_read if count > 1 or name in expiring]
     frequent += [choice.component for choice in chosen if choice.component not in frequent]

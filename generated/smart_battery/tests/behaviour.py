@@ -436,7 +436,7 @@ BUILDERS = (
     telemetry.build_protocol_version,
 )
 
-STEADY = (  # those without live float fields, which allocate
+STEADY = (  # those that make no float, which allocates
     telemetry.build_heartbeat,
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
