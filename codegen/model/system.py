@@ -3,6 +3,7 @@
 Rules, targets, ``explain`` and the documents read this model; none of them looks at files again.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
@@ -13,7 +14,10 @@ from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
-from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
+from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Citation, Component, Parameter, Quantity, Stream
+
+FLOAT_DIVISOR_MAX = 2**25
+"""Largest divisor of a value that goes out as a float by integer arithmetic: the firmware's ``put_float``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +115,24 @@ class LiveBinding:
     unknown: int | float | None
     hole: Fraction | None = None
     beside: Fraction | None = None
+
+    @property
+    def steps(self) -> tuple[int, int]:
+        """The smallest and the largest stored value that goes out as it is."""
+        return math.ceil(self.low / self.factor), math.floor(self.high / self.factor)
+
+    @property
+    def makes_float(self) -> bool:
+        """Whether a builder has to make a float of the value, for which MicroPython allocates.
+
+        A float of 32 bits comes of integer arithmetic while value times numerator, and the shifted rest of the division
+        by the denominator, fit a board's small integers.
+        """
+        wire_type, factor = self.covers.field.type, self.factor
+        if wire_type.is_integer:
+            return False
+        largest = max(map(abs, self.steps)) * factor.numerator
+        return wire_type.size != 4 or largest > SMALL_INT_MAX or factor.denominator > FLOAT_DIVISOR_MAX
 
 
 @dataclass(frozen=True, slots=True)
@@ -242,13 +264,9 @@ class PopulatedMessage:
         return self.component.instances if self.component else 1
 
     @property
-    def live_floats(self) -> tuple[LiveBinding, ...]:
-        """The bindings that write a float at each build, which allocates on MicroPython."""
-        return tuple(
-            binding
-            for binding in self.bindings
-            if isinstance(binding, LiveBinding) and not binding.covers.field.type.is_integer
-        )
+    def made_floats(self) -> tuple[LiveBinding, ...]:
+        """The bindings that make a float at each build, which allocates on MicroPython."""
+        return tuple(binding for binding in self.bindings if isinstance(binding, LiveBinding) and binding.makes_float)
 
 
 @dataclass(frozen=True, slots=True)

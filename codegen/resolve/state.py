@@ -59,7 +59,7 @@ _RESERVED_QUANTITIES = {
     "has_returned",
 }
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
-_CONVERSIONS = {"limited", "spill", *Rounding}
+_CONVERSIONS = {"complete", "limited", "pack_into", "put_float", "spill", *Rounding}
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 
 

@@ -1,26 +1,40 @@
-"""Float fields that are written at each build: MicroPython keeps floats on the heap."""
+"""Values for which a float is made at each build: MicroPython keeps floats on the heap."""
 
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.system import System
+from codegen.model.system import FLOAT_DIVISOR_MAX, LiveBinding, System
+from codegen.model.vehicle import SMALL_INT_MAX
 
 RULE = Rule(
     "allocating-field",
-    "A float field takes a live value. The value is right, but each build of the message allocates memory for it, so "
-    "the message is no part of the steady telemetry cycle that allocates nothing.",
+    "A float field takes a live value that integer arithmetic cannot bring into the form of the wire. What is sent is "
+    "right, but each build of the message allocates memory for a float, so the message is no part of the steady "
+    "telemetry cycle that allocates nothing. A float of 32 bits does without where the stored value, times the "
+    f"numerator of its conversion, stays within {SMALL_INT_MAX} and the denominator is at most {FLOAT_DIVISOR_MAX}.",
     Severity.WARNING,
 )
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every live float field."""
+    """Every value that only a float can carry to its field."""
     for message in system.messages:
-        for binding in message.live_floats:
+        for binding in message.made_floats:
             covers = binding.covers
             yield Diagnostic(
                 covers.answer.place,
                 RULE,
-                f"{message.name}.{covers.label} is a float and allocates at each build",
-                related=((covers.field.definition.place, "it is declared here"),),
+                f"{message.name}.{covers.label} is a {covers.field.type.name} and allocates at each build",
+                _way_out(binding),
+                ((covers.field.definition.place, "it is declared here"),),
             )
+
+
+def _way_out(binding: LiveBinding) -> str | None:
+    """What would make it a value that integer arithmetic can send; None for a double, which always takes a float."""
+    if binding.covers.field.type.size != 4:
+        return None
+    numerator, denominator = binding.factor.numerator, binding.factor.denominator
+    if denominator > FLOAT_DIVISOR_MAX:
+        return f"it is divided by {denominator}: keep it in a coarser unit"
+    return f"limit it with min and max: times {numerator} it has to stay within {SMALL_INT_MAX}"

@@ -48,7 +48,7 @@ def render_suite(system: System) -> dict[str, str]:
         state=state,
         measured=tuple(component for component in state.components if component.measured),
         builders=tuple(message.name.lower() for message in system.messages),
-        steady=tuple(message.name.lower() for message in system.messages if not message.live_floats),
+        steady=tuple(message.name.lower() for message in system.messages if not message.made_floats),
         streams=stream_views(system),
         choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
         has_program=system.program is not None,

@@ -17,6 +17,11 @@ import messages
 import micropython
 from conversion import complete, limited, spill
 
+try:
+    from floats_viper import put_float
+except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+    from floats_plain import put_float
+
 NAN = float("nan")
 
 
@@ -387,47 +392,42 @@ def build_battery_status_v2(state, instance=0):
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = state.battery[instance].voltage_mv
     if value is None:
-        value = NAN  # unknown
+        pack_into("<f", wire, 0, NAN)  # unknown
     else:
         value = limited(value, -1073741823, 1073741823)
-        value = value / 1000
-    pack_into("<f", wire, 0, value)
+        put_float(wire, 0, value, 1000)
 
     # current [A]: battery.current [cA] (FR-00072.4)
     value = state.battery[instance].current_ca
     if value is None:
-        value = NAN  # unknown
+        pack_into("<f", wire, 4, NAN)  # unknown
     else:
         value = limited(value, -1073741823, 1073741823)
-        value = value / 100
-    pack_into("<f", wire, 4, value)
+        put_float(wire, 4, value, 100)
 
     # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
     value = state.battery[instance].consumed_mah
     if value is None:
-        value = NAN  # unknown
+        pack_into("<f", wire, 8, NAN)  # unknown
     else:
         value = limited(value, -1073741823, 1073741823)
-        value = value / 1000
-    pack_into("<f", wire, 8, value)
+        put_float(wire, 8, value, 1000)
 
     # capacity_remaining [Ah]: battery.left [mAh] (FR-00072.4)
     value = state.battery[instance].left_mah
     if value is None:
-        value = NAN  # unknown
+        pack_into("<f", wire, 12, NAN)  # unknown
     else:
         value = limited(value, 0, 1073741823)
-        value = value / 1000
-    pack_into("<f", wire, 12, value)
+        put_float(wire, 12, value, 1000)
 
     # state_of_charge [%]: battery.remaining (FR-00072.4)
     value = state.battery[instance].remaining_pct
     if value is None:
-        value = NAN  # unknown
+        pack_into("<f", wire, 16, NAN)  # unknown
     else:
         value = limited(value, 0, 100)
-        value = value / 1
-    pack_into("<f", wire, 16, value)
+        put_float(wire, 16, value, 1)
 
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
@@ -543,8 +543,7 @@ def build_battery_info(state, instance=0):
     # design_capacity [Ah]: BATT_CAPACITY [mAh] (FR-00076.2)
     value = state.parameters.batt_capacity
     value = limited(value, 1, 1000000)
-    value = value / 1000
-    pack_into("<f", wire, 32, value)
+    put_float(wire, 32, value, 1000)
     return message
 
 

@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 108c43f00f928af0
+# Inputs: a6337d8376c36615
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -499,13 +499,15 @@ BUILDERS = (
     telemetry.build_battery_cell_voltages,
 )
 
-STEADY = (  # those without live float fields, which allocate
+STEADY = (  # those that make no float, which allocates
     telemetry.build_heartbeat,
     telemetry.build_sys_status,
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
+    telemetry.build_battery_status_v2,
     telemetry.build_smart_battery_info,
+    telemetry.build_battery_info,
     telemetry.build_battery_cell_voltages,
 )
 

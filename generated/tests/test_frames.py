@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 108c43f00f928af0
+# Inputs: a6337d8376c36615
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -4,6 +4,7 @@ minimal has neither sensors nor machine code. two_batteries has what the rover d
 overlay's message with float fields, scaling with each rounding, parameters as sources, texts, elements answered one by
 one, limits as amounts, and a converter of 10 bits. radio_rover is a whole vehicle without machine code: a radio and a
 cable for links, a charge that is estimated, a system id that no parameter sets, and a failsafe with nothing optional.
+float_fields has a message of floats that whole numbers alone make, and one of those for which that is not possible.
 """
 
 import subprocess

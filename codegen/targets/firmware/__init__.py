@@ -25,16 +25,23 @@ def render_firmware(system: System) -> dict[str, str]:
     tables = [message.population.place.file for message in system.messages]
     wires = [message.wire for message in system.messages]
     view = state_view(system)
+    telemetry = telemetry_view(system)
     rendered: dict[str, tuple[object, list[str], list[WireMessage]]] = {
         "board.py": (board_view(system), [board, state, parameters], []),
         "parameters.py": (parameter_views(system), [parameters], []),
         "state.py": (view, [state, board, parameters], []),
         "streams.py": (streams_view(system), [project, streams, parameters, *tables], []),
-        "telemetry.py": (telemetry_view(system), [project, *tables, state, board, parameters], wires),
+        "telemetry.py": (telemetry, [project, *tables, state, board, parameters], wires),
     }
     accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
-    for name, is_used in (("trend", view.has_trend), ("discharge", view.has_estimate)):
+    optional = {
+        "discharge": view.has_estimate,
+        "floats_plain": telemetry.puts_floats,
+        "floats_viper": telemetry.puts_floats and system.spec.project.machine_code,
+        "trend": view.has_trend,
+    }
+    for name, is_used in optional.items():
         if not is_used:
             del files[f"firmware/{name}.py"]
     files["firmware/messages.py"] = headed(

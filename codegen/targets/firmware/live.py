@@ -27,7 +27,9 @@ class LiveView:
     """A field that is written on every build: into the message's live values, or packed into its payload.
 
     ``index`` is the place among the live values; None for fields that are packed with ``code`` at ``offset``, because
-    they are longer than the values that a message keeps.
+    they are longer than the values that a message keeps. A float field has a ``ratio``, what the value is multiplied
+    and divided with, where it is written without making a float, and a ``divisor``, the text of the same, where one has
+    to be made; its ``stand_in`` takes the place of None in steps.
     """
 
     comment: str
@@ -43,7 +45,19 @@ class LiveView:
     high: str
     hole: str | None
     beside: str
-    divisor: str | None
+    stand_in: str | None = None
+    divisor: str | None = None
+    ratio: tuple[int, int] | None = None
+
+    @property
+    def is_float(self) -> bool:
+        """Whether the field is a float, which has its limits before it is divided."""
+        return self.divisor is not None or self.ratio is not None
+
+    @property
+    def packs(self) -> bool:
+        """Whether struct packs the value, or what stands for an unknown one."""
+        return self.index is None and (self.ratio is None or self.unknown is not None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,8 +159,8 @@ def live_names(message: PopulatedMessage) -> tuple[str, ...]:
     return tuple(names)
 
 
-def packs(message: PopulatedMessage) -> bool:
-    """Whether a builder packs a value into the payload: a float, or an integer that is too long to be live."""
+def writes_payload(message: PopulatedMessage) -> bool:
+    """Whether a builder writes a value into the payload: a float, or an integer that is too long to be live."""
     return any(isinstance(binding, LiveBinding) and not _live_count(binding) for binding in message.bindings)
 
 
@@ -249,17 +263,16 @@ def _integer_view(binding: LiveBinding, source: str, index: int | None) -> LiveV
         high=str(binding.high),
         hole=None if binding.hole is None else str(binding.hole),
         beside=str(binding.beside),
-        divisor=None,
     )
 
 
 def _float_view(binding: LiveBinding, source: str) -> LiveView:
-    """A float field: everything up to the last division happens in stored steps."""
+    """A float field: everything up to the last division happens in stored steps.
+
+    What stands in for None is in steps, too; what tells that a value is unknown is the number on the wire.
+    """
     factor = binding.factor
-    unknown = _stand_in(binding.source) if binding.unknown is None else number(binding.unknown)
-    if binding.unknown is None and isinstance(binding.source, Quantity) and binding.source.initial is not None:
-        unknown = repr(float(binding.source.initial * factor))
-    low, high = math.ceil(binding.low / factor), math.floor(binding.high / factor)
+    low, high = binding.steps
     hole = None if binding.hole is None else binding.hole / factor
     divided = f" * {factor.numerator}" if factor.numerator != 1 else ""
     return LiveView(
@@ -268,15 +281,17 @@ def _float_view(binding: LiveBinding, source: str) -> LiveView:
         index=None,
         code=f"<{binding.covers.field.type.code}",
         offset=binding.covers.offset,
-        unknown=unknown,
-        unknown_comment="unknown" if binding.unknown is not None else "until it is set",
+        unknown=None if binding.unknown is None else number(binding.unknown),
+        unknown_comment="unknown",
         before=None,
         scale=None,
         low=str(low),
         high=str(high),
         hole=str(hole) if hole is not None and hole.denominator == 1 else None,
         beside="" if binding.beside is None else str(binding.beside / factor),
-        divisor=f"{divided} / {factor.denominator}",
+        stand_in=_stand_in(binding.source) if binding.unknown is None else None,
+        divisor=f"{divided} / {factor.denominator}" if binding.makes_float else None,
+        ratio=None if binding.makes_float else (factor.numerator, factor.denominator),
     )
 
 

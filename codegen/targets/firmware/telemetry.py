@@ -29,7 +29,7 @@ from codegen.targets.firmware.live import (
     View,
     live_names,
     live_views,
-    packs,
+    writes_payload,
 )
 from codegen.targets.naming import (
     builder_name,
@@ -106,6 +106,7 @@ class TelemetryView:
     uses_nan: bool
     uses_chip: bool
     packs: bool
+    puts_floats: bool
     machine_code: bool
 
 
@@ -127,17 +128,19 @@ def telemetry_view(system: System) -> TelemetryView:
                 used.update(["complete"] if view.room is not None else [])
             if isinstance(view, LiveView | SpillView) and view.scale:
                 used.update(["limited", view.scale[0]])
-            if isinstance(view, LiveView) and view.divisor:
+            if isinstance(view, LiveView) and view.is_float:
                 used.add("limited")
             used.update(["spill"] if isinstance(view, SpillView) else [])
-    unknowns = [view.unknown for builder in builders for view in builder.live if isinstance(view, LiveView)]
+    values = [view for builder in builders for view in builder.live if isinstance(view, LiveView)]
+    unknowns = [view.unknown for view in values]
     prefilled = [fixed.statement for builder in builders for fixed in builder.fixed]
     return TelemetryView(
         builders=builders,
         conversions=tuple(sorted(used)),
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
         uses_chip=any(isinstance(binding, TextBinding) for binding in bindings),
-        packs=any(map(packs, system.messages)) or any("pack_into" in statement for statement in prefilled),
+        packs=any(view.packs for view in values) or any("pack_into" in statement for statement in prefilled),
+        puts_floats=any(view.ratio for view in values),
         machine_code=system.spec.project.machine_code,
     )
 
@@ -152,8 +155,9 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
     chosen = tuple(_choice(choice, message) for choice in message.represents.values() if _chooses(choice))
     reach |= {choice.component: f"{choice.function}(state)" for choice in chosen}
     # A board keeps only so many variables and intermediate values of a function off the heap: so only the components
-    # that are read most are variables, and none where values are packed, which takes five intermediate ones.
-    most_read = [] if packs(message) else read.most_common(LOCALS)
+    # that are read most are variables, and none where values are written into the payload: that takes five intermediate
+    # ones.
+    most_read = [] if writes_payload(message) else read.most_common(LOCALS)
     frequent = [name for name, count in most_read if count > 1 or name in expiring]
     frequent += [choice.component for choice in chosen if choice.component not in frequent]
     locals_ = tuple((name, reach[name]) for name in sorted(frequent))
@@ -177,7 +181,7 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
         fixed=tuple(fixed for binding in message.bindings if (fixed := _fixed(binding)) is not None),
         live_names=live_names(message),
         live=live,
-        uses_wire=packs(message) or any(isinstance(view, FlagByteView) for view in live),
+        uses_wire=writes_payload(message) or any(isinstance(view, FlagByteView) for view in live),
     )
 
 

@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: a7e9f85cda6bbd3d
+# Inputs: d93344ab3ee5b8e0
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -457,12 +457,14 @@ BUILDERS = (
     telemetry.build_battery_cell_voltages,
 )
 
-STEADY = (  # those without live float fields, which allocate
+STEADY = (  # those that make no float, which allocates
     telemetry.build_heartbeat,
     telemetry.build_battery_status,
     telemetry.build_autopilot_version,
     telemetry.build_protocol_version,
+    telemetry.build_battery_status_v2,
     telemetry.build_smart_battery_info,
+    telemetry.build_battery_info,
     telemetry.build_battery_cell_voltages,
 )
 

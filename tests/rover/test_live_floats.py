@@ -1,0 +1,113 @@
+"""The floats of the new battery messages are whole numbers until they are on the wire: none is made for them."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.pipeline import read_systems
+
+ROOT = Path(__file__).resolve().parents[2]
+GENERATED = ROOT / "generated"
+PROJECTS = ROOT / "tests" / "projects"
+
+# All that was ever allocated is counted: a locked heap does not show the variables of large functions. And with the
+# collector switched off what is in use may not grow. What runs in between makes no object of its own.
+SCRIPT = """
+import gc
+import mock_time
+mock_time.install()
+from mavlink import Link
+from micropython import mem_total
+from state import SystemState
+import telemetry
+
+class Sink:
+    def write(self, frame):
+        return len(frame)
+
+VALUES = (None, 0, 1, -1, 99, 100, 101, 12399, -12401, 16777217, 33554435, 999999999, 1073741823, -1073741823)
+link = Link(Sink())
+state = SystemState()
+battery = state.battery[0]
+
+def set_all(value):
+    battery.voltage_mv = battery.current_ca = battery.consumed_mah = battery.left_mah = value
+    battery.remaining_pct = battery.temperature_cdegc = value
+    state.parameters.batt_capacity = 3300 if value is None else value
+
+def build(instance):
+    link.send(telemetry.build_battery_status_v2(state, instance))
+    link.send(telemetry.build_battery_info(state, instance))
+
+def build_and_send():
+    for value in VALUES:
+        set_all(value)
+        build(0)
+        build(1)
+
+def counted():
+    build_and_send()
+    gc.collect()
+    gc.disable()
+    before = mem_total()
+    used = gc.mem_alloc()
+    build_and_send()
+    more = gc.mem_alloc()
+    return mem_total() - before, more - used
+
+allocated, more = counted()
+print(telemetry.put_float is __import__("floats_plain").put_float, allocated, more, link.sequence, link.tx_errors)
+"""
+
+
+@pytest.mark.parametrize("form", ["viper", "plain", "bytecode"])
+def test_new_messages_allocate_nothing(form: str, tmp_path: Path) -> None:
+    """Unknown, limits and numbers of more than 24 bits, of each battery; in machine code, with plain frames, in bytecode."""
+    hidden = ("__pycache__",) if form == "viper" else ("__pycache__", "*_viper.py")
+    shutil.copytree(GENERATED / "firmware", tmp_path / "firmware", ignore=shutil.ignore_patterns(*hidden))
+    if form == "bytecode":
+        builders = tmp_path / "firmware" / "telemetry.py"
+        builders.write_text(builders.read_text().replace("@micropython.native\n", ""))
+    (tmp_path / "script.py").write_text(SCRIPT)
+    path = os.pathsep.join([str(tmp_path / "firmware"), str(GENERATED / "mocks")])
+    command = [str(Path(sys.executable).with_name("micropython")), str(tmp_path / "script.py")]
+    environment = {**os.environ, "MICROPYPATH": path}
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False, timeout=60)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.split() == [str(form != "viper"), "0", "0", str(2 * 14 * 4), "0"]
+
+
+def findings(specs: Path) -> list[tuple[str, str, str | None]]:
+    """What is found in a specification: rule, message and hint."""
+    report = Report()
+    read_systems(str(specs / "codegen.yaml"), report)
+    return [(one.rule.id, one.message, one.hint) for one in report]
+
+
+def test_nothing_is_found_in_the_shipped_specification() -> None:
+    """No warning, so that a build of what is unchanged has nothing to repeat, and need not run."""
+    assert findings(ROOT / "specs") == []
+
+
+def test_a_warning_where_a_float_has_to_be_made() -> None:
+    """Doubles, products that are too large and divisors that are; not one field more."""
+    rule, says = "allocating-field", "allocates at each build"
+    assert findings(PROJECTS / "float_fields" / "specs") == [
+        (rule, f"WITH_FLOATS.voltage is a double and {says}", None),
+        (
+            rule,
+            f"WITH_FLOATS.current is a float and {says}",
+            "limit it with min and max: times 1000 it has to stay within 1073741823",
+        ),
+        (
+            rule,
+            f"WITH_FLOATS.running is a float and {says}",
+            "it is divided by 60000000: keep it in a coarser unit",
+        ),
+        (rule, f"WITH_FLOATS.bus is a double and {says}", None),
+    ]
