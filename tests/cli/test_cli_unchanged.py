@@ -99,7 +99,9 @@ def test_codegen_and_the_dialect_matter(project: Path, tmp_path: Path, monkeypat
 def test_a_build_with_warnings_is_never_skipped(project: Path) -> None:
     """What there is to say is said at every build."""
     path = project / "specs" / "streams.yaml"
-    path.write_text(path.read_text() + "  SPARE: {rate: 1 Hz, doc: Nothing uses it}\n")
+    path.write_text(
+        path.read_text().replace("streams:\n", "streams:\n  SPARE: {rate: 1 Hz, doc: Nothing uses it}\n", 1)
+    )
     first, second = build(project), build(project)
     assert "warning" in first
     assert "warning" in second

@@ -67,7 +67,7 @@ print(telemetry.put_float is __import__("floats_plain").put_float, allocated, mo
 
 @pytest.mark.parametrize("form", ["viper", "plain", "bytecode"])
 def test_new_messages_allocate_nothing(form: str, tmp_path: Path) -> None:
-    """Unknown, limits and numbers of more than 24 bits, of each battery; in machine code, with plain frames, in bytecode."""
+    """Unknown, limits and numbers of more than 24 bits, each battery; machine code, plain frames, bytecode."""
     hidden = ("__pycache__",) if form == "viper" else ("__pycache__", "*_viper.py")
     shutil.copytree(GENERATED / "firmware", tmp_path / "firmware", ignore=shutil.ignore_patterns(*hidden))
     if form == "bytecode":
