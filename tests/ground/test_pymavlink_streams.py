@@ -23,7 +23,8 @@ def test_rates_at_the_defaults(start: Any, link: GroundLink) -> None:
     assert counts["HEARTBEAT"] in (28, 29, 30, 31)
     assert counts["SYS_STATUS"] in (28, 29, 30, 31)
     assert counts["BATTERY_STATUS"] in (57, 58, 59, 60, 61)
-    assert set(counts) == {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "STATUSTEXT"}
+    assert counts["SMART_BATTERY_INFO"] in (1, 2, 3), "on connection, and every 20 s"
+    assert set(counts) == {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "SMART_BATTERY_INFO", "STATUSTEXT"}
 
 
 def test_real_time_is_real_time(start: Any, link: GroundLink) -> None:

@@ -51,7 +51,7 @@ def set_all(value):
     vehicle.armed = not vehicle.armed
 
 def sample():
-    for count in range(0, 3600, 5):  # what is warned about, at higher ones, is a text of its own
+    for count in range(950, 3600, 5):  # texts of their own tell of a pack that is away, below, and of a high voltage
         board.set_adc_value(count)
         state.update_battery(board)
 
