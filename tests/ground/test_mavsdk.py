@@ -82,7 +82,7 @@ def test_system_is_found(station: Station) -> None:
 def test_battery(station: Station) -> None:
     """FR-00068.3 to 6 and 8: the voltage, and nothing that is not measured."""
     # Until the first BATTERY_STATUS is heard, MAVSDK makes a battery of SYS_STATUS, which has no function.
-    battery = station.sees("battery", rf'.*"battery_function": {common.MAV_BATTERY_FUNCTION_ALL},.*')
+    battery = station.sees("battery", rf'.*"battery_function": {common.MAV_BATTERY_FUNCTION_ALL}.*')
     assert battery["id"] == 0
     assert battery["voltage_v"] == pytest.approx(12.0)
     assert battery["remaining_percent"] == -1, "MAVSDK hands the -1 of BATTERY_STATUS on"
