@@ -54,7 +54,7 @@ def resolve_representations(
             report.add(
                 UNCLEAR_INSTANCE,
                 population.place,
-                f"{population.message} does not say which of {components[name].instances} {name} it is about",
+                f"{population.message} does not say which {name} of {components[name].instances} it is about",
                 f"represents: {{{name}: {{first: true}}}}",
             )
     return chosen

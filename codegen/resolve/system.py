@@ -74,7 +74,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         dialect=dialect,
         system_id=system_id,
         system_parameter=system_parameter,
-        component_id=component_id,
+        component_id=1 if component_id is None else component_id,
         component_parameter=_component_parameter(spec, component_id, parameters, report),
         channels=channels,
         parameters=parameters,
@@ -124,7 +124,7 @@ def _check_id(parameter: Parameter, place: Place, kind: str, report: Report) -> 
 
 
 def _component_parameter(
-    spec: Spec, component_id: int, parameters: Mapping[str, Parameter], report: Report
+    spec: Spec, component_id: int | None, parameters: Mapping[str, Parameter], report: Report
 ) -> Parameter | None:
     """The parameter that sets the component id, where the project has one."""
     if spec.vehicle is None or spec.vehicle.component_id is None:
@@ -134,14 +134,15 @@ def _component_parameter(
     if parameter is None:
         return None
     _check_id(parameter, place, "component", report)
-    if parameter.default != component_id:
+    if component_id is not None and parameter.default != component_id:
         message = f"the default of {parameter.name} is not {spec.project.component_id} ({component_id})"
         related = [(spec.project.at("component_id"), "the project's own component id")]
         report.add(BAD_PROJECT, parameter.spec.at("default"), message, related=related)
     return parameter
 
 
-def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int:
+def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int | None:
+    """The number of the project's component id; None after a finding."""
     name, enum = spec.project.component_id, dialect.enums.get("MAV_COMPONENT")
     entry = enum.entry(name) if enum else None
     if entry is None:
@@ -152,7 +153,7 @@ def _component_id(spec: Spec, dialect: Dialect, report: Report) -> int:
             f"MAV_COMPONENT has no entry {name}",
             did_you_mean(name, names),
         )
-        return 1
+        return None
     if not 1 <= entry.value <= 255:
         report.add(BAD_PROJECT, spec.project.at("component_id"), f"{name} ({entry.value}) is no source of messages")
     return entry.value
