@@ -6,10 +6,15 @@ from pathlib import Path
 import pytest
 from projects import HERE, run
 
+STATUS = ("BATTERY_STATUS", "BATTERY_STATUS_V2")
+
 
 @pytest.mark.parametrize(
     ("project", "messages"),
-    [("shipped", {"BATTERY_STATUS"}), ("two_packs", {"BATTERY_STATUS", "BATTERY_STATUS_V2", "SMART_BATTERY_INFO"})],
+    [
+        ("shipped", {*STATUS, "SMART_BATTERY_INFO", "BATTERY_INFO", "BATTERY_CELL_VOLTAGES"}),
+        ("two_packs", {*STATUS, "SMART_BATTERY_INFO"}),
+    ],
 )
 def test_any_state_comes_back(project: str, messages: set[str], generated: Callable[[str], Path]) -> None:
     """Within one unit of the wire, limits of the tables kept; unknown is unknown; FR-00075.7."""
