@@ -119,7 +119,7 @@ def _frames(message: PopulatedMessage, generations: Generations, system: System)
 
 
 def sent_at_once(message: PopulatedMessage) -> str:
-    """What announces a message: ``on connection, when battery.swaps changes``."""
+    """What announces a message: ``on connection and when battery.swaps changes``."""
     reasons = ["on connection"] if message.on_connection else []
     reasons += [f"when {message.on_change.path} changes"] if message.on_change else []
-    return ", ".join(reasons)
+    return " and ".join(reasons)

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5f94cbb6ece1ca74
+# Inputs: b083d47ed2f0447d
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5f94cbb6ece1ca74
+# Inputs: b083d47ed2f0447d
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -149,7 +149,7 @@ class BatteryState:
 
     @property
     def health(self):
-        """Number, or None while it is unknown; FR-00021.3."""
+        """A number, known from the start; FR-00021.3."""
         return self.health_number
 
     @health.setter
@@ -158,7 +158,7 @@ class BatteryState:
 
     @property
     def failsafe(self):
-        """Number, or None while it is unknown; FR-00073.5."""
+        """A number, known from the start; FR-00073.5."""
         return self.failsafe_number
 
     @failsafe.setter
@@ -167,12 +167,12 @@ class BatteryState:
 
     @property
     def absent(self):
-        """Whether there is no pack. None has so little; a reading that fails says nothing about that, FR-00073.8."""
+        """Whether no pack is connected. One that works has more volts; a failed reading does not count, FR-00073.8."""
         return self.voltage_mv is not None and self.voltage_mv < 3000
 
     @property
     def swaps(self):
-        """Number, or None while it is unknown; FR-00073.8."""
+        """A number, known from the start; FR-00073.8."""
         return self.swaps_number
 
     @swaps.setter
@@ -188,11 +188,6 @@ class BatteryState:
     def charging(self):
         """Whether current flows into the pack, FR-00072.5."""
         return self.current_ca is not None and self.current_ca < 0
-
-    @property
-    def warning(self):
-        """Whether the health is no longer good, FR-00072.5."""
-        return self.health_number is not None and self.health_number >= 1
 
     @property
     def unhealthy(self):
@@ -288,7 +283,7 @@ class VehicleState:
 
     @property
     def mode(self):
-        """Number, or None while it is unknown."""
+        """A number, known from the start."""
         return self.mode_number
 
     @mode.setter
@@ -297,7 +292,7 @@ class VehicleState:
 
     @property
     def load(self):
-        """%, or None while it is unknown."""
+        """%, known from the start."""
         if self.load_dpct is None:
             return None
         return self.load_dpct / 10

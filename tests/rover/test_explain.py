@@ -28,7 +28,7 @@ STORIES = [
     ("FR-zxxlp", ["FR-00068 | "]),
     ("GPS_RAW_INT", ["no table populates it", "satellites_visible"]),
     ("BATT_REPORT", ["0 Old, 1 New, 2 Both", "which generation of battery messages is sent", "old by default"]),
-    ("SMART_BATTERY_INFO", ["sent at once on connection, when battery.swaps changes", "BATT_REPORT: 0 old, 1 new"]),
+    ("SMART_BATTERY_INFO", ["sent at once on connection and when battery.swaps changes", "BATT_REPORT: 0 old, 1 new"]),
     ("sentinel-contradiction", ["error", "unknown"]),
 ]
 

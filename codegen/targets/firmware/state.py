@@ -26,8 +26,8 @@ class OwnView:
 class QuantityView:
     """One quantity: its attribute, its value at start, and, with a unit, its property for people.
 
-    A boolean that ``follows`` an attribute is true while that is known and ``condition`` holds. ``elements`` is the
-    number of values of a list. ``own`` is what instances have of their own.
+    ``shown`` says what the property returns. A boolean that ``follows`` an attribute is true while that is known and
+    ``condition`` holds. ``elements`` is the number of values of a list. ``own`` is what instances have of their own.
     """
 
     name: str
@@ -35,6 +35,7 @@ class QuantityView:
     initial: str
     comment: str
     unit: str
+    shown: str
     has_property: bool
     read_only: bool
     follows: str | None
@@ -223,7 +224,8 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         attribute=quantity.attribute,
         initial=initial,
         comment=f"{prose(quantity.spec.doc).rstrip('.')}{stored}{enum}",
-        unit=quantity.unit.name or "Number",
+        unit=quantity.unit.name,
+        shown=_shown(quantity),
         has_property=quantity.attribute != quantity.name,
         read_only=bool(quantity.trend),
         follows=component.quantities[follows].attribute if follows else None,
@@ -237,6 +239,12 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation) if quantity.citation else "",
     )
+
+
+def _shown(quantity: Quantity) -> str:
+    """What the property returns: ``V, or None while it is unknown``."""
+    what = quantity.unit.name or "A number"
+    return f"{what}, known from the start" if quantity.initial is not None else f"{what}, or None while it is unknown"
 
 
 def _condition(quantity: Quantity) -> str:

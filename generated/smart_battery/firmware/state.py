@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 6d4c0dce2bd9fd87
+# Inputs: 7419676caa2ab49c
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -139,7 +139,7 @@ class BatteryState:
 
     @property
     def swaps(self):
-        """Number, or None while it is unknown; FR-00073.8."""
+        """A number, known from the start; FR-00073.8."""
         return self.swaps_number
 
     @swaps.setter

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 2ec80bcc413ec4b1
+# Inputs: a8c6e443dad9ac1f
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
