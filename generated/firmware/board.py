@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b083d47ed2f0447d
+# Inputs: 0f14492e0e6e49ea
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: d3e0584007fb7a56
+# Inputs: a247fe1e44b81ed3
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b083d47ed2f0447d
+# Inputs: 0f14492e0e6e49ea
 """State of the vehicle: integers in the units that go out, None while a quantity is unknown.
 
 Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
@@ -35,7 +35,7 @@ class BatteryState:
         self.left_mah = None
         # Whether the charge that was drawn counts from a full pack, and not from power-on
         self.counted_from_full = False
-        # Voltage of each cell, unknown until code sets it [mV]
+        # Voltage of each cell. Unknown until code sets it [mV]
         self.cells_mv = [None] * 3
         # Temperature of the pack. The rover has no sensor for it [cdegC]
         self.temperature_cdegc = None

@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: dc93ac84c4ad8607
+# Inputs: b21b5adea368263e
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -133,7 +133,7 @@ class BatteryInfo(Info):
 
     @property
     def battery_function(self):
-        """`battery_function` of SMART_BATTERY_INFO."""
+        """`battery_function` of BATTERY_INFO, SMART_BATTERY_INFO."""
         return self._fact("info.battery_function")
 
     @property
@@ -148,7 +148,7 @@ class BatteryInfo(Info):
 
     @property
     def cells(self):
-        """`cells_in_series` of SMART_BATTERY_INFO."""
+        """`cells_in_series` of BATTERY_INFO, SMART_BATTERY_INFO."""
         return self._fact("info.cells")
 
     @property
@@ -158,22 +158,22 @@ class BatteryInfo(Info):
 
     @property
     def charging_maximum_voltage(self):
-        """`charging_maximum_voltage` of SMART_BATTERY_INFO. Unit: V."""
+        """`charging_maximum_voltage` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: V."""
         return self._fact("info.charging_maximum_voltage")
 
     @property
     def charging_minimum_voltage(self):
-        """`charging_minimum_voltage` of SMART_BATTERY_INFO. Unit: V."""
+        """`charging_minimum_voltage` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: V."""
         return self._fact("info.charging_minimum_voltage")
 
     @property
     def chemistry(self):
-        """`type` of BATTERY_STATUS."""
+        """`type` of BATTERY_INFO, SMART_BATTERY_INFO, BATTERY_STATUS."""
         return self._fact("info.chemistry")
 
     @property
     def cycle_count(self):
-        """`cycle_count` of SMART_BATTERY_INFO."""
+        """`cycle_count` of BATTERY_INFO, SMART_BATTERY_INFO."""
         return self._fact("info.cycle_count")
 
     @property
@@ -183,17 +183,17 @@ class BatteryInfo(Info):
 
     @property
     def discharge_maximum_burst_current(self):
-        """`discharge_maximum_burst_current` of SMART_BATTERY_INFO. Unit: A."""
+        """`discharge_maximum_burst_current` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: A."""
         return self._fact("info.discharge_maximum_burst_current")
 
     @property
     def discharge_maximum_current(self):
-        """`discharge_maximum_current` of SMART_BATTERY_INFO. Unit: A."""
+        """`discharge_maximum_current` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: A."""
         return self._fact("info.discharge_maximum_current")
 
     @property
     def discharge_minimum_voltage(self):
-        """`discharge_minimum_voltage` of SMART_BATTERY_INFO. Unit: V."""
+        """`discharge_minimum_voltage` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: V."""
         return self._fact("info.discharge_minimum_voltage")
 
     @property
@@ -203,12 +203,12 @@ class BatteryInfo(Info):
 
     @property
     def manufacture_date(self):
-        """`manufacture_date` of SMART_BATTERY_INFO."""
+        """`manufacture_date` of BATTERY_INFO, SMART_BATTERY_INFO."""
         return self._fact("info.manufacture_date")
 
     @property
     def name(self):
-        """`device_name` of SMART_BATTERY_INFO."""
+        """`name` of BATTERY_INFO, else `device_name` of SMART_BATTERY_INFO."""
         return self._fact("info.name")
 
     @property
@@ -218,12 +218,12 @@ class BatteryInfo(Info):
 
     @property
     def resting_minimum_voltage(self):
-        """`resting_minimum_voltage` of SMART_BATTERY_INFO. Unit: V."""
+        """`resting_minimum_voltage` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: V."""
         return self._fact("info.resting_minimum_voltage")
 
     @property
     def serial_number(self):
-        """`serial_number` of SMART_BATTERY_INFO."""
+        """`serial_number` of BATTERY_INFO, SMART_BATTERY_INFO."""
         return self._fact("info.serial_number")
 
     @property
@@ -233,7 +233,7 @@ class BatteryInfo(Info):
 
     @property
     def weight(self):
-        """`weight` of SMART_BATTERY_INFO. Unit: kg."""
+        """`weight` of BATTERY_INFO, SMART_BATTERY_INFO. Unit: kg."""
         return self._fact("info.weight")
 
 
@@ -313,7 +313,7 @@ class BatteryView(View):
 
     @property
     def cells(self):
-        """Voltage of each cell, unknown until code sets it, by cell. Unit: V."""
+        """Voltage of each cell, as a tuple. Unit: V."""
         return self._cells("cells")
 
     @property
@@ -343,7 +343,7 @@ class BatteryView(View):
 
     @property
     def current(self):
-        """Current drawn from the pack, negative while charging. The rover has no sensor for it. Unit: A."""
+        """Current drawn from the pack, negative while charging. Unit: A."""
         return self._quantity("current")
 
     @property
@@ -363,7 +363,7 @@ class BatteryView(View):
 
     @property
     def left(self):
-        """Charge that is left. Nothing on the rover counts it; code that does sets it. Unit: mAh."""
+        """Charge that is left. Unit: mAh."""
         return self._quantity("left")
 
     @property
@@ -393,7 +393,7 @@ class BatteryView(View):
 
     @property
     def temperature(self):
-        """Temperature of the pack. The rover has no sensor for it. Unit: degC."""
+        """Temperature of the pack. Unit: degC."""
         return self._quantity("temperature")
 
     @property

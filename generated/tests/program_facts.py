@@ -8,7 +8,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: b525e32713244c56
+# Inputs: 1efcb7571bcef866
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

@@ -8,9 +8,9 @@ from fractions import Fraction
 class Reading:
     """What one message says under a name: an expression over ``get`` and ``raw``, the fields as read and as they stand.
 
-    ``unit`` is that of the result, ``doc`` says for people what it is, ``enum`` names the numbers that it may take,
-    ``field`` is where it stands. ``uses`` are the names of functions and tables in the expression. With ``is_by_cell``
-    there is one value for each cell.
+    ``unit`` is that of the result, ``doc`` says for people what a quantity is, ``enum`` names the numbers that it may
+    take, ``field`` is where it stands. ``uses`` are the names of functions and tables in the expression. With
+    ``is_by_cell`` there is one value for each cell.
     """
 
     name: str

@@ -136,22 +136,21 @@ def _fact(
         return  # the quantity itself, which this message leaves out
     else:
         name = field.name
-    doc = f"`{field.name}` of {message.name}"
     enum = dialect.enums.get(field.definition.enum or "")
     got = f'get("{field.name}")'
     if field.type.kind is Kind.CHAR:
-        yield Reading(name, f"text({got})", "", doc, field.name, uses=frozenset({"text"}))
+        yield Reading(name, f"text({got})", "", "", field.name, uses=frozenset({"text"}))
     elif enum is not None and _is_bitmask(field, enum):
         yield _flag_names(field, enum)
     elif enum is not None:
         uses = frozenset({"entry", enum.name})
-        yield Reading(name, f"entry(enum_names.{enum.name}, {got})", "", doc, field.name, uses=uses)
+        yield Reading(name, f"entry(enum_names.{enum.name}, {got})", "", "", field.name, uses=uses)
     else:
         unit = UNITS.get(field.definition.units or "")
         shown = unit_of(unit, component) if unit else None
         factor = unit.to(shown) if unit and shown else None
         expression, uses = scaled(got, factor or Fraction(1))
-        yield Reading(name, expression, shown.name if shown else "", doc, field.name, uses=uses)
+        yield Reading(name, expression, shown.name if shown else "", "", field.name, uses=uses)
 
 
 def unit_of(unit: Unit, component: Component) -> Unit:

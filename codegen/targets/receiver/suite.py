@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterator
-from fractions import Fraction
 
 from codegen.model.receiver import Receiver
 from codegen.model.system import Binding, EachBinding, FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding, System
@@ -79,6 +78,6 @@ def _number(binding: LiveBinding | SplitBinding, source: Quantity) -> dict[str, 
         "steps": float(source.steps) if source.kind is QuantityKind.NUMBER else 1,
         "low": float(binding.low * to_unit),
         "high": float(binding.high * to_unit),
-        "within": float(max(one, Fraction(0))),
+        "within": float(one),
         "stands_in": None if source.initial is None else float(source.initial / source.steps),
     }

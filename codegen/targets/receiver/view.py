@@ -129,6 +129,7 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
     said = {message.name: readings_of(message, component, system.dialect) for message in receiver.messages}
     classes = class_names(message.name for message in receiver.messages)
     readings = [reading for found in said.values() for reading in found]
+    ranked = _ranked(system, receiver, said)
     uses: set[str] = {name for reading in readings for name in reading.uses}
     if any(reading.enum for reading in readings):
         uses.add("entry")
@@ -160,9 +161,9 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
             )
             for message in receiver.messages
         ),
-        quantities=_attributes(readings, TAKEN, is_fact=False),
-        facts=_attributes(readings, frozenset(), is_fact=True),
-        carriers=_carriers(system, receiver, said),
+        quantities=_attributes(ranked, TAKEN, is_fact=False),
+        facts=_attributes(ranked, frozenset(), is_fact=True),
+        carriers=_carriers(receiver, ranked),
         flags=_tuple(sorted({quoted(reading.name) for reading in readings if "flags" in reading.uses})),
         roles=_roles(readings),
         names=_tuple(quoted(message.name) for message in receiver.messages),
@@ -219,39 +220,53 @@ def stale_after_ms(message: PopulatedMessage, receiver: Receiver) -> int:
     return max(receiver.stale_after_ms, math.ceil(MISSED * 1000 / rate)) if rate else 0
 
 
-def _attributes(readings: Iterable[Reading], taken: frozenset[str], *, is_fact: bool) -> tuple[AttributeView, ...]:
-    found: dict[str, AttributeView] = {}
-    for reading in readings:
-        if reading.name == CHARGING or reading.name.startswith(FACT) != is_fact:
+def _ranked(
+    system: System, receiver: Receiver, said: Mapping[str, tuple[Reading, ...]]
+) -> dict[str, dict[str, Reading]]:
+    """By name, in order, and by message, the preferred one first: what it says under that name."""
+    found: dict[str, dict[str, Reading]] = {}
+    for message in sorted(receiver.messages, key=lambda message: _preference(message, system)):
+        for reading in said[message.name]:
+            found.setdefault(reading.name, {})[message.name] = reading
+    return dict(sorted(found.items()))
+
+
+def _attributes(
+    ranked: Mapping[str, Mapping[str, Reading]], taken: frozenset[str], *, is_fact: bool
+) -> tuple[AttributeView, ...]:
+    found = []
+    for key, by_message in ranked.items():
+        if key == CHARGING or key.startswith(FACT) != is_fact:
             continue
-        name = reading.name.removeprefix(FACT)
-        method = "_fact" if is_fact else "_cells" if reading.is_by_cell else "_quantity"
+        name = key.removeprefix(FACT)
         while name in taken or keyword.iskeyword(name):
             name += "_"
-        found.setdefault(reading.name, AttributeView(name, reading.name, _doc(reading), reading.enum, method))
-    return tuple(found[name] for name in sorted(found))
+        reading = next(iter(by_message.values()))
+        method = "_fact" if is_fact else "_cells" if reading.is_by_cell else "_quantity"
+        found.append(AttributeView(name, key, _doc(by_message), reading.enum, method))
+    return tuple(found)
 
 
-def _doc(reading: Reading) -> str:
-    """What the attribute is, with its unit, as one sentence or more."""
-    doc = prose(reading.doc) or f"The flags of `{reading.field}` that are set, by their names, as a tuple"
-    doc = f"{doc.rstrip('.')}{', by cell' if reading.is_by_cell else ''}"
-    if len(doc) > 90:
-        doc = doc.partition(". ")[0]  # a line of the generated code; state.yaml has the rest
+def _doc(by_message: Mapping[str, Reading]) -> str:
+    """What the attribute is, in one sentence, and its unit."""
+    reading = next(iter(by_message.values()))
+    if reading.doc:
+        doc = prose(reading.doc).partition(". ")[0].rstrip(".")  # the rest is about the sender
+        doc += ", as a tuple" if reading.is_by_cell else ""
+    elif "flags" in reading.uses:
+        doc = f"The flags of `{reading.field}` that are set, by their names, as a tuple"
+    else:
+        fields: dict[str, list[str]] = {}
+        for message, said in by_message.items():
+            fields.setdefault(said.field, []).append(message)
+        doc = ", else ".join(f"`{field}` of {', '.join(messages)}" for field, messages in fields.items())
     return f"{doc}. Unit: {reading.unit}." if reading.unit else f"{doc}."
 
 
-def _carriers(
-    system: System, receiver: Receiver, said: Mapping[str, tuple[Reading, ...]]
-) -> tuple[tuple[str, str], ...]:
+def _carriers(receiver: Receiver, ranked: Mapping[str, Mapping[str, Reading]]) -> tuple[tuple[str, str], ...]:
     """The kinds of message that carry each name, the preferred one first, as a tuple of the generated Python."""
-    order = sorted(range(len(receiver.messages)), key=lambda kind: _preference(receiver.messages[kind], system))
-    names = sorted({reading.name for found in said.values() for reading in found})
-    carriers = []
-    for name in names:
-        kinds = [kind for kind in order if any(reading.name == name for reading in said[receiver.messages[kind].name])]
-        carriers.append((name, _tuple(map(str, kinds))))
-    return tuple(carriers)
+    kinds = {message.name: str(kind) for kind, message in enumerate(receiver.messages)}
+    return tuple((name, _tuple(kinds[message] for message in by_message)) for name, by_message in ranked.items())
 
 
 def _preference(message: PopulatedMessage, system: System) -> tuple[int, int]:
