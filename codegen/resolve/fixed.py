@@ -11,7 +11,8 @@ from codegen.model.unit import decimal, read_measure
 from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind
 from codegen.resolve.constant import BAD_CONSTANT, bind_constant, fits
 from codegen.resolve.instances import cells_of, known_facts
-from codegen.resolve.state import UNKNOWN_ENTRY, UNKNOWN_ENUM, UNKNOWN_QUANTITY
+from codegen.resolve.quantity import UNKNOWN_ENTRY, UNKNOWN_ENUM
+from codegen.resolve.state import UNKNOWN_QUANTITY
 from codegen.source import Place
 
 NO_SENTINEL = Rule(

@@ -20,9 +20,10 @@ from codegen.resolve.instances import resolve_instances
 from codegen.resolve.links import resolve_links
 from codegen.resolve.live import bind_instance, bind_live
 from codegen.resolve.program import resolve_program
+from codegen.resolve.quantity import UNKNOWN_ENTRY
 from codegen.resolve.receiver import resolve_receiver
 from codegen.resolve.represent import resolve_representations
-from codegen.resolve.state import UNKNOWN_ENTRY, resolve_components
+from codegen.resolve.state import resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
 from codegen.source import Place
 

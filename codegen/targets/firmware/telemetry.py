@@ -21,16 +21,8 @@ from codegen.model.system import (
     read_quantities,
 )
 from codegen.model.vehicle import Component
-from codegen.targets.firmware.live import (
-    EachView,
-    FlagByteView,
-    LiveView,
-    SpillView,
-    View,
-    live_names,
-    live_views,
-    writes_payload,
-)
+from codegen.targets.firmware.live import live_names, live_views, writes_payload
+from codegen.targets.firmware.live_view import EachView, FlagByteView, LiveView, SpillView, View
 from codegen.targets.naming import (
     builder_name,
     class_names,
