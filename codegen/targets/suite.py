@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from codegen.model.system import System, read_quantities
 from codegen.render import render_template
-from codegen.targets.cases import cases_text
+from codegen.targets.cases_file import cases_text
 from codegen.targets.firmware.board import BoardView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
