@@ -264,8 +264,9 @@ def _quantity(quantity: Quantity, system: System) -> str:
     measured = ""
     if conversion is not None:
         channel = conversion.channel
+        pins = dict.fromkeys(map(str, system.gpios(system.components[quantity.component], channel)))
         measured = (
-            f"mean of {channel.samples} samples on GPIO {channel.gpio}, count / {channel.full_scale} "
+            f"mean of {channel.samples} samples on GPIO {' and '.join(pins)}, count / {channel.full_scale} "
             f"* {decimal(channel.reference)} V * {conversion.multiplier.name}"
         )
     facts = [

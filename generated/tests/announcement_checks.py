@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: d5c89da188634dff
+# Inputs: 51b846e0b0159309
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import reporting
@@ -148,6 +148,8 @@ def a_port_that_takes_nothing_loses_none():
         run(rover, 5 * SECOND_US)
         assert port.frames == []
         assert rover.connections[0].faults == 0
+        link = rover.connections[0].link
+        assert link.sequence == link.tx_errors & 0xFF, "a frame that waits has a number already"
         port.is_up = True
         port.room = None
         run_passes(rover, 1)
@@ -188,6 +190,32 @@ def told_of_a_change():
                 for port in ports:
                     found = [_id(frame) for frame in port.frames].count(number)
                     assert found == (facts["pages"] if is_told else 0), (number, place, value, found)
+
+
+def told_of_all_when_their_turn_comes():
+    """One instance waits for a port that is full, and the stream's turn comes: then all of them wait, none is lost."""
+    several = 0
+    for number in _watched():
+        facts = MESSAGES[number]
+        component, attribute = facts["watched"]
+        port = Port()
+        rover = new_rover(ports=[port])
+        owners = _owners(rover, component)
+        for owner in owners:
+            if facts["enabled"] and facts["component"] == component:
+                setattr(owner, facts["enabled"], True)
+        if not facts["rate"] or not _is_chosen(rover, number):
+            continue
+        several = max(several, len(reporting(rover, number)))
+        _quiet(rover, [port])
+        port.room = 0
+        setattr(owners[-1], attribute, 5)
+        run(rover, int(SECOND_US / facts["rate"]) + SECOND_US, STEP_US)
+        port.room = None
+        run_passes(rover, 60)
+        found = [_id(frame) for frame in port.frames].count(number)
+        assert found == len(reporting(rover, number)) * facts["pages"], (number, found)
+    needs(several > 1, "several instances that are announced")
 
 
 def only_what_is_on_is_told():
@@ -264,6 +292,7 @@ CHECKS = (
     ("announcements", 3, only_what_is_on_is_told),
     ("announcements", 3, not_told_what_was_switched_off),
     ("announcements", 5, told_of_a_change),
+    ("announcements", 5, told_of_all_when_their_turn_comes),
     ("announcements", 6, told_besides),
     ("generations", 2, told_of_the_generation_that_is_chosen),
 )

@@ -21,7 +21,7 @@ STORIES = [
     ("BATT_VOLT_PIN", ["26..28", "from the next start", "the pin of the ADC channel battery_voltage"]),
     ("SR0_EXTRA1", ["int16", "the rate of stream EXTRA1"]),
     ("SYSID_THISMAV", ["from the next start", "the system id of the vehicle"]),
-    ("battery.voltage", ["GPIO 26", "1000 ms after the last good one", "SYS_STATUS.voltage_battery"]),
+    ("battery.voltage", ["GPIO 26 and 27", "1000 ms after the last good one", "SYS_STATUS.voltage_battery"]),
     ("battery", ["battery.voltage", "battery.temperature"]),
     ("EXTRA1", ["SR0_EXTRA1", "BATTERY_STATUS"]),
     ("FR-00068.4", ["BATTERY_STATUS.current_battery", "SYS_STATUS.current_battery"]),
