@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: 709d0b186483484b
+# Inputs: 1a2a3345042294d3
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -237,15 +237,16 @@ def failsafe_of_one_is_its_own():
 
 
 def highest_of_two_acts():
-    """Two levels in one pass: both are told, and the action of the higher one is called, whichever comes first."""
+    """Two levels in one pass: both are told, and the higher one acts, whichever comes first; of equals the first."""
     (first, one), (second, other) = _two_actions()
-    for lows, criticals, expected in (((0,), (1,), other), ((1,), (0,), one)):
+    for lows, criticals, expected in (((0,), (1,), other), ((1,), (0,), one), ((0, 1), (), one)):
         rover, _, facts = _watching(low=lows, critical=criticals)
         for level in ("low_action", "critical_action"):
             setattr(rover.parameters, facts["families"][level][0], first)
             setattr(rover.parameters, facts["families"][level][1], second)
         run(rover, 3 * SECOND_US)
-        assert sorted(_levels(rover, facts))[-2:] == [LOW, CRITICAL], _levels(rover, facts)
+        reached = [LOW] * len(lows) + [CRITICAL] * len(criticals)
+        assert sorted(_levels(rover, facts))[-2:] == reached, _levels(rover, facts)
         assert rover.calls == [expected], rover.calls
 
 
