@@ -47,6 +47,7 @@ assert at_once() == (None, None)
 assert at_once(4100, 4200) == ((4.1, 4.2), 8300)
 assert at_once(*range(3000, 3012)) == (tuple([n / 1000 for n in range(3000, 3012)]), sum(range(3000, 3012)))
 assert at_once(65534, 65534, 100) == (None, 131168), "one value that is spread over three elements"
+assert at_once(4100, 65534) == ((4.1, 65.534), 69634), "nothing comes after the one that is full"
 
 three, one = at_once(4100, 4200, 4000)[0], at_once(12300)[0]
 assert view_of(three) == three

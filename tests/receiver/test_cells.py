@@ -1,6 +1,7 @@
 """Cells: how single values are told from a pack's voltage, and how pages become one list."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -38,7 +39,7 @@ def binding_of(system: System, field: str) -> SplitBinding:
     wire = message.wire.field(field)
     assert wire is not None
     covers = Elements(wire, 0, wire.count, voltages.covers.answer, voltages.covers.citation)
-    return SplitBinding(covers, *(getattr(voltages, name) for name in voltages.__slots__[1:]))
+    return replace(voltages, covers=covers)
 
 
 def each(split: SplitBinding, first: int, unknown: int, *, is_paged: bool, has_sum: bool) -> EachBinding:
