@@ -32,7 +32,8 @@ from codegen.model.shape import (
     one_of,
     short_forms,
 )
-from codegen.model.spec import CorrectionsSpec, ParametersSpec, ProgramProject, Project, StateSpec, StreamsSpec
+from codegen.model.spec import CorrectionsSpec, ParametersSpec, ProgramProject, Project, StreamsSpec
+from codegen.model.state_spec import StateSpec
 from codegen.source import Written
 
 SCHEMA_MODELS: Mapping[str, type[Written]] = {

@@ -27,9 +27,9 @@ from codegen.model.spec import (
     Project,
     Requirement,
     Spec,
-    StateSpec,
     StreamsSpec,
 )
+from codegen.model.state_spec import StateSpec
 from codegen.source import Place, Written, shown_path
 
 NO_MESSAGES = Rule(

@@ -1,7 +1,8 @@
 """The specification as its YAML and Markdown files state it, every record with its places.
 
 These dataclasses are the only description of the file formats: the decoder and the JSON Schemas both read them; see
-``described``. The board, the program that it runs, the receiver and the tables of messages have modules of their own.
+``described``. The board, the program that it runs, the state, the receiver and the tables of messages have modules of
+their own.
 """
 
 import os
@@ -16,6 +17,7 @@ from codegen.model.described import Amount, Verbatim, described
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
+from codegen.model.state_spec import StateSpec
 from codegen.source import Written
 
 
@@ -63,108 +65,6 @@ class ProgramProject(Written):
     messages: tuple[str, ...] = described(
         "The messages of this program; their tables lie here or in the base. Default: all tables.", default=()
     )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class QuantitySpec(Written):
-    """One quantity of the vehicle state, kept by the firmware as an integer of ``stored`` units."""
-
-    doc: str = described("What the quantity is, for people.")
-    unit: str | None = described("Unit that people and documents use (V, A, %); absent for pure numbers.", default=None)
-    stored: str | None = described("Unit of one integer step in the firmware (mV, cA). Default: unit.", default=None)
-    enum: str | None = described("Enum of the dialect whose values the quantity takes.", default=None)
-    boolean: bool = described("True for a yes/no quantity; it can only decide flags.", default=False)
-    min: Fraction | None = described("Smallest value, in unit.", default=None)
-    max: Fraction | None = described("Largest value, in unit.", default=None)
-    initial: str | bool | Fraction | None = described(
-        "Value until it is set and whenever it is set to unknown: a number, an enum entry or a boolean. "
-        "Without it the quantity starts unknown.",
-        default=None,
-    )
-    while_known: str | None = described(
-        "For a boolean: true while this quantity of the same component is known.", default=None
-    )
-    enabled_by: str | None = described(
-        "For a boolean: true while this parameter is not 0. What is measured in the component, and its own messages, "
-        "are left out while it is false.",
-        default=None,
-    )
-    elements: str | None = described(
-        "One value for each of what this fact of the component counts, such as cells: a list, in which single values "
-        "can be unknown.",
-        default=None,
-    )
-    follows: str | None = described(
-        "For a boolean: true while this quantity of the same component is at least, or below, a limit; false while it "
-        "is unknown.",
-        default=None,
-    )
-    at_least: Fraction | None = described(
-        "For follows: the smallest value that makes it true, in its unit.", default=None
-    )
-    below: Fraction | None = described("For follows: it is true below this value, in its unit.", default=None)
-    per_cell: bool = described(
-        "The limit, or warn_above, is for one cell: the fact cells of each instance multiplies it. A warn_above is "
-        "rounded to the unit that the quantity is stored in.",
-        default=False,
-    )
-    counts_returns_of: str | None = described(
-        "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "
-        "true and a reading shows that it is no longer.",
-        default=None,
-    )
-    restarts_with: str | None = described(
-        "The quantity of the same component that counts returns: with each of them this one is 0 again, or what a "
-        "boolean is initially. What is unknown stays so.",
-        default=None,
-    )
-    trend_of: str | None = described(
-        "The quantity of the same component whose change per second this is.", default=None
-    )
-    window: Amount | None = described("For a trend: the time that it looks back, such as 4 s.", default=None)
-    estimate_from: str | None = described(
-        "The voltage of the same component from which the remaining charge is estimated, by the discharge curve of the "
-        "board's chemistry and cell count. Without it the charge is unknown until something sets it.",
-        default=None,
-    )
-    adc: str | None = described("ADC channel of the board that measures it.", default=None)
-    multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
-    warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
-    warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
-    invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
-    stale_after: Amount | None = described("Age after which the last reading is unknown, such as 1 s.", default=None)
-    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
-    criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps.",
-        default_factory=dict,
-    )
-
-    ASPECTS = ("multiplier", "rounding", "warn_above", "invalid_after", "stale_after", "calibration", "gaps")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ComponentSpec(Written):
-    """A part of the vehicle state with its quantities; board.yaml says which instances of it exist."""
-
-    doc: str = described("What the component is, for people.")
-    first_number: str | None = described(
-        "Parameter with the number that messages give its first instance; without one that is 0.", default=None
-    )
-    update_rate: Amount | None = described("How often its readings are taken, such as 10 Hz.", default=None)
-    quantities: Mapping[str, QuantitySpec] = described("The quantities by name.")
-    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
-    criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: robustness, steady, scenarios.", default_factory=dict
-    )
-
-    ASPECTS = ("robustness", "steady", "scenarios")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StateSpec(Written):
-    """``state.yaml``: the vehicle state."""
-
-    components: Mapping[str, ComponentSpec] = described("The components by name.")
 
 
 class ParameterType(StrEnum):

@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from codegen.model.board_spec import AdcSpec
 from codegen.model.dialect import EnumDefinition
-from codegen.model.spec import ComponentSpec, Criterion, ParameterSpec, QuantitySpec, Requirement, StreamSpec
+from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.unit import Unit
 
 SMALL_INT_MAX = 2**30 - 1

@@ -4,7 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.board_spec import AdcSpec
-from codegen.model.spec import ComponentSpec, QuantitySpec, Requirement
+from codegen.model.spec import Requirement
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.vehicle import Citation
 from codegen.source import Place
 

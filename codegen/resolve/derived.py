@@ -6,7 +6,8 @@ from itertools import pairwise
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
-from codegen.model.spec import ComponentSpec, QuantitySpec, Spec
+from codegen.model.spec import Spec
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.unit import NUMBER, UNITS, Unit, read_measure
 from codegen.model.vehicle import Estimate, Instance, Quantity, Trend
 from codegen.resolve.instances import cells_of

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import Kind
 from codegen.model.population_spec import PopulationSpec
-from codegen.model.spec import StateSpec
+from codegen.model.state_spec import StateSpec
 from codegen.model.system import Binding, EachBinding, Elements, PageBinding, SplitBinding
 from codegen.model.vehicle import Component, Quantity
 from codegen.resolve.fixed import NO_SENTINEL, find_quantity

@@ -5,7 +5,8 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, SentinelForm
-from codegen.model.spec import Spec, StateSpec
+from codegen.model.spec import Spec
+from codegen.model.state_spec import StateSpec
 from codegen.model.system import Elements, FixedBinding, FlagsBinding, PartBinding, TextBinding
 from codegen.model.unit import decimal, read_measure
 from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import QuantitySpec
+from codegen.model.state_spec import QuantitySpec
 from codegen.model.unit import NUMBER, UNITS
 from codegen.model.vehicle import SMALL_INT_MAX, Following
 from codegen.source import Place

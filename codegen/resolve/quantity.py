@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect, EnumDefinition
-from codegen.model.spec import QuantitySpec, Requirement, Spec
+from codegen.model.spec import Requirement, Spec
+from codegen.model.state_spec import QuantitySpec
 from codegen.model.unit import NUMBER, UNITS, Unit
 from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Conversion, Instance, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite_aspects, cite_optional

@@ -4,7 +4,8 @@ from collections.abc import Iterable, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.population_spec import PopulationSpec, RepresentationSpec
-from codegen.model.spec import ParametersSpec, StateSpec
+from codegen.model.spec import ParametersSpec
+from codegen.model.state_spec import StateSpec
 from codegen.model.system import Binding, Policy, Representation, read_quantities
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Component, Parameter, QuantityKind

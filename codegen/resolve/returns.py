@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.spec import ComponentSpec, QuantitySpec
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Quantity, QuantityKind, Returns
 from codegen.source import Place

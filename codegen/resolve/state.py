@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
 from codegen.model.population_spec import Rounding
-from codegen.model.spec import ComponentSpec, Requirement, Spec
+from codegen.model.spec import Requirement, Spec
+from codegen.model.state_spec import ComponentSpec
 from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived

@@ -16,7 +16,8 @@ from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
-from codegen.model.spec import BoardSpec, CorrectionsSpec, ParametersSpec, Project, QuantitySpec, StateSpec, StreamsSpec
+from codegen.model.spec import BoardSpec, CorrectionsSpec, ParametersSpec, Project, StreamsSpec
+from codegen.model.state_spec import QuantitySpec, StateSpec
 from codegen.source import Place, Written
 
 FILE = "/specs/a.yaml"

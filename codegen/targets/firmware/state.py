@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from codegen.model.spec import ComponentSpec, QuantitySpec
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
