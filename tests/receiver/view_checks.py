@@ -223,7 +223,7 @@ def a_swap_is_noticed():
 def cycles_tell_packs_apart():
     """Without a serial number: one cycle more is the same pack after a charge, fewer or several more are another."""
     packs = Packs()
-    for cycles, swaps in ((7, 0), (8, 0), (8, 0), (7, 1), (20, 2)):
+    for cycles, swaps in ((7, 0), (8, 0), (8, 0), (7, 1), (9, 2), (20, 3)):
         feed(packs, info("", cycle_count=cycles), 0)
         assert packs.view(7, 0).swaps == swaps, (cycles, swaps)
 
