@@ -34,6 +34,7 @@ class BatteryFailsafe:
 
     def __init__(self, state, texts, instance=0):
         self._state = state
+        self._parameters = state.parameters
         self._battery = state.battery[instance]
         self._texts = texts
         self._instance = instance
@@ -64,16 +65,13 @@ class BatteryFailsafe:
         return self._escalate()
 
     def _is_low(self, value):
-        parameters = self._state.parameters
-        return value < getattr(parameters, _BATT_LOW_VOLT[self._instance])
+        return value < getattr(self._parameters, _BATT_LOW_VOLT[self._instance])
 
     def _is_critical(self, value):
-        parameters = self._state.parameters
-        return value < getattr(parameters, _BATT_CRT_VOLT[self._instance])
+        return value < getattr(self._parameters, _BATT_CRT_VOLT[self._instance])
 
     def _escalate(self):
-        parameters = self._state.parameters
-        limit_ms = getattr(parameters, _BATT_LOW_TIMER[self._instance]) * 1000
+        limit_ms = getattr(self._parameters, _BATT_LOW_TIMER[self._instance]) * 1000
         if limit_ms <= 0:  # BATT_LOW_TIMER 0 switches both levels off
             return OK
         if self._critical_ms >= limit_ms and self.level < CRITICAL:
@@ -96,9 +94,9 @@ class BatteryFailsafe:
     def action(self):
         """Return the action of the level that was reached, 0 for none."""
         if self.level == CRITICAL:
-            return getattr(self._state.parameters, _BATT_FS_CRT_ACT[self._instance])
+            return getattr(self._parameters, _BATT_FS_CRT_ACT[self._instance])
         if self.level == LOW:
-            return getattr(self._state.parameters, _BATT_FS_LOW_ACT[self._instance])
+            return getattr(self._parameters, _BATT_FS_LOW_ACT[self._instance])
         return 0
 
     def problem(self):
@@ -122,13 +120,11 @@ class BatteryFailsafe:
         return None
 
     def _is_below_minimum(self, value):
-        parameters = self._state.parameters
-        return value < getattr(parameters, _BATT_ARM_VOLT[self._instance])
+        return value < getattr(self._parameters, _BATT_ARM_VOLT[self._instance])
 
     def _is_inverted(self):
-        parameters = self._state.parameters
-        low = getattr(parameters, _BATT_LOW_VOLT[self._instance])
-        return 0 < low <= getattr(parameters, _BATT_CRT_VOLT[self._instance])
+        low = getattr(self._parameters, _BATT_LOW_VOLT[self._instance])
+        return 0 < low <= getattr(self._parameters, _BATT_CRT_VOLT[self._instance])
 
     def _set_health(self, value, now_ms):
         health = self._health(value)

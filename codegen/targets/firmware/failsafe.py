@@ -102,14 +102,14 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
                 number=number,
                 below=_threshold(level.below, quantity),
                 names=tuple(map(parameter_attribute, level.below.siblings)),
-                action=parameter_expression(level.action, "self._state.parameters", _INSTANCE),
+                action=parameter_expression(level.action, "self._parameters", _INSTANCE),
                 action_attribute=parameter_attribute(level.action.name),
                 actions=tuple(map(parameter_attribute, level.action.siblings)),
                 citation=str(level.citation or failsafe.citation),
             )
             for name, number, level in levels
         ),
-        after=parameter_expression(failsafe.after, "parameters", _INSTANCE),
+        after=parameter_expression(failsafe.after, "self._parameters", _INSTANCE),
         after_attribute=parameter_attribute(failsafe.after.name),
         after_name=failsafe.after.name,
         afters=tuple(map(parameter_attribute, failsafe.after.siblings)),
@@ -129,5 +129,5 @@ def _threshold(parameter: Parameter, quantity: Quantity) -> ThresholdView:
     scale = (parameter.unit.to(quantity.stored) or Fraction(1)) * parameter.step
     assert scale.denominator == 1, "the failsafe was resolved so"
     times = f" * {scale.numerator}" if scale != 1 else ""
-    expression = parameter_expression(parameter, "parameters", _INSTANCE)
+    expression = parameter_expression(parameter, "self._parameters", _INSTANCE)
     return ThresholdView(parameter.name, attribute, f"{expression}{times}", scale.numerator)
