@@ -9,6 +9,7 @@ from guard import Guard
 from parameters import Parameters
 from udp_port import UdpPort
 
+# Names of the parameters that each has of its own.
 _BATT_VOLT_PIN = ("batt_volt_pin", "batt2_volt_pin")
 _BATT_MONITOR = ("batt_monitor", "batt2_monitor")
 
