@@ -76,8 +76,7 @@ class QuantityResolver:
     ) -> Quantity | None:
         spec = self.spec
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, self.report)
-        if not is_name(self.name) or self.name in _RESERVED_QUANTITIES:
-            self._bad("", f"{self.name} cannot be the name of a quantity", hint="choose another name")
+        self._check()
         kind = self._kind()
         enum = self._enum(dialect)
         unit = find_unit(spec.unit, spec.at("unit"), self.report)
@@ -88,16 +87,11 @@ class QuantityResolver:
         if steps is None:
             self._bad("stored", f"{unit.name} cannot be kept in {stored.name}", UNIT_MISMATCH)
             return None
-        minimum, maximum = self._limits(steps)
-        if enum is not None and enum.entries:
-            values = [entry.value for entry in enum.entries]
-            minimum, maximum = (0, SMALL_INT_MAX) if enum.is_bitmask else (min(values), min(SMALL_INT_MAX, max(values)))
+        minimum, maximum = self._limits(steps, enum)
         initial = self._initial(kind, enum, steps)
         if initial is not None and not minimum <= initial <= maximum:
             self._bad("initial", f"initial of {self.name} is not between its limits")
         conversion = self._conversion(channels, parameters, stored)
-        if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
-            self._bad("invalid_after", f"invalid_after of {self.name} is {spec.invalid_after}, not 1 to 1000")
         warn_above = self._warn_above(steps, parts)
         stale_after, warn_every = self._time("stale_after", spec.stale_after), self._time("warn_every", spec.warn_every)
         trend = resolve_trend(spec, stored, period_ms, self.whole.state.components[self.component], self.report)
@@ -134,6 +128,14 @@ class QuantityResolver:
             citation=citation,
             aspects=cite_aspects(spec, index, self.report),
         )
+
+    def _check(self) -> None:
+        """What can be told without the rest of the specification."""
+        if not is_name(self.name) or self.name in _RESERVED_QUANTITIES:
+            self._bad("", f"{self.name} cannot be the name of a quantity", hint="choose another name")
+        invalid_after = self.spec.invalid_after
+        if invalid_after is not None and not 1 <= invalid_after <= 1000:
+            self._bad("invalid_after", f"invalid_after of {self.name} is {invalid_after}, not 1 to 1000")
 
     def _time(self, key: str, written: str | None) -> int | None:
         return None if written is None else read_time(written, UNITS["ms"], self.spec.at(key), self.report)
@@ -198,7 +200,11 @@ class QuantityResolver:
             self._in_steps("warn_above", Fraction(round(written * count * steps)), Fraction(1)) for count in counts
         )
 
-    def _limits(self, steps: Fraction) -> tuple[int, int]:
+    def _limits(self, steps: Fraction, enum: EnumDefinition | None) -> tuple[int, int]:
+        """The smallest and the largest value in stored units: of an enum those of its entries."""
+        if enum is not None and enum.entries:
+            values = [entry.value for entry in enum.entries]
+            return (0, SMALL_INT_MAX) if enum.is_bitmask else (min(values), min(SMALL_INT_MAX, max(values)))
         spec = self.spec
         minimum = -SMALL_INT_MAX if spec.min is None else self._in_steps("min", spec.min, steps)
         maximum = SMALL_INT_MAX if spec.max is None else self._in_steps("max", spec.max, steps)

@@ -71,6 +71,13 @@ def test_packs_that_fit(cells, tmp_path, monkeypatch, capsys):
         assert rule not in out, out
 
 
+def test_as_many_cells_as_elements(tmp_path, monkeypatch, capsys):
+    """Fourteen cells fill both arrays of BATTERY_STATUS; they are too many for the ADC only."""
+    _, out = check(tmp_path, monkeypatch, capsys, [("board.yaml", "    cells: 3\n", "    cells: 14\n")])
+    assert "pack-beyond-adc" in out, out
+    assert "values-beyond-message" not in out, out
+
+
 def test_the_multiplier_that_the_hint_names_is_enough(tmp_path, monkeypatch, capsys):
     """With it neither the pack nor the warning is beyond the ADC; one step less is too little for the warning."""
     cells = ("board.yaml", "    cells: 3\n", "    cells: 4\n")
