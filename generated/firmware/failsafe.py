@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 06b848c5d666076f
+# Inputs: 180fba52ebc53937
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 06b848c5d666076f
+# Inputs: 180fba52ebc53937
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
