@@ -99,6 +99,8 @@ class _SpecReader:
         self._base = os.path.dirname(self._base_file)
         self._report = report
         self._hashes: dict[str, str] = {}
+        self._unused_tables: dict[str, str] = {}  # their overlays, by message
+        self._has_broken_table = False
 
     def read(self) -> Spec | None:
         # A project file with errors does not keep the other files from being checked.
@@ -193,7 +195,12 @@ class _SpecReader:
         tables: dict[str, PopulationSpec] = {}
         for path in paths:
             table = self._record(path, PopulationSpec, Place(path))
-            if table is None or not self._is_used(table, table.overlay, project):
+            if table is None:
+                self._has_broken_table = True
+                continue
+            if not self._is_used(table, table.overlay, project):
+                assert table.overlay is not None
+                self._unused_tables[table.message] = table.overlay
                 continue
             first = tables.setdefault(table.message, table)
             if first is not table:
@@ -212,11 +219,14 @@ class _SpecReader:
         if own is None or not own.messages:
             return tables
         known = {table.message: table for table in tables}
-        is_complete = len(known) == len(self._united("messages", (".yaml",)))  # what is broken has been reported
+        is_complete = not self._has_broken_table  # what is broken has been reported
         for index, name in enumerate(own.messages):
             if name not in known and is_complete:
+                hint = did_you_mean(name, known)
+                if name in self._unused_tables:
+                    hint = f"its table is for {self._unused_tables[name]}, which is none of the overlays of the project"
                 place = own.at(f"messages[{index}]")
-                self._report.add(NO_TABLE, place, f"there is no table for {name}", did_you_mean(name, known))
+                self._report.add(NO_TABLE, place, f"there is no table for {name}", hint)
         for table in tables:
             if table.message not in own.messages:
                 del self._hashes[table.place.file]

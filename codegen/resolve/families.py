@@ -99,6 +99,8 @@ class ParameterFamilies:
         families = self._spec.parameters.parameters
         for component, written in self._spec.board.instances.items():
             parts = self._instances.get(component, ())
+            if not parts:  # no such component, which has been reported
+                continue
             stems = [name.removeprefix(parts[0].prefix) for name in families if families[name].for_each == component]
             for each, part in zip(written, parts, strict=False):
                 own = [part.prefix + stem for stem in stems]

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
-from codegen.model.system import Generations, PopulatedMessage
+from codegen.model.system import Generations, PopulatedMessage, read_quantities
 from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.resolve.citation import cite_optional
 from codegen.resolve.families import is_single
@@ -84,7 +84,12 @@ def _list_problems(spec: GenerationsSpec, tables: set[str], taken: dict[str, Pla
 def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, PopulatedMessage]) -> Iterator[_Problem]:
     for key in ("old", "new"):
         for number, listed in enumerate(getattr(spec, key)):
-            owner = messages[listed].component if listed in messages else None
+            if listed not in messages:
+                continue
+            owner = messages[listed].component
+            read = {quantity.component for each in messages[listed].bindings for quantity in read_quantities(each)}
+            if owner is None and read and name not in read:
+                yield spec.at(f"{key}[{number}]"), f"{listed} says nothing about a {name}", None, []
             if owner is not None and owner.name != name:
                 place = messages[listed].population.at("for_each")
                 related = [(place, "the component is stated here")]

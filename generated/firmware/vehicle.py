@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: a247fe1e44b81ed3
+# Inputs: a53120f7d3dcf1f6
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from templates/receiver/view.py: do not edit.
-# Inputs: acf14251a49de2c1
+# Inputs: 4c394b59d2eeb5c3
 """What is known about one instance, from all messages that report it."""
 
 from consumption import Consumption
@@ -130,12 +130,16 @@ class View:
         self._consumption.note(now_ms, self._known("current"), self._known("consumed"))
 
     def _keep_pages(self, kind, said):
-        """Add the pages that came before."""
+        """Add the pages that came before, but for those that are partly about the same values."""
         before = self._said[kind]
         for name, value in said.items():
             if isinstance(value, dict) and before is not None:
-                before[name].update(value)
-                said[name] = before[name]
+                pages = before[name]
+                for first, values in value.items():
+                    for other in [other for other in pages if first - len(pages[other]) < other < first + len(values)]:
+                        del pages[other]
+                    pages[first] = values
+                said[name] = pages
 
     def keep_time(self, now_ms):
         """Give up what is so old that the clock would soon have started again."""
@@ -246,4 +250,4 @@ def seconds(charge_ah, current_a):
     """Return the seconds that a charge lasts at a current; None where one is unknown or nothing is drawn."""
     if charge_ah is None or current_a is None or current_a <= 0:
         return None
-    return charge_ah * 3600 / current_a
+    return max(charge_ah, 0) * 3600 / current_a

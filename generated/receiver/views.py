@@ -1,7 +1,8 @@
 # Generated from templates/receiver/views.py: do not edit.
-# Inputs: 94d7e55ae20224c6
+# Inputs: e623479e66fa2ae1
 """From bytes to views: one for each number of each system, whichever messages report it."""
 
+from readings import finite
 from receiver import Receiver
 from view import seconds
 
@@ -10,15 +11,19 @@ class Views:
     """The views of everything that reports. A subclass says what it understands.
 
     `now` returns the time in milliseconds, such as time.ticks_ms; without it the time is the last one that feed() or
-    handle() was told. Signatures are not checked: parse frames with a codec's Link(signing=...) and give the messages
+    handle() was told. There are at most `most` views, so that nobody fills the memory by making numbers up: one more
+    takes the place of the one that is stale for longest, and is left out, and counted in `refused`, while none is.
+    Signatures are not checked: parse frames with a codec's Link(signing=...) and give the messages
     to handle() where they have to be.
     """
 
     VIEW = None  # class of a view
     READERS = ()  # by kind of message: its class, the field with the number, and what reads its fields
 
-    def __init__(self, now=None):
+    def __init__(self, now=None, most=32):
         self._clock = now
+        self._most = most
+        self.refused = 0
         self._told_ms = 0
         self._views = {}
         self._kinds = {cls.ID: kind for kind, (cls, _, _) in enumerate(self.READERS)}
@@ -51,7 +56,10 @@ class Views:
         return count
 
     def handle(self, message, now_ms=None):
-        """Take in a message that was decoded already; return its view, or None if the message is of no concern."""
+        """Take in a message that was decoded already; return its view, or None if the message is of no concern.
+
+        None, too, where there is no room for another view.
+        """
         self.tell(now_ms)
         return self._take(message)
 
@@ -92,6 +100,26 @@ class Views:
         key = (message.source_system, message.raw(field))
         view = self._views.get(key)
         if view is None:
+            if not self._has_room():
+                self.refused += 1
+                return None
             view = self._views[key] = self.VIEW(self, *key)
-        view.take(kind, read(message), message.source_component, self.now_ms())
+        view.take(kind, finite(read(message)), message.source_component, self.now_ms())
         return view
+
+    def _has_room(self):
+        """Tell whether there may be another view; the one that is stale for longest makes room."""
+        if len(self._views) < self._most:
+            return True
+        oldest, oldest_ms = None, -1
+        for key, view in self._views.items():
+            age_ms = view.age_ms()
+            if age_ms is None:  # for days
+                oldest = key
+                break
+            if view.is_stale() and age_ms > oldest_ms:
+                oldest, oldest_ms = key, age_ms
+        if oldest is None:
+            return False
+        del self._views[oldest]
+        return True

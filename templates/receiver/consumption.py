@@ -73,6 +73,9 @@ class Consumption:
         else:
             if self._current_a is not None:
                 self._total += (self._current_a + current_a) / 2 * elapsed(now_ms, self._last_ms)
+            if self._total - self._total != 0:  # a current that no battery has: the floats of a board are small
+                self._drawn.forget()
+                self._total = 0
             self._drawn.note(now_ms, self._total)
         self._current_a = current_a
 

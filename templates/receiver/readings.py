@@ -1,6 +1,7 @@
 """What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
+MOST_CELLS = 256  # messages count the cells of a battery in a byte
 _HALF = TURN >> 1
 
 
@@ -59,8 +60,16 @@ def single(values, full):
 
 
 def page(first, values):
-    """Return the values of a page by the number of the first one."""
-    return {first: values}
+    """Return the values of a page by the number of the first one; none where no battery has so many cells."""
+    return {first: values} if first < MOST_CELLS else {}
+
+
+def finite(said):
+    """Make everything unknown in what a message said that is infinite, or no number."""
+    for name, value in said.items():
+        if isinstance(value, float) and value - value != 0:
+            said[name] = None
+    return said
 
 
 def text(value):

@@ -26,6 +26,7 @@ CASES = [
         "belongs to a generation already",
         is_alone=False,
     ),
+    Case(BAD, "streams.yaml", NEW, "new: [BATTERY_STATUS_V2, §HEARTBEAT]", "HEARTBEAT says nothing about a battery"),
     Case(BAD, "streams.yaml", OLD, "old: §[]", "has no message"),
     Case(BAD, "streams.yaml", "  battery:\n    doc: >-", "  §batery:\n    doc: >-", "no component", is_alone=False),
     Case(BAD, "streams.yaml", "parameter: BATT_REPORT", "parameter: §SYSID_THISMAV", "not 0, 1 and 2"),

@@ -18,6 +18,15 @@ CASES = [
     Case("bad-instances", "board.yaml", "prefix: BATT2_", "prefix: §BATT_", "prefix", is_alone=False),
     Case("bad-instances", "board.yaml", "prefix: BATT2_", "prefix: §batt2_", "batt2_", is_alone=False),
     Case("bad-instances", "board.yaml", SECOND, "    - §doc", "no prefix", is_alone=False),
+    Case(
+        "bad-instances",
+        "state.yaml",
+        "  battery:\n    doc: One",
+        "  batteri:\n    doc: One",
+        "no component battery",
+        at="board.yaml:47:5",
+        is_alone=False,
+    ),
     # defaults
     Case("bad-instances", "board.yaml", "BATT2_VOLT_PIN: 27", "BATT2_VOLT_PN: §27", "BATT2_VOLT_PIN", is_alone=False),
     Case("bad-instances", "board.yaml", "BATT2_VOLT_PIN: 27", "SR0_EXTRA1: §27", "SR0_EXTRA1", is_alone=False),

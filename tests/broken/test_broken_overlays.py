@@ -17,7 +17,9 @@ DIALECTS = ROOT / "specs" / "dialects"
 DRAFT, CELLS, FAULTS = (
     f"dialects/{name}_rfc_0018.xml" for name in ("battery", "battery_cell_voltages", "battery_cell_faults")
 )
-UPSTREAM, OTHER = "dialects/battery_upstream.xml", "dialects/protocol_version.xml"
+UPSTREAM, INFO, OTHER = (
+    f"dialects/{name}.xml" for name in ("battery_upstream", "battery_info_upstream", "protocol_version")
+)
 REPAIRS = "dialects/corrections_rfc_0018.yaml"
 
 ABOUT_OVERLAYS = ("unknown-overlay", "file-not-found", "known-messages")
@@ -43,7 +45,7 @@ def check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
 
     def check(*overlays: str, is_corrected: bool = True, **edits: tuple[str, str]) -> Found:
         project = specs / "codegen.yaml"
-        text = re.sub("(?m)^overlays: .*$", f"overlays: [{', '.join((*overlays, OTHER))}]", project.read_text())
+        text = re.sub(r"(?m)^overlays:(\n  - .*)+", f"overlays: [{', '.join((*overlays, OTHER))}]", project.read_text())
         if not is_corrected:
             (specs / REPAIRS).unlink(missing_ok=True)
             text = text.replace(f", {REPAIRS}", "")
@@ -77,7 +79,9 @@ def test_the_alternative_without_corrections(check: Check) -> None:
     assert check(DRAFT, FAULTS, is_corrected=False) == [NO_NUMBER, ALL_BITS, TWO_SENTINELS]
 
 
-@pytest.mark.parametrize("overlays", [(UPSTREAM, CELLS), (DRAFT, CELLS), (DRAFT, FAULTS), (UPSTREAM,), (DRAFT,), ()])
+@pytest.mark.parametrize(
+    "overlays", [(UPSTREAM, CELLS), (DRAFT, CELLS), (DRAFT, FAULTS), (UPSTREAM, INFO), (INFO,), (DRAFT,), ()]
+)
 def test_corrected_overlays_have_no_findings(overlays: tuple[str, ...], check: Check) -> None:
     """The project file alone chooses: corrections of overlays that it does not list are neither used nor missed."""
     assert check(*overlays) == []

@@ -31,6 +31,7 @@ CASES = [
     Case("unknown-key", OWN, "base: ..", "base: ..\n§programs: {more: more/codegen.yaml}"),
     Case("missing-key", OWN, "base: ..\n", "", at="smart_battery/codegen.yaml:3:1"),
     Case("no-table", OWN, "HEARTBEAT, ", "§HEARTBEET, ", "did you mean HEARTBEAT"),
+    Case("no-table", "codegen.yaml", "  - dialects/battery_info_upstream.xml\n", "", "which is none of the overlays", at=f"{OWN}:6:78", is_alone=False),
     Case("unknown-enum-entry", OWN, "MAV_COMP_ID_BATTERY", "§MAV_COMP_ID_BATERY", "did you mean MAV_COMP_ID_BATTERY"),
     Case("bad-project", PARAMETERS, "default: 180", "default: §181", "MAV_COMP_ID_BATTERY (180)"),
     Case("bad-project", PARAMETERS, "default: 180\n    min: 1", "default: 180\n    min: 0", "component id from 1", at=f"{VEHICLE}:4:15"),
@@ -85,7 +86,7 @@ def test_a_finding_in_a_base_file_tells_for_which_program(
     assert main(["check"]) == 1
     printed = capsys.readouterr().out
     assert "specs/messages/sys_status.yaml:4:9: error unknown-stream" in printed
-    assert "specs/codegen.yaml:13:18: found for the program smart_battery" in printed
+    assert "specs/codegen.yaml:17:18: found for the program smart_battery" in printed
 
 
 def test_a_table_that_the_program_does_not_list_is_told(

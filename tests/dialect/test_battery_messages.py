@@ -14,7 +14,7 @@ from codegen.model.dialect import Dialect
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.wire import crc_mcrf4xx
 
-OVERLAY = Path(__file__).parents[2] / "specs" / "dialects" / "battery_upstream.xml"
+DIALECTS = Path(__file__).parents[2] / "specs" / "dialects"
 
 
 def message(number: int, name: str, fields: str) -> str:
@@ -27,7 +27,9 @@ def common_with_v2() -> Dialect:
     path = shipped_dialect_path("common")
     assert path is not None
     files = decode_dialect_files(path, report)
-    dialect = resolve_dialect("common", files + decode_dialect_files(str(OVERLAY), report, known=files), (), report)
+    for name in ("battery_upstream.xml", "battery_info_upstream.xml"):
+        files += decode_dialect_files(str(DIALECTS / name), report, known=files)
+    dialect = resolve_dialect("common", files, (), report)
     assert list(report) == []
     return dialect
 

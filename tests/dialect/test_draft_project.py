@@ -91,3 +91,29 @@ def test_the_firmware_sends_the_chosen_layout(overlays: tuple[str, ...], tmp_pat
     done = subprocess.run([sys.executable, *suite], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout[-3000:]
     assert "BATTERY_CELL_VOLTAGES" in (tmp_path / "generated" / "tests" / "cases.json").read_text()
+
+
+@pytest.fixture(scope="module")
+def shipped_with_the_draft(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The shipped specification with the one edit that its project file names, built."""
+    folder = tmp_path_factory.mktemp("shipped")
+    shutil.copytree(DIALECTS.parent, folder / "specs")
+    file = folder / "specs" / "codegen.yaml"
+    listed = f"  - dialects/{UPSTREAM}.xml\n"
+    assert file.read_text().count(listed) == 1
+    file.write_text(file.read_text().replace(listed, f"  - dialects/{DRAFT}.xml\n"))
+    command = [sys.executable, "-m", "codegen", "build"]
+    built = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert (built.returncode, built.stdout) == (0, ""), built.stderr
+    return folder
+
+
+@pytest.mark.parametrize("program", ["", "smart_battery"])
+def test_the_shipped_specification_takes_the_draft(program: str, shipped_with_the_draft: Path) -> None:
+    """One line of codegen.yaml: both programs build without a finding, and send the draft's 24 bytes."""
+    generated = shipped_with_the_draft / "generated" / program
+    suite = ["-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "tests/test_frames.py"]
+    done = subprocess.run([sys.executable, *suite], cwd=generated, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-3000:]
+    table = (generated / "docs" / "telemetry.md").read_text().partition("## BATTERY_STATUS_V2 (369)")[2]
+    assert "Payload 24 bytes, CRC_EXTRA 151." in table.partition("## ")[0]

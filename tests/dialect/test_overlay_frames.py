@@ -12,10 +12,10 @@ from overlay_codec import codec, oracle, overlaid
 
 from codegen.model.dialect import Dialect, Kind, WireField
 
-UPSTREAM, DRAFT = "battery_upstream.xml", "battery_rfc_0018.xml"
+UPSTREAM, INFO, DRAFT = "battery_upstream.xml", "battery_info_upstream.xml", "battery_rfc_0018.xml"
 CELLS, FAULTS = "battery_cell_voltages_rfc_0018.xml", "battery_cell_faults_rfc_0018.xml"
 CHOICES = {
-    "upstream": ((UPSTREAM, "protocol_version.xml"), False),
+    "upstream": ((UPSTREAM, INFO, "protocol_version.xml"), False),
     "draft-as-it-is": ((DRAFT,), False),
     "draft-corrected": ((DRAFT, CELLS), True),
     "upstream-with-cells": ((UPSTREAM, CELLS), True),

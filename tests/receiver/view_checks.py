@@ -6,6 +6,7 @@ The receiver is that of two packs with both generations and information; frames 
 import json
 
 import messages
+from consumption import Consumption
 from mavlink import Link
 from packs import Packs
 
@@ -298,6 +299,51 @@ def decoded_messages_are_handled():
     assert packs.handle(other, 0) is None
 
 
+def made_up_numbers_fill_no_memory():
+    """So many views there are and no more; one that is stale makes room, and none else."""
+    packs = Packs(most=3)
+    for number in range(3):
+        feed(packs, status(number, current_battery=100), number)
+    for number in range(3, 200):
+        assert packs.feed(bytes(LINKS[1].encode(status(number, current_battery=100))), 1000) == 0
+    assert packs.refused == 197
+    assert [view.number for view in packs.views()] == [0, 1, 2]
+    feed(packs, status(0, current_battery=200), 5000)
+    late = 1 + packs.VIEW.SILENT_MS + 1
+    feed(packs, status(77, current_battery=300), late)
+    assert [view.number for view in packs.views()] == [0, 2, 77]
+    assert packs.feed(bytes(LINKS[1].encode(status(78))), late) == 0, "number 2 is only about to be stale"
+    packs.tell(late + (1 << 28) + 1)
+    for number in (79, 80, 81):
+        feed(packs, status(number), late + (1 << 28) + 2)
+    assert [view.number for view in packs.views()] == [79, 80, 81], "all others were silent for days"
+
+
+def no_quantity_is_infinite():
+    """A float without end is unknown, and neither the mean nor the time left is spoilt by it or by absurd numbers."""
+    packs = Packs()
+    endless = float("inf")
+    feed(packs, status_v2(current=endless, voltage=-endless, capacity_remaining=endless), 0)
+    view = packs.view(7, 0)
+    assert (view.current, view.voltage, view.charge_left_ah, view.mean_current_a) == (None, None, None, None)
+    feed(packs, status_v2(current=2, capacity_remaining=1), 1000)
+    feed(packs, status_v2(current=2, capacity_remaining=1), 3000)
+    equals(view.mean_current_a, 2)
+    equals(view.time_left_s(3000), 1800)
+    feed(packs, status_v2(current=2, capacity_remaining=-1), 4000)
+    assert view.time_left_s(4000) == 0
+
+
+def a_total_without_end_begins_anew():
+    """On a board floats end at 3.4e38, here later: what is drawn at absurd currents adds up to infinity there."""
+    mean = Consumption(30000, 10000)
+    for now_ms in range(0, 4000, 1000):
+        mean.note(now_ms, 1e306, None)
+    for now_ms in range(4000, 100000, 1000):
+        mean.note(now_ms, 2, None)
+    equals(mean.mean_a(), 2)
+
+
 CHECKS = (
     new_generation_wins,
     stale_alone_leaves_the_word,
@@ -318,6 +364,9 @@ CHECKS = (
     an_old_message_stays_old,
     a_clock_can_be_given,
     decoded_messages_are_handled,
+    made_up_numbers_fill_no_memory,
+    no_quantity_is_infinite,
+    a_total_without_end_begins_anew,
 )
 
 

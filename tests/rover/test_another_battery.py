@@ -91,3 +91,9 @@ def test_fewer_cells_are_one_number(project):
     suite_is_green(project, "cpython and (behaviour or good_count)")
     state = (project / "generated" / "smart_battery" / "firmware" / "state.py").read_text()
     assert "> 17333 and" in state
+
+
+def test_both_generations_by_default(project):
+    """The suite knows that a battery which comes back is told of by the info of both then."""
+    apply(project, "streams.yaml", "parameter: BATT_REPORT", "send: both")
+    suite_is_green(project, "micropython and (return or announcement or generation)")

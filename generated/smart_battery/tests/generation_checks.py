@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: ebf3946f3c29a14b
+# Inputs: d8224f14312933bc
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
 from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_rover, run, run_passes
@@ -32,6 +32,15 @@ def _with_choice(each, choice):
 
 def _left_out(each, choice):
     return [number for number in each["old"] + each["new"] if number not in _with_choice(each, choice)]
+
+
+def is_chosen(rover, number):
+    """Tell whether a message is of a generation that is sent now, or of none."""
+    for each in GENERATIONS:
+        if number in each["old"] + each["new"]:
+            choice = getattr(rover.parameters, each["attribute"]) if each["attribute"] else each["default"]
+            return number in (each["old"], each["new"], each["old"] + each["new"])[choice]
+    return True
 
 
 def reporting(rover, number):

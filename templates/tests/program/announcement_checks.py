@@ -1,6 +1,6 @@
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
-from generation_checks import reporting
+from generation_checks import is_chosen, reporting
 from program_bench import (
     SECOND_US,
     TURN_MS_US,
@@ -26,19 +26,11 @@ def _id(frame):
     return frame[7] | frame[8] << 8 | frame[9] << 16
 
 
-def _is_chosen(rover, number):
-    for each in GENERATIONS:
-        if number in each["old"] + each["new"]:
-            choice = getattr(rover.parameters, each["attribute"]) if each["attribute"] else each["default"]
-            return number in (each["old"], each["new"], each["old"] + each["new"])[choice]
-    return True
-
-
 def _expected(rover):
     """Return the ids that a link is told when somebody appears, once for each frame."""
     found = []
     for number in sorted(MESSAGES):
-        if MESSAGES[number]["on_connection"] and _is_chosen(rover, number):
+        if MESSAGES[number]["on_connection"] and is_chosen(rover, number):
             found += [number] * (len(reporting(rover, number)) * MESSAGES[number]["pages"])
     return found
 
@@ -181,7 +173,7 @@ def told_of_a_change():
         for place, owner in enumerate(_owners(rover, component)):
             for value in (5, 6, None):
                 setattr(owner, attribute, value)
-                is_told = _is_chosen(rover, number) and place in reporting(rover, number)
+                is_told = is_chosen(rover, number) and place in reporting(rover, number)
                 for port in ports:
                     port.frames = []
                 run_passes(rover, 20)
@@ -276,7 +268,7 @@ def told_besides():
     _quiet(rover, [port])
     run(rover, 120 * SECOND_US, STEP_US)
     for number in found:
-        turn = len(reporting(rover, number)) * MESSAGES[number]["pages"] if _is_chosen(rover, number) else 0
+        turn = len(reporting(rover, number)) * MESSAGES[number]["pages"] if is_chosen(rover, number) else 0
         count = [_id(frame) for frame in port.frames].count(number)
         assert abs(count - 120 * MESSAGES[number]["rate"] * turn) <= turn, (number, count)
 

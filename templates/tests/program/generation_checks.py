@@ -32,6 +32,15 @@ def _left_out(each, choice):
     return [number for number in each["old"] + each["new"] if number not in _with_choice(each, choice)]
 
 
+def is_chosen(rover, number):
+    """Tell whether a message is of a generation that is sent now, or of none."""
+    for each in GENERATIONS:
+        if number in each["old"] + each["new"]:
+            choice = getattr(rover.parameters, each["attribute"]) if each["attribute"] else each["default"]
+            return number in (each["old"], each["new"], each["old"] + each["new"])[choice]
+    return True
+
+
 def reporting(rover, number):
     """Return the instances, from 0, that a message is sent about."""
     facts = MESSAGES[number]
