@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: bba8db46ce4d873b
+# Inputs: 1dfdaa9db8e66cc6
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -196,7 +196,7 @@ def told_of_all_when_their_turn_comes():
         for owner in owners:
             if facts["enabled"] and facts["component"] == component:
                 setattr(owner, facts["enabled"], True)
-        if not facts["rate"] or not _is_chosen(rover, number):
+        if not facts["rate"] or not is_chosen(rover, number):
             continue
         several = max(several, len(reporting(rover, number)))
         _quiet(rover, [port])

@@ -194,7 +194,7 @@ def told_of_all_when_their_turn_comes():
         for owner in owners:
             if facts["enabled"] and facts["component"] == component:
                 setattr(owner, facts["enabled"], True)
-        if not facts["rate"] or not _is_chosen(rover, number):
+        if not facts["rate"] or not is_chosen(rover, number):
             continue
         several = max(several, len(reporting(rover, number)))
         _quiet(rover, [port])
