@@ -1,7 +1,8 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 0bbe0afc5213236c
+# Inputs: ce5671950f821ac8
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
+from generation_checks import is_chosen, reporting
 from program_bench import SECOND_US, GroundStation, Port, Sink, main, messages, mock_time, needs, new_rover, run
 from program_facts import GENERATIONS, LINKS_US, MEASURED, MESSAGES, ON_REQUEST, SENT, SHORTEST_US, STREAMS
 
@@ -44,21 +45,7 @@ def _owners(rover, component):
 
 def _frames(rover, number):
     """Return how many frames one turn of a message takes: one for each page of each instance that is reported."""
-    facts = MESSAGES[number]
-    if any(number in each["old"] + each["new"] for each in GENERATIONS) and not _is_chosen(rover, number):
-        return 0
-    if facts["component"] is None or facts["enabled"] is None:
-        return facts["instances"] * facts["pages"]
-    owners = _owners(rover, facts["component"])
-    return len([owner for owner in owners if getattr(owner, facts["enabled"])]) * facts["pages"]
-
-
-def _is_chosen(rover, number):
-    for each in GENERATIONS:
-        choice = getattr(rover.parameters, each["attribute"]) if each["attribute"] else each["default"]
-        if number in (each["old"], each["new"], each["old"] + each["new"])[choice]:
-            return True
-    return False
+    return len(reporting(rover, number)) * MESSAGES[number]["pages"] if is_chosen(rover, number) else 0
 
 
 def _both_generations(rover):
