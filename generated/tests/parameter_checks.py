@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 0134511257473236
+# Inputs: 4874048b2e1a33cd
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -101,7 +101,7 @@ def list_is_complete():
         rover = new_rover()
         station = rover.ground_station()
         station.send(messages.ParamRequestList)
-        for index in range(40 * every):
+        for index in range((len(PARAMETERS) + 14) * every):
             rover.port.room = None if index % every == 0 else 0
             run_passes(rover, 1)
         values = station.received(messages.ParamValue)

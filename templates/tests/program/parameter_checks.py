@@ -99,7 +99,7 @@ def list_is_complete():
         rover = new_rover()
         station = rover.ground_station()
         station.send(messages.ParamRequestList)
-        for index in range(40 * every):
+        for index in range((len(PARAMETERS) + 14) * every):
             rover.port.room = None if index % every == 0 else 0
             run_passes(rover, 1)
         values = station.received(messages.ParamValue)
