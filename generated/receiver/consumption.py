@@ -1,5 +1,5 @@
 # Generated from templates/receiver/consumption.py: do not edit.
-# Inputs: 67e8d62c8d65431f
+# Inputs: 02b8f2c266f9b3dc
 """How fast charge is drawn: the mean current over the last while."""
 
 from readings import elapsed
@@ -45,7 +45,7 @@ class Consumption:
     """
 
     def __init__(self, window_ms, gap_ms):
-        self._half_ms = window_ms // 2
+        self._half_ms = max(window_ms // 2, 1)
         self._gap_ms = gap_ms
         self._drawn = _Rise(window_ms)  # A ms, from the currents
         self._counted = _Rise(window_ms)  # Ah, as the battery counts them

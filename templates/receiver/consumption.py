@@ -43,7 +43,7 @@ class Consumption:
     """
 
     def __init__(self, window_ms, gap_ms):
-        self._half_ms = window_ms // 2
+        self._half_ms = max(window_ms // 2, 1)
         self._gap_ms = gap_ms
         self._drawn = _Rise(window_ms)  # A ms, from the currents
         self._counted = _Rise(window_ms)  # Ah, as the battery counts them

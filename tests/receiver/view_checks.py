@@ -344,6 +344,15 @@ def a_total_without_end_begins_anew():
     equals(mean.mean_a(), 2)
 
 
+def the_shortest_window_has_a_mean():
+    """One millisecond: a first total has no rise yet, and the next one has."""
+    mean = Consumption(1, 10000)
+    mean.note(0, None, 1)
+    assert mean.mean_a() is None
+    mean.note(3600, None, 1.002)
+    equals(mean.mean_a(), 2)
+
+
 CHECKS = (
     new_generation_wins,
     stale_alone_leaves_the_word,
@@ -367,6 +376,7 @@ CHECKS = (
     made_up_numbers_fill_no_memory,
     no_quantity_is_infinite,
     a_total_without_end_begins_anew,
+    the_shortest_window_has_a_mean,
 )
 
 
