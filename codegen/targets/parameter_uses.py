@@ -7,9 +7,15 @@ from codegen.model.vehicle import Parameter
 
 
 def uses(parameter: Parameter, system: System) -> list[str]:
-    """Everything that reads a parameter, in the order of the specification's files."""
-    parts = (_board, _state, _messages, _program)
-    return [use for part in parts for use in part(parameter, system)]
+    """Everything that reads a parameter, in the order of the specification's files.
+
+    The specification names the first one of a family: what reads that one reads each other for its own instance.
+    """
+    first = system.parameters.get(parameter.siblings[0], parameter) if parameter.siblings else parameter
+    found = [use for part in (_board, _state, _messages, _program) for use in part(first, system)]
+    if found and parameter.siblings:
+        found[0] = f"of {parameter.component} {parameter.instance + 1}: {found[0]}"
+    return found
 
 
 def _board(parameter: Parameter, system: System) -> Iterator[str]:

@@ -40,6 +40,14 @@ CASES = [
     Case(
         "bad-representation", SYS, "{parameter: BATT_SYS_STATUS}", "{parameter: §BATT_LOW_TIMER}", "number of a battery"
     ),
+    Case(
+        "bad-representation",
+        "parameters.yaml",
+        "    min: 1\n    max: 16\n",
+        "    min: 0\n    max: 16\n",
+        "from 1 on",
+        at="messages/sys_status.yaml:5:35",
+    ),
     Case("bad-representation", SYS, "{parameter: BATT_SYS_STATUS}", "{lowest: §healthy}", "single number"),
     Case("bad-representation", SYS, "{parameter: BATT_SYS_STATUS}", "{lowest: §remainin}", "did you mean remaining"),
     Case("bad-representation", SYS, "{battery: {parameter", "{batery: §{parameter", "mean battery", is_alone=False),

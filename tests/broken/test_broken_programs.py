@@ -70,9 +70,9 @@ def test_is_reported_at_its_place(
 def test_what_is_wrong_in_a_shared_file_is_reported_once(
     specification: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """state.yaml belongs to both programs."""
-    path = specification / "state.yaml"
-    path.write_text(path.read_text().replace("        stored: cA", "        stored: mAh"))
+    """The table of BATTERY_STATUS belongs to both programs."""
+    path = specification / "messages" / "battery_status.yaml"
+    path.write_text(path.read_text().replace("{state: battery.temperature,", "{state: battery.temperatur,"))
     assert main(["check"]) == 1
     assert len(errors(capsys)) == 1
 
