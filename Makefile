@@ -17,8 +17,8 @@ test: $(STATIONS)
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
 	step "mypy" $(BIN)/mypy; \
-	step "pytest" $(BIN)/python -m pytest -n auto; \
-	for tests in $(wildcard generated/*/tests); do step "pytest $$tests" $(BIN)/python -m pytest -n auto "$$tests"; done; \
+	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal; \
+	for tests in $(wildcard generated/*/tests); do step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal "$$tests"; done; \
 	step "codegen build --check" $(BIN)/codegen build --check; \
 	step "codegen check" $(BIN)/codegen check; \
 	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \

@@ -30,7 +30,7 @@ STEPS = [
     "ruff check",
     "ruff format --check",
     "mypy ",
-    "python -m pytest -n auto",
+    "python -m pytest -n auto --dist worksteal",
     "codegen build --check",
     "codegen check",
 ]
