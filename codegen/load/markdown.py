@@ -4,6 +4,7 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from itertools import pairwise
 
 from markdown_it import MarkdownIt
@@ -46,8 +47,12 @@ class Document:
     sections: tuple[Section, ...]
 
 
+@cache
 def parse_markdown(text: str, path: str) -> Document:
-    """The document of a text; every text is Markdown. Places count from 1 and name the absolute form of ``path``."""
+    """The document of a text; every text is Markdown. Places count from 1 and name the absolute form of ``path``.
+
+    Kept for the further programs of a project, which read the documents of their base again.
+    """
     return _Reader(text, os.path.abspath(path)).document()
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Conversion, Parameter
+from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
 
 FIRST_PREFIX = "BATT_"
 """What the names of the first battery's parameters begin with, where no instances are listed."""
@@ -51,12 +51,10 @@ def battery_inputs(system: System) -> tuple[BatteryInput, ...]:
     voltage = _conversion(component, "voltage")
     current = _conversion(component, "current")
     assert voltage is not None
+    voltages = _inputs(voltage, component, system)
+    currents = (None,) * component.instances if current is None else _inputs(current, component, system)
     return tuple(
-        BatteryInput(
-            part.prefix or FIRST_PREFIX,
-            _input(voltage, part.number, system),
-            None if current is None else _input(current, part.number, system),
-        )
+        BatteryInput(part.prefix or FIRST_PREFIX, voltages[part.number], currents[part.number])
         for part in component.parts
     )
 
@@ -78,13 +76,14 @@ def _conversion(component: Component, dimension: str) -> Conversion | None:
     return next((quantity.conversion for quantity in quantities if quantity.conversion), None)
 
 
-def _input(conversion: Conversion, instance: int, system: System) -> AdcInput:
-    channel = conversion.channel
-    pin = None if channel.pin is None else _sibling(channel.pin, instance, system)
-    gpio = channel.gpio if pin is None else int(pin.default * pin.step)
-    return AdcInput(gpio, pin, _sibling(conversion.multiplier, instance, system), channel.reference)
-
-
-def _sibling(parameter: Parameter, instance: int, system: System) -> Parameter:
-    """The parameter of a family that belongs to an instance, from 0; one that is no family belongs to all."""
-    return system.parameters[parameter.siblings[instance]] if parameter.siblings else parameter
+def _inputs(conversion: Conversion, component: Component, system: System) -> tuple[AdcInput, ...]:
+    """The input of each instance."""
+    channel, count = conversion.channel, component.instances
+    multipliers = by_instance(conversion.multiplier, system.parameters, count)
+    if channel.pin is None:
+        return tuple(AdcInput(channel.gpio, None, multiplier, channel.reference) for multiplier in multipliers)
+    pins = by_instance(channel.pin, system.parameters, count)
+    return tuple(
+        AdcInput(int(pin.default * pin.step), pin, multiplier, channel.reference)
+        for pin, multiplier in zip(pins, multipliers, strict=True)
+    )

@@ -1,9 +1,7 @@
 """Packs that the ADC or a message is too small for: a warning with its place and a number that is enough."""
 
-import shutil
-
 import pytest
-from test_broken_tables import ROOT
+from test_broken_generations import changed
 
 from codegen.cli import main
 
@@ -41,12 +39,7 @@ CASES = {
 
 def check(folder, monkeypatch, capsys, changes):
     """What the command prints about a changed copy of the shipped specification, and its exit code."""
-    shutil.copytree(ROOT / "specs", folder / "specs")
-    for name, old, new in changes:
-        path = folder / "specs" / name
-        text = path.read_text()
-        assert old in text, (name, old)
-        path.write_text(text.replace(old, new, 1))
+    changed(folder, *changes)
     monkeypatch.chdir(folder)
     code = main(["check"])
     return code, capsys.readouterr().out

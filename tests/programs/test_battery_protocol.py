@@ -1,7 +1,6 @@
 """What MAVLink's documents say of battery messages, as far as the generated suite leaves it open."""
 
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -9,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from test_smart_battery import run
 
 ROOT = Path(__file__).resolve().parents[2]
-CHECKS = Path(__file__).with_name("protocol_checks.py")
 CHECKED = 8
 SYS_STATUS = "specs/messages/sys_status.yaml"
 POLICY = "represents: {battery: {parameter: BATT_SYS_STATUS}}"
@@ -19,18 +18,8 @@ POLICY = "represents: {battery: {parameter: BATT_SYS_STATUS}}"
 
 def check(generated: Path, interpreter: str, cells: int) -> None:
     """Run the checks on the rover's program in a folder."""
-    python = sys.executable if interpreter == "cpython" else str(Path(sys.executable).with_name("micropython"))
-    path = os.pathsep.join([*(str(generated / name) for name in ("firmware", "mocks", "tests")), ".frozen"])
-    done = subprocess.run(
-        [python, str(CHECKS), str(cells)],
-        capture_output=True,
-        text=True,
-        env=os.environ | {"MICROPYPATH": path, "PYTHONPATH": path},
-        timeout=200,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    outcomes = json.loads(done.stdout)
+    folders = [str(generated / name) for name in ("firmware", "mocks", "tests")]
+    outcomes = json.loads(run(interpreter, folders, "protocol_checks.py", str(cells), seconds=200))
     assert len(outcomes) == CHECKED
     assert {name: outcome for name, outcome in outcomes.items() if outcome is not None} == {}
 

@@ -13,7 +13,7 @@ BATTERY = ROOT / "generated" / "smart_battery"
 PATHS = [str(BATTERY / name) for name in ("firmware", "mocks", "tests")]
 
 
-def run(interpreter, folders, script, *arguments, given=""):
+def run(interpreter, folders, script, *arguments, given="", seconds=100):
     """What a script beside this file prints, with the generated folders on its path."""
     python = sys.executable if interpreter == "cpython" else str(Path(sys.executable).with_name("micropython"))
     path = os.pathsep.join([*folders, ".frozen"])
@@ -23,7 +23,7 @@ def run(interpreter, folders, script, *arguments, given=""):
         text=True,
         input=given,
         env=os.environ | {"MICROPYPATH": path, "PYTHONPATH": path},
-        timeout=100,
+        timeout=seconds,
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
