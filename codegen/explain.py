@@ -114,10 +114,10 @@ def _rate(message: PopulatedMessage) -> str:
     stream = message.stream
     if stream is None:
         return "sent when a ground station asks for it"
+    rate = f"{decimal(stream.default_rate)} Hz"
     if stream.parameter is not None:
-        default = decimal(stream.parameter.default * stream.parameter.step)
-        return f"stream {stream.name}: {stream.parameter.name} sets the rate, {default} Hz by default"
-    return f"stream {stream.name}: {decimal(stream.rate or Fraction(0))} Hz"
+        return f"stream {stream.name}: {stream.parameter.name} sets the rate, {rate} by default"
+    return f"stream {stream.name}: {rate}"
 
 
 def _cells(row: FieldRow) -> Iterator[tuple[str, ...]]:

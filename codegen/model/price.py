@@ -150,10 +150,7 @@ def total(ranges: Iterable[Range]) -> Range:
 
 def default_rate(message: PopulatedMessage) -> Fraction:
     """How often a message is sent, in Hz; 0 without a stream."""
-    stream = message.stream
-    if stream is None:
-        return Fraction(0)
-    return stream.rate or (stream.parameter.default * stream.parameter.step if stream.parameter else Fraction(0))
+    return message.stream.default_rate if message.stream else Fraction(0)
 
 
 def message_price(message: PopulatedMessage, system: System) -> Price:

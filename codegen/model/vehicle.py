@@ -256,3 +256,10 @@ class Stream:
     fastest: Fraction
     spec: StreamSpec
     citation: Citation | None
+
+    @property
+    def default_rate(self) -> Fraction:
+        """The rate in Hz that holds until a parameter or a ground station changes it; 0 is never."""
+        if self.parameter is not None:
+            return self.parameter.default * self.parameter.step
+        return self.rate or Fraction(0)

@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.system import LiveBinding, PopulatedMessage, SplitBinding, System
-from codegen.model.vehicle import Quantity, Stream
+from codegen.model.unit import decimal
+from codegen.model.vehicle import Quantity
 
 RULE = Rule(
     "rate-above-update",
@@ -19,20 +20,16 @@ def check(system: System) -> Iterator[Diagnostic]:
     for message in system.messages:
         if message.stream is None:
             continue
-        rate = message.stream.rate if message.stream.rate is not None else _default_rate(message.stream)
+        rate = message.stream.default_rate
         for name in sorted(_components(message)):
             period = system.components[name].period_ms
             if period is not None and rate * period > 1000:
                 yield Diagnostic(
                     message.population.at("stream"),
                     RULE,
-                    f"{message.name} goes out at {rate} Hz, but {name} is updated every {period} ms",
+                    f"{message.name} goes out at {decimal(rate)} Hz, but {name} is updated every {period} ms",
                     related=((system.components[name].spec.at("update_rate"), f"{name} is updated at this rate"),),
                 )
-
-
-def _default_rate(stream: Stream) -> int:
-    return stream.parameter.default if stream.parameter else 0
 
 
 def _components(message: PopulatedMessage) -> set[str]:

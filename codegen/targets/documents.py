@@ -122,11 +122,10 @@ def _message(message: PopulatedMessage, system: System) -> MessageDocument:
 def _rate(stream: Stream | None) -> str:
     if stream is None:
         return "on request"
+    rate = f"{decimal(stream.default_rate)} Hz"
     if stream.parameter is not None:
-        default = decimal(stream.parameter.default * stream.parameter.step)
-        return f"stream {stream.name}: {stream.parameter.name}, {default} Hz by default"
-    assert stream.rate is not None
-    return f"stream {stream.name}: {decimal(stream.rate)} Hz"
+        return f"stream {stream.name}: {stream.parameter.name}, {rate} by default"
+    return f"stream {stream.name}: {rate}"
 
 
 def _quantity(quantity: Quantity) -> QuantityRow:

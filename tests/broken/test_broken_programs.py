@@ -101,6 +101,22 @@ def test_a_table_that_the_program_does_not_list_is_told(
     assert "hint: the program does not list its message" in printed
 
 
+@pytest.mark.parametrize(("default", "warned"), [("2", 0), ("10", 0), ("10.1", 1)])
+def test_a_rate_in_tenths_of_a_hertz_is_in_hertz(
+    specification: Path, capsys: pytest.CaptureFixture[str], default: str, warned: int
+) -> None:
+    """The battery is updated at 10 Hz; the parameter of its status counts in steps of 0.1 Hz."""
+    path = specification / PARAMETERS
+    path.write_text(
+        path.read_text().replace(
+            "default: 0.5\n    min: 0\n    max: 10\n", f"default: {default}\n    min: 0\n    max: 20\n"
+        )
+    )
+    assert main(["check"]) == 0
+    found = [line for line in capsys.readouterr().out.splitlines() if " rate-above-update: " in line]
+    assert [f"goes out at {default} Hz" in line for line in found] == [True] * 2 * warned
+
+
 def test_a_program_is_not_built_alone(specification: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Its output lies in that of the project which lists it."""
     assert main(["--project", str(specification / "smart_battery" / "codegen.yaml"), "check"]) == 1

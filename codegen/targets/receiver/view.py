@@ -214,9 +214,7 @@ def stale_after_ms(message: PopulatedMessage, receiver: Receiver) -> int:
     stream = message.stream
     if stream is None:
         return 0
-    rate = stream.rate or Fraction(0)
-    if stream.parameter is not None:
-        rate = stream.parameter.default * stream.parameter.step
+    rate = stream.default_rate
     return max(receiver.stale_after_ms, math.ceil(MISSED * 1000 / rate)) if rate else 0
 
 
