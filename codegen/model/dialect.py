@@ -26,10 +26,10 @@ IN_USE = Lifecycle()
 class CommandParameter(NamedTuple):
     """One ``<param>`` of a command, an entry of MAV_CMD.
 
-    ``index`` and ``attributes`` (label, units, enum, minValue, reserved ...) are as written.
+    ``number``, the attribute index, and ``attributes`` (label, units, enum, minValue, reserved ...) are as written.
     """
 
-    index: str
+    number: str
     attributes: tuple[tuple[str, str], ...]
     description: str
     place: Place
