@@ -28,6 +28,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "manifest": GROUND,
     "emit": {"manifest", *GROUND},
     "catalogue": GROUND,
+    "fingerprint": set(),
+    "waivers": {"fingerprint", "model", *GROUND},
+    "findings": GROUND,
     "mpy": GROUND,
     "pipeline": {*READING, "targets", "render", "emit", "mpy", "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
@@ -35,7 +38,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sim": {"render", "model", *GROUND},
     "explain": {"catalogue", "targets", "model", *GROUND},
     "cli": {
-        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim"),
+        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim", "findings", "waivers"),
         *("decode", "resolve", "model", *GROUND),
     },
     "__main__": {"cli"},
