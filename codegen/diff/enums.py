@@ -1,6 +1,7 @@
 """Changes of enums and their entries, with the parameters of commands."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from codegen.diff import wire_rules as rules
 from codegen.diff.change import Change, ChangeRule, changed
@@ -39,7 +40,8 @@ def _within(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str]) -> 
         yield _enum(rules.ENUM_BITMASK, name, words[0], words[1], places, fields)
     if old.description != new.description:
         yield _enum(rules.DESCRIPTION, name, old.description or None, new.description or None, places, fields)
-    yield from lifecycle_changes(name, old.lifecycle, new.lifecycle, places, _messages(fields))
+    for change in lifecycle_changes(name, old.lifecycle, new.lifecycle, places, _messages(fields)):
+        yield replace(change, enum=name)
     yield from _entries(old, new, fields)
 
 
@@ -71,7 +73,8 @@ def _entry_changes(old: EnumEntry, new: EnumEntry, enum: str, fields: Sequence[s
     if sorted(old.traits) != sorted(new.traits):
         yield _entry(rules.ENTRY_TRAITS, enum, new, (_written(old.traits), _written(new.traits)), old, fields)
     subject, places = f"{enum}.{new.name}", (old.place, new.place)
-    yield from lifecycle_changes(subject, old.lifecycle, new.lifecycle, places, _messages(fields))
+    for change in lifecycle_changes(subject, old.lifecycle, new.lifecycle, places, _messages(fields)):
+        yield replace(change, enum=enum, entry=new.name)
     before = {parameter.number: parameter for parameter in old.parameters}
     after = {parameter.number: parameter for parameter in new.parameters}
     for number in sorted(before.keys() | after.keys()):
@@ -118,7 +121,9 @@ def _enum(
     places: tuple[Place | None, Place | None],
     fields: Sequence[str],
 ) -> Change:
-    return changed(rule, subject, old, new, places, _used_by(rule, fields), messages=_messages(fields))
+    enum, _, rest = subject.partition(".")
+    change = changed(rule, subject, old, new, places, _used_by(rule, fields), messages=_messages(fields))
+    return replace(change, enum=enum, entry=rest.partition(".")[0] or None)
 
 
 def _used_by(rule: ChangeRule, fields: Sequence[str]) -> str:
