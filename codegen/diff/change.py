@@ -63,8 +63,8 @@ class Change:
 
     ``old`` and ``new`` are values as people write them, None where there is none; ``effect`` says in a sentence what
     comes of it. ``place`` is in the new version, or in the old one if it is gone there; ``was_at`` is in the old one
-    otherwise. ``messages`` are the names of the messages that are concerned, of the old or the new version; ``enum`` and
-    ``entry`` are set where the change is one of an enum.
+    otherwise. ``messages`` are the names of the messages that are concerned, of the old or the new version; ``enum``
+    and ``entry`` are set where the change is one of an enum.
     """
 
     rule: ChangeRule
