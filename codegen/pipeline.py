@@ -13,6 +13,7 @@ from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.load.marked_tests import read_marked_tests, test_files
 from codegen.load.shipped import dialect_path
 from codegen.load.text import read_bytes
+from codegen.load.trees import exists
 from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Spec
@@ -102,7 +103,7 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
     After an error in the specification they are checked by themselves: what they lack there may be what is broken.
     """
     path = scenarios_path(project_file)
-    if os.path.lexists(path):
+    if exists(path):
         read_scenarios(path, () if report.has_errors else systems, report)
 
 
@@ -214,7 +215,7 @@ def files_read(systems: Iterable[System]) -> set[str]:
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
     scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
-    return read | {path for path in scenarios if os.path.lexists(path)}
+    return read | {path for path in scenarios if exists(path)}
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:

@@ -5,6 +5,7 @@ import re
 import stat
 
 from codegen.diagnostics import Report, Rule
+from codegen.load.trees import is_in_tree, tree_content
 from codegen.source import Place, shown_path
 
 MAX_BYTES = 10_000_000
@@ -44,6 +45,11 @@ def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> byte
     """
     place = asked_at or Place(os.path.abspath(path))
     shown = shown_path(path)
+    if is_in_tree(path):
+        content = tree_content(path)
+        if content is None:
+            report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
+        return content
     try:
         # Looking first keeps a pipe or a device from blocking the run.
         mode = os.stat(path).st_mode

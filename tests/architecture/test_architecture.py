@@ -28,6 +28,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "manifest": GROUND,
     "emit": {"manifest", *GROUND},
     "catalogue": GROUND,
+    "fingerprint": set(),
+    "waivers": {"fingerprint", "model", *GROUND},
+    "findings": GROUND,
     "mpy": GROUND,
     "trace": {"targets", "render", "model", *GROUND},
     "pipeline": {*READING, "targets", "trace", "render", "emit", "mpy", "model", *GROUND},
@@ -36,7 +39,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sim": {"render", "model", *GROUND},
     "explain": {"catalogue", "targets", "model", *GROUND},
     "cli": {
-        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim", "trace"),
+        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim", "trace", "findings", "waivers"),
         *("decode", "resolve", "model", *GROUND),
     },
     "pytest_plugin": set(),
