@@ -10,6 +10,7 @@ from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.load.marked_tests import read_marked_tests, test_files
 from codegen.load.shipped import dialect_path
 from codegen.load.text import read_bytes
 from codegen.load.trees import exists
@@ -25,6 +26,9 @@ from codegen.rules import RULES
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.trace.generated_tests import generated_tests
+from codegen.trace.graph import Trace, hand_written, linked
+from codegen.trace.rows import rows_of
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -132,6 +136,28 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     ]
     added = (message.definition for message in dialect.added_messages())
     return replace(dialect, known=taken_elsewhere(added, files, listed))
+
+
+def read_trace(systems: Sequence[System], report: Report) -> Trace:
+    """What criteria, tables, symbols and tests of a project have to do with one another.
+
+    A finding is about a file of tests that says nothing.
+    """
+    documents = {each.place: each for system in systems for each in system.requirements.values()}
+    marked = [test for path in test_files(test_folders(systems)) for test in read_marked_tests(path, report)]
+    tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
+    return linked(documents.values(), rows_of(systems), tests)
+
+
+def project_folder(systems: Sequence[System]) -> str:
+    """The absolute path of the folder of a project: the one above that of its specification."""
+    return os.path.dirname(systems[0].spec.folder) if systems else os.getcwd()
+
+
+def test_folders(systems: Iterable[System]) -> list[str]:
+    """The absolute paths of the folders with tests that are written by hand."""
+    specs = [system.spec for system in systems]
+    return sorted({os.path.normpath(os.path.join(spec.folder, name)) for spec in specs for name in spec.project.tests})
 
 
 def render_system(system: System) -> dict[str, str]:

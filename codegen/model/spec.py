@@ -35,6 +35,9 @@ class Project(Written):
     )
     corrections: tuple[str, ...] = described("YAML files that correct attributes of the dialect.", default=())
     output: str = described("Folder that the generated files go to.", default="../generated")
+    tests: tuple[str, ...] = described(
+        "Folders with tests written by hand, in which codegen trace looks for what they show.", default=("../tests",)
+    )
     programs: Mapping[str, str] = described(
         "Further programs from the same specification by name, each with the path of its own project file; what is "
         "generated for one goes to the folder of that name below the output.",

@@ -17,7 +17,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "source": set(),
     "diagnostics": {"source"},
     "model": {"source"},
-    "load": GROUND,
+    "load": {"model", *GROUND},
     "decode": {"load", "model", *GROUND},
     "resolve": {"model", *GROUND},
     "rules": {"resolve", "model", *GROUND},
@@ -32,15 +32,17 @@ MAY_IMPORT: dict[str, set[str]] = {
     "waivers": {"fingerprint", "model", *GROUND},
     "findings": GROUND,
     "mpy": GROUND,
-    "pipeline": {*READING, "targets", "render", "emit", "mpy", "model", *GROUND},
+    "trace": {"targets", "render", "model", *GROUND},
+    "pipeline": {*READING, "targets", "trace", "render", "emit", "mpy", "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
     "stamp": {"emit", "manifest", "template_files"},
     "sim": {"render", "model", *GROUND},
     "explain": {"catalogue", "targets", "model", *GROUND},
     "cli": {
-        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim", "findings", "waivers"),
+        *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim", "trace", "findings", "waivers"),
         *("decode", "resolve", "model", *GROUND),
     },
+    "pytest_plugin": set(),
     "__main__": {"cli"},
 }
 """Part of the package (a folder or a module of its own) -> the other parts that it may import."""
