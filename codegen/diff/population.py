@@ -115,6 +115,7 @@ def _joined(name: str, elements: list[tuple[int, list[Change]]], count: int) -> 
                 change.effect,
                 cited=change.cited,
                 messages=change.messages,
+                rows=(name,),
             )
 
 

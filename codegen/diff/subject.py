@@ -20,7 +20,10 @@ class Fact(NamedTuple):
 
 
 class Subject(NamedTuple):
-    """A part of a system: its name, what it is in a few words, the rules of its coming and going, and its facts."""
+    """A part of a system: its name, what it is in a few words, the rules of its coming and going, and its facts.
+
+    ``row`` is its name in the trace, where that is another one.
+    """
 
     name: str
     says: str
@@ -30,6 +33,7 @@ class Subject(NamedTuple):
     facts: tuple[Fact, ...]
     cited: tuple[str, ...] = ()
     messages: tuple[str, ...] = ()
+    row: str = ""
 
 
 def subject_changes(
@@ -63,6 +67,7 @@ def _whole(rule: ChangeRule, old: Subject | None, new: Subject | None) -> Change
         (old.place if old else None, new.place if new else None),
         cited=subject.cited,
         messages=subject.messages,
+        rows=(subject.row or subject.name,),
     )
 
 
@@ -85,19 +90,18 @@ def _facts(old: Subject, new: Subject, absorbing: Mapping[ChangeRule, Collection
             for other in absorbed:
                 differing[rule] += differing.pop(other, ())
     for rule, pairs in differing.items():
-        texts = [
-            _said((pair.attribute, pair.old) for pair in pairs),
-            _said((pair.attribute, pair.new) for pair in pairs),
-        ]
+        before = _said((pair.attribute, pair.old) for pair in pairs)
+        after = _said((pair.attribute, pair.new) for pair in pairs)
         first = pairs[0]
         yield changed(
             rule,
             new.name,
-            texts[0],
-            texts[1],
+            before,
+            after,
             (first.old.place if first.old else old.place, first.new.place if first.new else new.place),
             cited=dict.fromkeys((*new.cited, *old.cited)),
             messages=dict.fromkeys((*new.messages, *old.messages)),
+            rows=(new.row or new.name,),
         )
 
 
