@@ -124,8 +124,8 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     from codegen.diff.system import compare_dialects, compare_systems
 
     notes = [
-        f"{side.label} has {len(side.findings)} errors, and what they concern may be missing here. "
-        f"The first: {side.findings[0].place.shown()}: {side.findings[0].message}"
+        f"{side.label} has {_errors(len(side.findings))}, and what that concerns may be missing here. "
+        f"{side.findings[0].place.shown()}: {side.findings[0].message}"
         for side in (base, head)
         if side.findings
     ]
@@ -140,6 +140,10 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     else:
         compared = compare_dialects(base.dialect, head.dialect)
     return review(base.label, head.label, compared, notes)
+
+
+def _errors(count: int) -> str:
+    return "an error" if count == 1 else f"{count} errors, the first of which is shown"
 
 
 def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review, int]":

@@ -1,12 +1,13 @@
 """A review as a page that opens from disk, in the look of the project's other pages."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from codegen.diff.bandwidth import Bandwidth
-from codegen.diff.change import Area
+from codegen.diff.change import Area, Reach
 from codegen.diff.grouping import Group, difference, notice_text
 from codegen.diff.markdown import TITLES
-from codegen.diff.review import Review, tests_text
+from codegen.diff.review import Review
 from codegen.render import render_page
 
 
@@ -18,6 +19,14 @@ class SummaryRow:
     changes: int
     silent: int
     noticed: int
+
+
+@dataclass(frozen=True, slots=True)
+class SymbolLine:
+    """The symbols of one generated file."""
+
+    file: str
+    names: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +43,9 @@ class ChangeRow:
     told: tuple[str, ...]
     waived: str
     requirements: str
-    symbols: tuple[str, ...]
-    tests: str
+    more: str
+    symbols: tuple[SymbolLine, ...]
+    tests: tuple[str, ...]
     place: str
     was_at: str
 
@@ -123,11 +133,30 @@ def _row(group: Group) -> ChangeRow:
         told=tuple(word for word in told if word),
         waived=group.waived or "",
         requirements=f"{', '.join(requirements)}{more}",
-        symbols=reach.symbols[:6],
-        tests=tests_text(reach.tests),
+        more=_more(reach),
+        symbols=_by_file(reach.symbols),
+        tests=reach.tests,
         place=change.place.shown().rpartition(":")[0],
         was_at=change.was_at.shown().rpartition(":")[0] if change.was_at and change.has_moved else "",
     )
+
+
+def _more(reach: Reach) -> str:
+    """What the list of symbols and tests is called while it is folded."""
+    told = [
+        f"{len(names)} {noun}{'' if len(names) == 1 else 's'}"
+        for names, noun in ((reach.symbols, "symbol"), (reach.tests, "test"))
+        if names
+    ]
+    return ", ".join(told)
+
+
+def _by_file(symbols: Sequence[str]) -> tuple[SymbolLine, ...]:
+    files: dict[str, list[str]] = {}
+    for symbol in symbols:
+        file, _, name = symbol.partition(": ")
+        files.setdefault(file, []).append(name)
+    return tuple(SymbolLine(file, ", ".join(names)) for file, names in sorted(files.items()))
 
 
 def _sentence(text: str) -> str:
