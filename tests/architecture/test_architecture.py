@@ -32,7 +32,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "waivers": {"fingerprint", "model", *GROUND},
     "findings": GROUND,
     "mpy": GROUND,
-    "trace": {"targets", "render", "model", *GROUND},
+    "trace": {"targets", "render", "fingerprint", "model", *GROUND},
     "pipeline": {*READING, "targets", "trace", "render", "emit", "mpy", "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
     "stamp": {"emit", "manifest", "template_files"},
