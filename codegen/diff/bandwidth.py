@@ -85,6 +85,7 @@ def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fra
         (_streams(old), _streams(new)),
         effect,
         messages=[row.name for row in found.rows if row.old != row.new],
+        rows=[row.name for row in found.rows if row.old != row.new],
     )
 
 

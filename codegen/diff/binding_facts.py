@@ -39,10 +39,14 @@ def binding_facts(binding: Binding, index: int) -> Iterator[BindingFact]:
 
 def _fixed(binding: FixedBinding, position: int) -> Iterator[BindingFact]:
     value = binding.values[position] if position < len(binding.values) else binding.values[-1]
-    meaning = "unknown" if binding.is_unknown else binding.meaning
-    yield BindingFact("source", "unknown" if binding.is_unknown else "constant", rules.SOURCE)
     shown = _number(value)
-    yield BindingFact("value", shown if meaning in ("", shown) else f"{shown} ({meaning})", rules.CONSTANT)
+    if binding.is_unknown:
+        yield BindingFact("source", binding.meaning or "unknown", rules.SOURCE)
+        yield BindingFact("unknown", shown, rules.UNKNOWN)
+        return
+    yield BindingFact("source", "constant", rules.SOURCE)
+    text = shown if binding.meaning in ("", shown) else f"{shown} ({binding.meaning})"
+    yield BindingFact("value", text, rules.CONSTANT)
 
 
 def _part(binding: PartBinding, position: int) -> Iterator[BindingFact]:
@@ -68,12 +72,10 @@ def _page(binding: PageBinding, _position: int) -> Iterator[BindingFact]:
 
 def _flags(binding: FlagsBinding, _position: int) -> Iterator[BindingFact]:
     yield BindingFact("source", "flags", rules.SOURCE)
-    named = dict.fromkeys(binding.names, "always")
+    for name in binding.names:
+        yield BindingFact(name, "always", rules.FLAGS)
     for name, value, quantity in binding.conditional:
-        named[name] = f"if {quantity.path}"
-        yield BindingFact(f"bit of {name}", f"{value:#x}", rules.FLAGS)
-    for name, condition in named.items():
-        yield BindingFact(name, condition, rules.FLAGS)
+        yield BindingFact(name, f"({value:#x}) if {quantity.path}", rules.FLAGS)
     yield BindingFact("bits always set", f"{binding.mask:#x}", rules.FLAGS)
 
 

@@ -63,6 +63,7 @@ def _channel(channel: AdcChannel) -> Subject:
         place=spec.place,
         facts=facts,
         cited=cited(channel.citation, channel.aspects),
+        row=channel.name,
     )
 
 
@@ -89,7 +90,7 @@ def _link(link: BoardLink) -> Subject:
         Fact("answers to", str(link.citation or ""), CITATION, spec.at("requirement")),
     )
     name, kind = f"link.{link.name}", link.kind.value
-    return Subject(name, kind, rules.LINK, rules.LINK, spec.place, facts, cited(link.citation))
+    return Subject(name, kind, rules.LINK, rules.LINK, spec.place, facts, cited(link.citation), row=link.name)
 
 
 def _stream(stream: Stream) -> Subject:
@@ -108,7 +109,14 @@ def _stream(stream: Stream) -> Subject:
     )
     name = f"stream {stream.name}"
     return Subject(
-        name, _rate(stream), rules.STREAM_ADDED, rules.STREAM_REMOVED, spec.place, facts, cited(stream.citation)
+        name=name,
+        says=_rate(stream),
+        added=rules.STREAM_ADDED,
+        removed=rules.STREAM_REMOVED,
+        place=spec.place,
+        facts=facts,
+        cited=cited(stream.citation),
+        row=stream.name,
     )
 
 
@@ -138,4 +146,5 @@ def _generations(generations: Generations) -> Subject:
         facts=facts,
         cited=cited(generations.citation),
         messages=(*generations.old, *generations.new),
+        row=generations.component.name,
     )

@@ -63,8 +63,9 @@ class Change:
 
     ``old`` and ``new`` are values as people write them, None where there is none; ``effect`` says in a sentence what
     comes of it. ``place`` is in the new version, or in the old one if it is gone there; ``was_at`` is in the old one
-    otherwise. ``messages`` are the names of the messages that are concerned, of the old or the new version; ``enum`` and
-    ``entry`` are set where the change is one of an enum.
+    otherwise. ``messages`` are the names of the messages that are concerned, of the old or the new version; ``enum``
+    and ``entry`` are set where the change is one of an enum. ``rows`` are the names by which the trace knows what is
+    touched.
     """
 
     rule: ChangeRule
@@ -81,6 +82,7 @@ class Change:
     cited: tuple[str, ...] = ()
     enum: str | None = None
     entry: str | None = None
+    rows: tuple[str, ...] = ()
     reach: Reach = NOWHERE
 
     @property
@@ -107,6 +109,7 @@ def changed(
     causes: Iterable[str] = (),
     messages: Iterable[str] = (),
     cited: Iterable[str] = (),
+    rows: Iterable[str] | None = None,
 ) -> Change:
     """A change with what its rule says of it; ``places`` are the old and the new one, one of them at least."""
     was_at, place = places
@@ -125,4 +128,5 @@ def changed(
         causes=tuple(causes),
         messages=tuple(messages),
         cited=tuple(cited),
+        rows=(subject,) if rows is None else tuple(rows),
     )

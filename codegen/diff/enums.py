@@ -122,7 +122,7 @@ def _enum(
     fields: Sequence[str],
 ) -> Change:
     enum, _, rest = subject.partition(".")
-    change = changed(rule, subject, old, new, places, _used_by(rule, fields), messages=_messages(fields))
+    change = changed(rule, subject, old, new, places, _used_by(rule, fields), messages=_messages(fields), rows=fields)
     return replace(change, enum=enum, entry=rest.partition(".")[0] or None)
 
 

@@ -10,6 +10,7 @@ from codegen.diff.change import BOTH, Change, ChangeRule, Victim, changed
 from codegen.diff.pairing import Pair
 from codegen.model.dialect import FieldDefinition, Sentinel, WireField
 from codegen.model.unit import UNITS, decimal
+from codegen.source import Place
 
 _WORD = re.compile(r"-?[\w.]*\w")
 
@@ -30,8 +31,8 @@ def meaning_changes(pair: Pair, message: str) -> Iterator[Change]:
         after: str | None,
         effect: str = "",
         breaks: tuple[Victim, ...] | None = None,
+        places: tuple[Place, Place] = (old.place, new.place),
     ) -> Change:
-        places = old.place, new.place
         subject = f"{message}.{new.name}"
         return changed(rule, subject, before, after, places, effect, breaks=breaks, messages=(message,))
 
@@ -40,7 +41,8 @@ def meaning_changes(pair: Pair, message: str) -> Iterator[Change]:
         yield told(rules.FIELD_UNITS, old.units or None, new.units or None, effect, None if old.units else ())
     if not _is_same_sentinel(pair.old.sentinel, pair.new.sentinel):
         effect, breaks = _sentinel_effect(pair)
-        yield told(rules.FIELD_SENTINEL, _sentinel(pair.old), _sentinel(pair.new), effect, breaks)
+        places = _stated_at(pair.old), _stated_at(pair.new)  # a correction may have stated it
+        yield told(rules.FIELD_SENTINEL, _sentinel(pair.old), _sentinel(pair.new), effect, breaks, places)
     if _number(old.multiplier) != _number(new.multiplier):
         yield told(rules.FIELD_MULTIPLIER, old.multiplier, new.multiplier, _factor_effect(old, new))
     if old.is_bitmask != new.is_bitmask:
@@ -100,6 +102,10 @@ def _is_same_sentinel(old: Sentinel | None, new: Sentinel | None) -> bool:
 
 def _value(value: int | float | None) -> str:
     return "NaN" if isinstance(value, float) and math.isnan(value) else str(value)
+
+
+def _stated_at(field: WireField) -> Place:
+    return field.sentinel.place if field.sentinel else field.definition.place
 
 
 def _sentinel(field: WireField) -> str | None:

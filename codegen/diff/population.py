@@ -11,10 +11,13 @@ from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 
+_ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rules.FLAGS)}
+"""What follows from another source is told with it."""
+
 
 def population_changes(old: System, new: System) -> Iterator[Change]:
     """Messages that are sent or no longer, how they are scheduled, and what each element of them carries."""
-    yield from subject_changes(*(tuple(_message(message) for message in side.messages) for side in (old, new)))
+    yield from subject_changes(map(_message, old.messages), map(_message, new.messages))
     before = {message.name: message for message in old.messages}
     for message in new.messages:
         if message.name in before:
@@ -77,8 +80,8 @@ def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
     fields: dict[str, list[tuple[int, list[Change]]]] = {}
     for (field, index), known in before.items():
         if (field, index) in after:
-            found = list(subject_changes((known,), (after[field, index],)))
-            fields.setdefault(field, []).append((index, found))
+            found = list(subject_changes((known,), (after[field, index],), _ABSORBING))
+            fields.setdefault(field, []).append((index, [change for change in found if _is_told(change)]))
     for element, subject in after.items():
         if element not in before:
             place = subject.place
@@ -90,6 +93,11 @@ def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
     for field, elements in fields.items():
         count = sum(name == field for name, _ in {**before, **after})
         yield from _joined(f"{new.name}.{field}", sorted(elements, key=lambda element: element[0]), count)
+
+
+def _is_told(change: Change) -> bool:
+    """An unknown that goes out where there was none, or no more, is told by the source that came or went."""
+    return change.rule is not rules.UNKNOWN or (change.old is not None and change.new is not None)
 
 
 def _joined(name: str, elements: list[tuple[int, list[Change]]], count: int) -> Iterator[Change]:
@@ -107,6 +115,7 @@ def _joined(name: str, elements: list[tuple[int, list[Change]]], count: int) -> 
                 change.effect,
                 cited=change.cited,
                 messages=change.messages,
+                rows=(name,),
             )
 
 

@@ -83,6 +83,7 @@ def _failsafe(failsafe: Failsafe) -> Subject:
         place=spec.place,
         facts=tuple(facts),
         cited=cited(failsafe.citation, failsafe.low.citation, failsafe.critical.citation),
+        row=failsafe.component.name,
     )
 
 

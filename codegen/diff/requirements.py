@@ -14,7 +14,7 @@ def requirement_changes(old: System, new: System) -> Iterator[Change]:
     """What documents say, in the order of their ids; what they say outside their criteria last."""
     before, after = ({each.id: each for each in side.requirements.values()} for side in (old, new))
     subjects = [[_document(each) for _, each in sorted(side.items())] for side in (before, after)]
-    yield from subject_changes(*subjects)
+    yield from subject_changes(subjects[0], subjects[1])
     for name in sorted(before.keys() & after.keys()):
         yield from _criteria(before[name], after[name])
     for name in sorted(before.keys() & after.keys()):
