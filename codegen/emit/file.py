@@ -28,7 +28,7 @@ def write_file(path: str, text: str, report: Report) -> bool:
 
 
 def replace_file(target: str, content: bytes) -> None:
-    """Put ``content`` at ``target`` in one step; the permissions of a file that was there are kept. May raise OSError."""
+    """Put ``content`` at ``target`` in one step; what was there keeps its permissions. May raise OSError."""
     where = os.path.dirname(target)
     unfinished = os.path.join(where, os.urandom(8).hex().join(UNFINISHED))
     try:

@@ -64,14 +64,15 @@ def trace_findings(
     counted: Collection[str] = COUNTED,
     chosen: Collection[str] | None = None,
 ) -> Iterator[Diagnostic]:
-    """The findings; those of the kinds ``counted`` are errors, the others warnings.
+    """The findings: errors of the kinds ``counted``, warnings of others that ``COUNTED`` has, and no more.
 
     ``gone`` are entries of the lock without a criterion. With ``chosen`` only what is about these criteria is told.
     """
-    severities = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in KINDS}
+    told = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in (*COUNTED, *counted)}
     for finding in _all(trace, coverage, gone, chosen):
-        rule = finding.rule
-        yield replace(finding, rule=replace(rule, severity=severities.get(rule.id, rule.severity)))
+        severity = told.get(finding.rule.id)
+        if severity is not None:
+            yield replace(finding, rule=replace(finding.rule, severity=severity))
 
 
 def _all(
