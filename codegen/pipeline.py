@@ -9,6 +9,7 @@ from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
+from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.load.marked_tests import read_marked_tests, test_files
 from codegen.load.shipped import dialect_path
@@ -18,6 +19,7 @@ from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Spec
 from codegen.model.system import System
+from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
@@ -147,6 +149,18 @@ def read_trace(systems: Sequence[System], report: Report) -> Trace:
     marked = [test for path in test_files(test_folders(systems)) for test in read_marked_tests(path, report)]
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents.values(), rows_of(systems), tests)
+
+
+def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
+    """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
+    path = trace_lock_path(project_file)
+    text = read_trace_lock_text(path, report)
+    return None if text is None else decode_trace_lock(text, path, report)
+
+
+def trace_lock_path(project_file: str) -> str:
+    """The absolute path of the lock file that belongs to a project file."""
+    return os.path.join(os.path.dirname(os.path.abspath(project_file)), TRACE_LOCK)
 
 
 def project_folder(systems: Sequence[System]) -> str:

@@ -11,6 +11,7 @@ from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.scenario import SCENARIOS
+from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.decode.waivers import WAIVERS
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
@@ -66,7 +67,7 @@ PROGRAM_FILE = "vehicle.yaml"
 RECEIVER_FILE = "receiver.yaml"
 OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE)
 """Files beside it that only a project with a whole program, or with a receiver for its messages, has."""
-READ_BY_OTHERS = (SCENARIOS, WAIVERS)
+READ_BY_OTHERS = (SCENARIOS, WAIVERS, TRACE_LOCK)
 """Files beside the project file that are no part of the specification."""
 
 _Record = TypeVar("_Record", bound=Written)

@@ -37,8 +37,8 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
-def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> bytes | None:
-    """The content of a regular file of at most ``MAX_BYTES``, or None after a diagnostic.
+def read_bytes(path: str, report: Report, asked_at: Place | None = None, most: int = MAX_BYTES) -> bytes | None:
+    """The content of a regular file of at most ``most`` bytes, or None after a diagnostic.
 
     ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
     itself where nothing names it.
@@ -58,7 +58,7 @@ def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> byte
             report.add(FILE_NOT_READABLE, place, f"{shown} is {kind}, not a file")
             return None
         with open(path, "rb") as file:
-            data = file.read(MAX_BYTES + 1)
+            data = file.read(most + 1)
     except (FileNotFoundError, NotADirectoryError):
         report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
         return None
@@ -69,8 +69,8 @@ def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> byte
         reason = getattr(problem, "strerror", None) or str(problem)
         report.add(FILE_NOT_READABLE, place, f"{shown!r} cannot be read: {reason}")
         return None
-    if len(data) > MAX_BYTES:
-        report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {MAX_BYTES // 1_000_000} MB")
+    if len(data) > most:
+        report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {most // 1_000_000} MB")
         return None
     return data
 

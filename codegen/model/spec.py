@@ -203,6 +203,14 @@ class Criterion(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class HostLimit(Written):
+    """What tests on a host cannot show of the criteria with these ``numbers``, and how the bench does."""
+
+    numbers: tuple[int, ...]
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Requirement(Written):
     """A requirement or decision document: ``# ID | Title``, a metadata list, numbered acceptance criteria."""
 
@@ -212,6 +220,7 @@ class Requirement(Written):
     status: str
     links: tuple[str, ...]
     criteria: tuple[Criterion, ...]
+    host_limits: tuple[HostLimit, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

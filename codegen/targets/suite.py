@@ -11,7 +11,7 @@ from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.naming import parameter_attribute
-from codegen.targets.origin import copied_files, headed, origin_of
+from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
 
 RENDERED = ("behaviour.py", "test_frames.py")
@@ -38,8 +38,7 @@ class SuiteView:
 
 def render_suite(system: System) -> dict[str, str]:
     """The files below ``tests/``."""
-    wires = [message.wire for message in system.messages]
-    origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
+    origin = suite_origin(system)
     about: dict[str, object] = {"from": list(origin.sources), "inputs": origin.digest}
     files = {**copied_files("tests"), "tests/cases.json": cases_text(system, about)}
     board, state, streams = board_view(system), state_view(system), stream_views(system)
@@ -62,6 +61,12 @@ def render_suite(system: System) -> dict[str, str]:
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)
     return files if system.program is None else files | render_program_suite(system, system.program)
+
+
+def suite_origin(system: System) -> Origin:
+    """What the suite is made of: everything but the documents, and the messages that are sent."""
+    wires = [message.wire for message in system.messages]
+    return origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
 
 
 def _readers(component: str, system: System) -> tuple[str, ...]:

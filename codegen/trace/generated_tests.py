@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from codegen.model.system import System
 from codegen.targets.behaviour_checks import checks_of_behaviour
@@ -9,6 +10,7 @@ from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
 from codegen.targets.program_suite import documents_of_topics
 from codegen.targets.receiver.suite import shown_by_receiver_tests
+from codegen.targets.suite import suite_origin
 from codegen.trace.graph import Test
 
 INTERPRETERS = ("cpython", "micropython")
@@ -18,7 +20,12 @@ HEAP_NUMBER = 4
 
 def generated_tests(systems: Iterable[System]) -> tuple[Test, ...]:
     """The tests of a project's suite and of those of its further programs, one for each criterion that they show."""
-    return tuple(test for system in systems for test in _tests(system))
+    return tuple(
+        replace(test, inputs=inputs)
+        for system in systems
+        for inputs in [suite_origin(system).digest]
+        for test in _tests(system)
+    )
 
 
 def suite_folder(system: System) -> str:

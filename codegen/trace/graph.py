@@ -74,8 +74,9 @@ class Test:
 
     ``file`` is a path below the project's folder. ``cases`` are the parameters in brackets that pytest adds, each of
     which has to pass; a test without any has one case, or, written by hand, as many as the results say. ``about`` is
-    the message that it is about, if it is about a single one. ``place`` is where it says what it shows: of a test that
-    is written by hand.
+    the message that it is about, if it is about a single one. ``inputs`` is the hash of the specification that a
+    generated test was made of. ``place`` is where a test that is written by hand says what it shows, and ``written`` is
+    what is written there, which may be an alias.
     """
 
     file: str
@@ -83,7 +84,9 @@ class Test:
     criterion: str
     cases: tuple[str, ...] = ()
     about: str = ""
+    inputs: str = ""
     place: Place | None = None
+    written: str = ""
 
     @property
     def name(self) -> str:
@@ -143,7 +146,7 @@ def _by_id(test: Test, names: Mapping[str, str]) -> Test:
     """The test with the id of its document where it names an alias."""
     document, dot, number = test.criterion.partition(".")
     known = names.get(document, document)
-    return test if known == document else replace(test, criterion=f"{known}{dot}{number}")
+    return test if known == document else replace(test, criterion=f"{known}{dot}{number}", written=test.criterion)
 
 
 def hand_written(marked: Iterable[MarkedTest], folder: str) -> tuple[Test, ...]:
