@@ -30,6 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     report = Report()
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
+    pipeline.check_documents(systems, report)
     if arguments.format == "json":
         print(findings_json(report))
     else:

@@ -2,15 +2,14 @@
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from codegen.diagnostics import Report, Rule
-from codegen.importing.answer import Sources
+from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.columns import Role
-from codegen.importing.proposal import Proposal, propose
 from codegen.importing.stated import FieldList, stated_fields
 from codegen.importing.subject import is_about, lookalikes, subjects
 from codegen.load.markdown_blocks import BlockKind, parse_blocks
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect import Dialect, WireMessage
 from codegen.source import Place
 
 DOCUMENT_WITHOUT_FIELDS = Rule(
@@ -27,29 +26,39 @@ DOCUMENT_MESSAGE = Rule(
 _ID = re.compile(r"[A-Z]{2,}-[0-9a-z]+")
 
 
-def read_proposal(text: str, path: str, wanted: str | None, sources: Sources, report: Report) -> Proposal | None:
+@dataclass(frozen=True, slots=True)
+class FoundFields:
+    """The message that a document is about, and its lists of fields with their values, in the order of the text."""
+
+    message: WireMessage
+    lists: tuple[FieldList, ...]
+
+
+def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, report: Report) -> FoundFields | None:
     """What a document says about one message: the one called ``wanted``, or the only one that it is about.
 
-    ``sources`` has the dialect; None, after a finding, if no message can be told.
+    None, after a finding, if no message can be told.
     """
     stated = stated_fields(text, path)
     report.extend(stated.findings)
-    lists = [fields for fields in stated.lists if Role.VALUE in fields.roles]
-    if wanted is not None:
-        message = sources.dialect.messages[wanted]
-        own = [fields for fields in lists if message in (subjects(fields, sources.dialect) or (message,))]
-        own = [fields for fields in own if is_about(fields, message)]
-        if not own:
-            report.add(DOCUMENT_WITHOUT_FIELDS, Place(path), f"the document has no table or list of fields of {wanted}")
+    found = [(fields, subjects(fields, dialect)) for fields in stated.lists if Role.VALUE in fields.roles]
+    if wanted is None:
+        about = {message.name: message for _, messages in found for message in messages}
+        if len(about) != 1:
+            _ask(found, path, dialect, report)
             return None
-        return propose(own, message, sources, report)
-    found = [(fields, subjects(fields, sources.dialect)) for fields in lists]
-    about = {message.name: message for _, messages in found for message in messages}
-    if len(about) != 1:
-        _ask(found, lists, path, sources, report)
+        (message,) = about.values()
+        return FoundFields(message, tuple(fields for fields, messages in found if messages))
+    named = dialect.messages.get(wanted)
+    if named is None:
+        hint = did_you_mean(wanted, dialect.messages)
+        report.add(DOCUMENT_MESSAGE, Place(path), f"{dialect.name} has no message {wanted}", hint)
         return None
-    (message,) = about.values()
-    return propose([fields for fields, messages in found if messages], message, sources, report)
+    own = [fields for fields, messages in found if named in (messages or (named,)) and is_about(fields, named)]
+    if not own:
+        report.add(DOCUMENT_WITHOUT_FIELDS, Place(path), f"the document has no table or list of fields of {wanted}")
+        return None
+    return FoundFields(named, tuple(own))
 
 
 def document_id(text: str, path: str) -> str | None:
@@ -62,11 +71,7 @@ def document_id(text: str, path: str) -> str | None:
 
 
 def _ask(
-    found: Sequence[tuple[FieldList, tuple[WireMessage, ...]]],
-    lists: Sequence[FieldList],
-    path: str,
-    sources: Sources,
-    report: Report,
+    found: Sequence[tuple[FieldList, tuple[WireMessage, ...]]], path: str, dialect: Dialect, report: Report
 ) -> None:
     """Say why no message, or more than one, can be told, with what can be given on the command line."""
     named = [(fields, message) for fields, messages in found for message in messages]
@@ -76,15 +81,12 @@ def _ask(
         text = f"the document is about {' and '.join(names)}"
         report.add(DOCUMENT_MESSAGE, named[0][0].place, text, f"choose one: --message {names[0]}", related)
         return
-    for fields in lists:
-        alike = lookalikes(fields, sources.dialect)
+    for fields, _ in found:
+        alike = lookalikes(fields, dialect)
         if alike:
-            text = "no text near these fields names a message"
-            report.add(
-                DOCUMENT_MESSAGE, fields.place, text, f"they are fields of {' and '.join(alike[:8])}: --message NAME"
-            )
+            hint = f"they are fields of {' and '.join(alike[:8])}: --message NAME"
+            report.add(DOCUMENT_MESSAGE, fields.place, "no text near these fields names a message", hint)
             return
-    text = f"the document has no table or list of fields of a message of {sources.dialect.name}"
-    report.add(
-        DOCUMENT_WITHOUT_FIELDS, Place(path), text, "see the docs: | Field | Value source |, or - `field`: value"
-    )
+    text = f"the document has no table or list of fields of a message of {dialect.name}"
+    hint = "it has columns such as | Field | Value source |, or items of the form - `field`: value"
+    report.add(DOCUMENT_WITHOUT_FIELDS, Place(path), text, hint)

@@ -189,6 +189,12 @@ def _stated_numbers(text: str) -> list[str]:
     return re.findall(r"(?<![\w.])(?:-?\d{1,20}|0[xX][0-9a-fA-F]{1,16}|U?INT\d+_M(?:IN|AX)|nan)(?![\w.])", text, re.I)
 
 
+def stated_number(text: str, target: Target) -> int | float | None:
+    """The number on the wire that a cell states, by itself or before a remark in brackets; None if it states none."""
+    number = _number(re.sub(r"\s*\([^()]*\)$", "", text).strip())
+    return None if number is None else _wire(number, target)
+
+
 def _number(text: str) -> Fraction | float | None:
     """The exact number, or NaN, that a text is; None if it is none."""
     if text.upper() in LIMITS:

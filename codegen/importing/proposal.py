@@ -77,15 +77,25 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
     )
 
 
-def report_unmentioned(proposal: Proposal, report: Report) -> None:
-    """A finding for each field, or part of one, that the document does not mention."""
-    for missing in proposal.unmentioned:
+def not_answered_by(proposal: Proposal, targets: Iterable[Target]) -> tuple[Unmentioned, ...]:
+    """What the document does not mention and none of ``targets`` answers for."""
+    answered = {(target.field.name, element) for target in targets for element in target.elements}
+    return tuple(
+        missing
+        for missing in proposal.unmentioned
+        if not all((missing.target.field.name, element) in answered for element in missing.target.elements)
+    )
+
+
+def report_unmentioned(unmentioned: Iterable[Unmentioned], place: Place, report: Report) -> None:
+    """A finding at ``place`` for each field, or part of one, that a document does not mention."""
+    for missing in unmentioned:
         definition = missing.target.field.definition
         kind = "the extension " if definition.is_extension else ""
-        hint = "say where it comes from" if missing.proposal is None else f"if it is meant, `{missing.proposal}`"
-        related = [(definition.place, f"{definition.name} is declared here")]
-        message = f"{kind}{missing.target.name} is not mentioned"
-        report.add(DOCUMENT_UNANSWERED, proposal.place, message, hint, related)
+        hint = "say where it comes from; the dialect has no value for unknown"
+        if missing.proposal is not None:
+            hint = f"if it is meant, `{missing.proposal}`"
+        report.add(DOCUMENT_UNANSWERED, place, f"{kind}{missing.target.name} is not mentioned", hint)
 
 
 def target_of(row: StatedField, message: WireMessage, report: Report) -> Target | None:
@@ -125,7 +135,7 @@ def _is_known(answer: ReadAnswer, earlier: Iterable[ReadAnswer], report: Report)
 
 
 def _joined(answers: Sequence[ReadAnswer]) -> Iterator[ReadAnswer]:
-    """The answers; a quantity in element 0 with unknown ones behind it is one answer where the dialect lets it spill."""
+    """The answers; a quantity in element 0 and unknown ones behind it are one where the dialect lets it spill."""
     position = 0
     while position < len(answers):
         first = answers[position]

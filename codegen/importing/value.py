@@ -102,13 +102,14 @@ def _ambiguous(cell: Cell, target: Target, sources: Sources, report: Report) -> 
 
 
 def _prose(cell: Cell, target: Target, sources: Sources, report: Report) -> Reading:
-    proposals = _proposals(cell, target, sources)[::-1]
-    hint = _hint(proposals)
-    words = cell.text.split()
-    if hint is None and len(words) == 1 and sources.quantities:
-        hint = did_you_mean(words[0], sources.quantities)
+    quantity = likely_quantity(cell.text, target, sources)
+    hint = "name the quantity, `{state: component.quantity}`, or write the number"
+    if quantity is not None:
+        hint = f"if it is meant, `{quantity}`"
+    elif sources.quantities and len(cell.text.split()) == 1:
+        hint = did_you_mean(cell.text, sources.quantities) or hint
     report.add(DOCUMENT_PROSE, cell.place, f"{cell.text!r} does not say what goes into {target.name}", hint)
-    return Reading(proposal=proposals[0] if proposals else None)
+    return Reading(proposal=quantity)
 
 
 def _proposals(cell: Cell, target: Target, sources: Sources) -> list[str]:
