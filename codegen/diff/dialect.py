@@ -14,6 +14,8 @@ from codegen.source import Place
 
 def dialect_changes(old: Dialect, new: Dialect) -> tuple[Change, ...]:
     """Every change: of messages in the order of their ids, then of enums."""
+    if old is new:
+        return ()
     found: list[Change] = []
     if old.version != new.version:
         places = _anywhere(old), _anywhere(new)
