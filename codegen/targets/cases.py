@@ -86,7 +86,7 @@ def _sharpest(quantity: Quantity, steps: int) -> list[int]:
 
 
 def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:
-    used = _used_quantities(message, system)
+    used = used_quantities(message, system)
     for instance in range(message.instances):
         suffix = f"-{instance}" if message.instances > 1 else ""
         for page in range(message.pages):
@@ -171,7 +171,7 @@ def _each_cases(message: PopulatedMessage, binding: EachBinding, used: dict[str,
             yield _case(message, f"{label}-fallback-{name}", criterion, known, 0, used)
 
 
-def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:
+def used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:
     """The quantities that tests of the message set, by path: those it reads, and those that these follow."""
     used = {}
     for binding in message.bindings:
