@@ -28,9 +28,14 @@ from codegen.rules import RULES
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.trace.coverage import coverage_of
+from codegen.trace.findings import trace_findings
 from codegen.trace.generated_tests import generated_tests
 from codegen.trace.graph import Trace, hand_written, linked
+from codegen.trace.lock import gone, reviews
+from codegen.trace.page import render_trace
 from codegen.trace.rows import rows_of
+from codegen.trace.view import trace_view
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -182,13 +187,25 @@ def render_system(system: System) -> dict[str, str]:
     return files
 
 
-def render_systems(systems: Iterable[System]) -> dict[str, str]:
+def render_systems(systems: Sequence[System]) -> dict[str, str]:
     """Every output file of a project: those of a further program lie below the folder of its name."""
-    return {
+    files = {
         os.path.join(system.spec.program, path): text
         for system in systems
         for path, text in render_system(system).items()
     }
+    return files if not systems or systems[0].spec.program else files | _trace_page(systems)
+
+
+def _trace_page(systems: Sequence[System]) -> dict[str, str]:
+    """The page of the requirements; what is wrong with tests or with the lock, codegen trace tells."""
+    trace = read_trace(systems, Report())
+    lock = read_trace_lock(systems[0].spec.project.place.file, Report())
+    coverage = coverage_of(trace, reviews(trace, lock), None)
+    findings = Report()
+    findings.extend(trace_findings(trace, coverage, gone(trace, lock)))
+    name = systems[0].spec.project.project
+    return render_trace(systems, trace_view(name, project_folder(systems), trace, coverage, findings))
 
 
 def stale_firmware(system: System) -> list[str]:
@@ -225,7 +242,7 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def files_read(systems: Iterable[System]) -> set[str]:
-    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios."""
+    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios, tests."""
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
     scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
@@ -233,8 +250,10 @@ def files_read(systems: Iterable[System]) -> set[str]:
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:
-    """The absolute paths of the folders of the specifications, that of the project first."""
-    return [system.spec.own_folder for system in systems]
+    """The absolute paths of the folders of the specifications, that of the project first, and of the tests."""
+    systems = tuple(systems)
+    tests = {os.path.dirname(path) for path in test_files(test_folders(systems))}
+    return [*(system.spec.own_folder for system in systems), *sorted({*test_folders(systems), *tests})]
 
 
 def output_folder(system: System) -> str:

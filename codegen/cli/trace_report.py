@@ -17,7 +17,7 @@ from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
 from codegen.trace.graph import Trace
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
-from codegen.trace.page import trace_markdown, trace_page
+from codegen.trace.page import trace_markdown, trace_report
 from codegen.trace.results import Results, results_of, unrelated, with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
@@ -57,7 +57,7 @@ def _text(form: str, view: TraceView, *, is_tree: bool) -> str:
     if form == "needs":
         return needs_json(view)
     if form == "html":
-        return trace_page(view)
+        return trace_report(view)
     if form == "markdown":
         return trace_markdown(view)
     return tree_text(view) if is_tree else summary_text(view)

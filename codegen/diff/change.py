@@ -86,6 +86,11 @@ class Change:
     reach: Reach = NOWHERE
 
     @property
+    def has_moved(self) -> bool:
+        """Whether it stood at another line before."""
+        return self.was_at is not None and self.was_at[1:] != self.place[1:]
+
+    @property
     def is_breaking(self) -> bool:
         """Whether somebody breaks who was not changed as well."""
         return bool(self.breaks)

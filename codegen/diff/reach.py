@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from codegen.diff.change import Change, Reach
+from codegen.diff.change import Area, Change, Reach
 from codegen.model.system import LiveBinding, System, read_quantities
 from codegen.model.vehicle import Parameter
 from codegen.trace.graph import Trace, reached
@@ -44,12 +44,19 @@ def _reach(change: Change, found: Traces, known: dict[str, Reach]) -> Reach:
     names = list(dict.fromkeys(change.rows))
     names += [field for name in names for field in found.sent_in.get(name, ()) if field not in names]
     parts = [_of_row(name, found, known) for name in names]
-    parts += [_of_criterion(name, found, known) for name in change.cited]
+    if change.rule.area is Area.TRACE:
+        parts += [_of_criterion(name, found, known) for name in change.cited]
+    symbols = _sorted(*(part.symbols for part in parts))
     return Reach(
         requirements=_sorted(change.cited, *(part.requirements for part in parts)),
-        symbols=_sorted(*(part.symbols for part in parts)),
+        symbols=tuple(sorted(symbols, key=_is_beside)),
         tests=_sorted(*(part.tests for part in parts)),
     )
+
+
+def _is_beside(symbol: str) -> bool:
+    """Whether a symbol is not what puts values into a message: that comes first."""
+    return ": build_" not in symbol
 
 
 def _sorted(*several: Sequence[str]) -> tuple[str, ...]:

@@ -201,4 +201,3 @@ LIFECYCLE = _text(
 )
 DESCRIPTION = _text("description-changed", "The description of a message, field, enum, entry or command parameter.")
 PRINT_FORMAT = _text("print-format-changed", "How tools print a field.")
-DIALECT_NAME = _text("dialect-name-changed", "The dialect that is compared has another name.")

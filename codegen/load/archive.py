@@ -18,6 +18,8 @@ ENDINGS = (".whl", ".zip", ".tar.gz", ".tgz", ".tar")
 class ArchiveTree:
     """The files of an archive, each of at most MAX_BYTES."""
 
+    folder = None
+
     def __init__(self, contents: dict[str, bytes]) -> None:
         self._contents = contents
         self._folders: dict[str, set[str]] = {}

@@ -113,6 +113,11 @@ class GitTree:
     _read: dict[str, bytes] = field(default_factory=dict)
     _git: "subprocess.Popen[bytes] | None" = None
 
+    @property
+    def folder(self) -> str:
+        """The absolute path of the work tree."""
+        return self.repository
+
     def __enter__(self) -> Self:
         """List what there is."""
         listed = _git(self.repository, "ls-tree", "-r", "-z", "--full-tree", self.commit)

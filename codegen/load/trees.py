@@ -13,6 +13,10 @@ from typing import Protocol
 class Tree(Protocol):
     """Files by their path below the tree, with ``/`` between the parts."""
 
+    @property
+    def folder(self) -> str | None:
+        """The absolute path of the folder of the disk that the tree is a version of, if it is one."""
+
     def read(self, path: str) -> bytes | None:
         """The content of a file, or None where there is none."""
 
@@ -67,6 +71,14 @@ def file_names(folder: str) -> list[str]:
         return sorted(os.listdir(folder))
     except OSError:
         return []
+
+
+def on_disk(path: str) -> str:
+    """The path of the file of the disk that a file of a tree is a version of; any other path as it is."""
+    found = _found(path)
+    if found is None or found[0].folder is None:
+        return path
+    return os.path.join(found[0].folder, *found[1].split("/"))
 
 
 def _found(path: str) -> tuple[Tree, str] | None:

@@ -33,6 +33,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "findings": GROUND,
     "mpy": GROUND,
     "trace": {"targets", "render", "fingerprint", "model", *GROUND},
+    "diff": {"trace", "fingerprint", "render", "model", *GROUND},
+    "sides": {"pipeline", *READING, "model", *GROUND},
     "pipeline": {*READING, "targets", "trace", "render", "emit", "mpy", "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
     "stamp": {"emit", "manifest", "template_files"},
@@ -40,7 +42,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "explain": {"catalogue", "targets", "model", *GROUND},
     "cli": {
         *("pipeline", "codec", "mpy", "stamp", "explain", "catalogue", "emit", "sim", "trace", "findings", "waivers"),
-        *("decode", "resolve", "model", *GROUND),
+        *("decode", "resolve", "load", "model", "diff", "sides", *GROUND),
     },
     "pytest_plugin": set(),
     "__main__": {"cli"},
