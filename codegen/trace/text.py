@@ -19,6 +19,10 @@ def summary_text(view: TraceView) -> str:
         lines.append(f"Results: {', '.join(view.results)}")
     else:
         lines.append("No results were given: --results FILE takes what pytest --junit-xml=FILE writes.")
+    if not view.is_locked:
+        lines.append(
+            'Nothing was reviewed yet: codegen trace accept --all --reason "..." notes the texts as they are now.'
+        )
     return "\n".join(lines) + "\n"
 
 

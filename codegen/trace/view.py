@@ -1,7 +1,7 @@
 """The trace as views that are ready to print, for the terminal, Markdown and HTML alike."""
 
 import os
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence, Sized
 from dataclasses import dataclass, replace
 
 from codegen.diagnostics import Diagnostic, Severity
@@ -105,12 +105,13 @@ class AttentionView:
 class TraceView:
     """The whole trace. ``totals`` are pairs of a number and what there are so many of.
 
-    ``verdicts`` are a status, the number of its criteria and its mood.
+    ``verdicts`` are a status, the number of its criteria and its mood. ``is_locked`` is whether anything was reviewed.
     """
 
     project: str
     totals: tuple[tuple[int, str], ...]
     verdicts: tuple[tuple[str, int, str], ...]
+    is_locked: bool
     has_results: bool
     results: tuple[str, ...]
     attention: tuple[AttentionView, ...]
@@ -131,24 +132,29 @@ def trace_view(
     views = {each.name: _criterion(each, folder, has_results) for each in coverage}
     asked = [each for each in coverage if not each.is_decision]
     documents = [_document(requirement, views, folder) for requirement in trace.requirements]
-    generated = [test for test in trace.tests if test.place is None]
+    generated = {(test.name, case) for test in trace.tests if not test.place for case in test.cases or ("",)}
     return TraceView(
         project=project,
         totals=(
-            (len({each.requirement.id for each in asked}), "requirement documents"),
-            (len(asked), "criteria"),
-            (len(trace.rows), "rows that cite them"),
-            (len({symbol for row in trace.rows for symbol in row.symbols}), "generated symbols"),
-            (sum(max(1, len(test.cases)) for test in generated), "generated test cases"),
-            (len({test.name for test in trace.tests if test.place}), "tests written by hand"),
+            _counted({each.requirement.id for each in asked}, "requirement document", "requirement documents"),
+            _counted(asked, "criterion", "criteria"),
+            _counted(trace.rows, "row that cites one", "rows that cite them"),
+            _counted({symbol for row in trace.rows for symbol in row.symbols}, "symbol", "generated symbols"),
+            _counted(generated, "generated test case", "generated test cases"),
+            _counted({test.name for test in trace.tests if test.place}, "test by hand", "tests written by hand"),
         ),
         verdicts=tuple(_verdicts(asked, has_results)),
+        is_locked=any(each.review is not Review.NO_LOCK for each in asked),
         has_results=has_results,
         results=tuple(results or ()),
         attention=tuple(_attention(finding, folder) for finding in findings),
         documents=tuple(each for each in documents if not each.is_decision),
         decisions=tuple(each for each in documents if each.is_decision),
     )
+
+
+def _counted(found: Sized, one: str, several: str) -> tuple[int, str]:
+    return len(found), one if len(found) == 1 else several
 
 
 def only(view: TraceView, chosen: Collection[str]) -> TraceView:
