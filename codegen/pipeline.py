@@ -245,8 +245,8 @@ def files_read(systems: Iterable[System]) -> set[str]:
     """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios, tests."""
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
-    scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
-    return read | {path for path in scenarios if exists(path)}
+    beside = {os.path.join(system.spec.folder, name) for system in systems for name in (SCENARIOS, TRACE_LOCK)}
+    return read | {path for path in beside if exists(path)} | set(test_files(test_folders(systems)))
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:
