@@ -15,14 +15,24 @@ from codegen.trace.lock import Review
 
 _MOODS = {
     Verdict.PASSED: "good",
+    Verdict.NO_RESULT: "",
     Verdict.PARTLY: "warn",
-    Verdict.FAILED: "bad",
+    Verdict.BENCH: "warn",
     Verdict.SKIPPED: "bad",
     Verdict.STALE: "bad",
+    Verdict.FAILED: "bad",
     Verdict.NO_TEST: "bad",
-    Verdict.BENCH: "warn",
-    Verdict.NO_RESULT: "",
 }
+_TAGS = {
+    "uncovered": "uncovered",
+    "suspect": "suspect",
+    "partly": "partly passed",
+    "unspecified": "cited by no row",
+    "bench": "needs the bench",
+    "by-hand": "tests by hand",
+    "decision": "decisions",
+}
+"""What criteria can be filtered by, and how people call it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +57,8 @@ class TestView:
     """A test: its name, how many cases it has (empty for one that has no parameters), and how they went."""
 
     name: str
+    file: str
+    function: str
     cases: str
     result: str
     mood: str
@@ -105,12 +117,14 @@ class AttentionView:
 class TraceView:
     """The whole trace. ``totals`` are pairs of a number and what there are so many of.
 
-    ``verdicts`` are a status, the number of its criteria and its mood. ``is_locked`` is whether anything was reviewed.
+    ``verdicts`` are a status, the number of its criteria and its mood; ``tags`` are those that occur, with their names.
+    ``is_locked`` is whether there is a lock file.
     """
 
     project: str
     totals: tuple[tuple[int, str], ...]
     verdicts: tuple[tuple[str, int, str], ...]
+    tags: tuple[tuple[str, str], ...]
     is_locked: bool
     has_results: bool
     results: tuple[str, ...]
@@ -144,6 +158,7 @@ def trace_view(
             _counted({test.name for test in trace.tests if test.place}, "test by hand", "tests written by hand"),
         ),
         verdicts=tuple(_verdicts(asked, has_results)),
+        tags=tuple((tag, name) for tag, name in _TAGS.items() if any(tag in view.tags for view in views.values())),
         is_locked=any(each.review is not Review.NO_LOCK for each in asked),
         has_results=has_results,
         results=tuple(results or ()),
@@ -265,7 +280,8 @@ def _test(tested: Tested) -> TestView:
         mood = "bad" if counts.failed or not counts.passed else "good" if counts.passed == counts.cases else "warn"
     about = f", {tested.test.about}" if tested.test.about else ""
     cases = f"{number} {'case' if number == 1 else 'cases'}{about}" if number else ""
-    return TestView(tested.test.name, cases, counted_text(counts) if counts else "", mood)
+    test = tested.test
+    return TestView(test.name, test.file, test.function, cases, counted_text(counts) if counts else "", mood)
 
 
 def _shown(place: Place, folder: str) -> str:
