@@ -51,7 +51,9 @@ UNKNOWN = _silent(
 )
 FLAGS = _silent("population-flags-changed", "Other bits of a field are set, or under other conditions.")
 
-PARAMETER_ADDED = _inside("parameter-added", "A parameter is new.")
+PARAMETER_ADDED = _inside(
+    "parameter-added", "A parameter is new: ground stations list it, and stored parameters of before do not have it."
+)
 PARAMETER_REMOVED = _inside(
     "parameter-removed",
     "A parameter is gone: files of parameters and scripts that set it get no answer, and stored values are dropped.",
@@ -68,12 +70,16 @@ PARAMETER_UNIT = _inside(
     "A parameter is in another unit. Ground stations and files of parameters go on with the old numbers.",
     *BOTH,
 )
-PARAMETER_TYPE = _inside("parameter-type-changed", "PARAM_VALUE announces another type.", *BOTH)
+PARAMETER_TYPE = _inside(
+    "parameter-type-changed",
+    "PARAM_VALUE announces another type of a parameter: who took the old one reads other numbers.",
+    *BOTH,
+)
 PARAMETER = _inside(
     "parameter-changed", "A parameter has other steps, other meanings of its values, or is used at another time."
 )
 
-QUANTITY_ADDED = _inside("quantity-added", "The vehicle state has a quantity more.")
+QUANTITY_ADDED = _inside("quantity-added", "The vehicle state has a quantity more, which code can set or read.")
 QUANTITY_REMOVED = _inside(
     "quantity-removed", "The vehicle state has a quantity less: code that sets or reads it fails."
 )
@@ -81,21 +87,25 @@ QUANTITY_UNIT = _inside(
     "quantity-unit-changed",
     "A quantity is kept or told in another unit: code that sets or reads it goes on with the old.",
 )
-QUANTITY_RANGE = _inside("quantity-range-changed", "A quantity is limited otherwise.")
+QUANTITY_RANGE = _inside(
+    "quantity-range-changed", "A quantity is limited to another range, or has another number of values."
+)
 QUANTITY_SOURCE = _inside("quantity-source-changed", "A quantity is measured, computed or initialised otherwise.")
 QUANTITY_AGE = _inside(
     "quantity-trust-changed", "A quantity becomes unknown, or is warned about, under other conditions."
 )
 
-COMPONENT_ADDED = _inside("component-added", "The vehicle state has a component more.")
-COMPONENT_REMOVED = _inside("component-removed", "The vehicle state has a component less.")
+COMPONENT_ADDED = _inside("component-added", "The vehicle state has a component more, such as a second kind of sensor.")
+COMPONENT_REMOVED = _inside(
+    "component-removed", "The vehicle state has a component less: code that sets or reads it fails."
+)
 INSTANCES = _inside(
     "component-instances-changed", "There are other instances of a component, or other facts about them."
 )
-UPDATE_RATE = _inside("component-rate-changed", "A component is measured at another rate.")
+UPDATE_RATE = _inside("component-rate-changed", "A component is measured at another rate than before.")
 
-STREAM_ADDED = _inside("stream-added", "There is a stream more.")
-STREAM_REMOVED = _inside("stream-removed", "There is a stream less.")
+STREAM_ADDED = _inside("stream-added", "There is a stream more, at a rate of its own.")
+STREAM_REMOVED = _inside("stream-removed", "There is a stream less: who asks for it gets no answer.")
 STREAM_RATE = _inside(
     "stream-rate-changed", "A stream is sent at another rate, can be asked for at another, or by other means."
 )

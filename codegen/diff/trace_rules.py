@@ -8,8 +8,10 @@ def _trace(name: str, explanation: str, severity: Severity = Severity.WARNING) -
     return ChangeRule(name, explanation, severity, area=Area.TRACE)
 
 
-REQUIREMENT_ADDED = _trace("requirement-added", "A requirement document is new.")
-REQUIREMENT_REMOVED = _trace("requirement-removed", "A requirement document is gone.")
+REQUIREMENT_ADDED = _trace("requirement-added", "A requirement document is new, and with it criteria to be met.")
+REQUIREMENT_REMOVED = _trace(
+    "requirement-removed", "A requirement document is gone: what answered to it stands without a reason."
+)
 REQUIREMENT_TEXT = _trace(
     "requirement-text-changed",
     "The text of a criterion, or the title of a document, has changed: what answers to it has to be looked at again.",
@@ -36,7 +38,7 @@ DOCUMENT = ChangeRule(
 )
 DOC = ChangeRule(
     "doc-changed",
-    "What the specification says for people about one of its parts.",
+    "What the specification says for people about one of its parts has changed.",
     Severity.WARNING,
     area=Area.DOCUMENTATION,
 )

@@ -114,7 +114,7 @@ ENUM_REMOVED = _wire(
     "An enum is gone; what its numbers meant is no longer written down.",
     Notice.SILENT,
 )
-ENUM_ADDED = _wire("enum-added", "An enum is new.", Notice.NONE)
+ENUM_ADDED = _wire("enum-added", "An enum is new; nothing that was there before changes with it.", Notice.NONE)
 ENTRY_REMOVED = _wire(
     "enum-entry-removed",
     "A value of an enum means nothing any more; who is of the old version still sends and expects it.",
@@ -199,5 +199,8 @@ LIFECYCLE = _text(
     "lifecycle-changed",
     "A message, enum or entry became work in progress, deprecated or superseded, or is no longer.",
 )
-DESCRIPTION = _text("description-changed", "The description of a message, field, enum, entry or command parameter.")
-PRINT_FORMAT = _text("print-format-changed", "How tools print a field.")
+DESCRIPTION = _text(
+    "description-changed",
+    "The description of a message, a field, an enum, an entry or a parameter of a command says something else.",
+)
+PRINT_FORMAT = _text("print-format-changed", "Tools print a field in another format, such as hexadecimal.")
