@@ -29,6 +29,9 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     trace = pipeline.read_trace(systems, report)
     lock = pipeline.read_trace_lock(project, report)
     results = _results(arguments.results, trace, report)
+    if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
+        print_findings(report)
+        return report.exit_code
     if results is not None:
         trace = with_links_of(trace, results)
     chosen = chosen_names(arguments.names, trace)

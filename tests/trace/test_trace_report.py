@@ -155,8 +155,11 @@ def test_a_report_that_cannot_be_written(project: Project, capsys: pytest.Captur
 
 @pytest.mark.parametrize("argument", ["missing.xml", "."])
 def test_results_that_cannot_be_read(argument: str, project: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    """Then nothing is said about tests, which would all be without a result."""
     assert project.run("--results", argument) == 2
-    assert "error file-not-" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "error file-not-" in said
+    assert "trace-" not in said
 
 
 def test_from_pytest_to_the_trace(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
