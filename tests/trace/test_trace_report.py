@@ -108,7 +108,7 @@ def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
     systems = pipeline.read_systems(project.file, Report())
     first, second = (pipeline.render_systems(systems)["docs/trace.html"] for _ in range(2))
     assert first == second
-    assert "tests/test_beat.py::TestMode::test_seven" in first
+    assert "<code>TestMode::test_seven</code>" in first
     assert "reviewed" in first
     assert str(project.folder) not in first
     assert {str(project.lock), str(project.tests)} <= pipeline.files_read(systems)
