@@ -13,7 +13,7 @@ from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.importing.drift import drift
 from codegen.importing.stated import stated_fields
-from codegen.load.marked_tests import read_marked_tests, test_files
+from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.shipped import dialect_path
 from codegen.load.text import decode_text, read_bytes
 from codegen.load.trees import exists
@@ -175,7 +175,7 @@ def read_trace(systems: Sequence[System], report: Report) -> Trace:
     A finding is about a file of tests that says nothing.
     """
     documents = {each.place: each for system in systems for each in system.requirements.values()}
-    marked = [test for path in test_files(test_folders(systems)) for test in read_marked_tests(path, report)]
+    marked = [test for path in files_of_tests(folders_of_tests(systems)) for test in read_marked_tests(path, report)]
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents.values(), rows_of(systems), tests)
 
@@ -197,7 +197,7 @@ def project_folder(systems: Sequence[System]) -> str:
     return os.path.dirname(systems[0].spec.folder) if systems else os.getcwd()
 
 
-def test_folders(systems: Iterable[System]) -> list[str]:
+def folders_of_tests(systems: Iterable[System]) -> list[str]:
     """The absolute paths of the folders with tests that are written by hand."""
     specs = [system.spec for system in systems]
     return sorted({os.path.normpath(os.path.join(spec.folder, name)) for spec in specs for name in spec.project.tests})
@@ -270,14 +270,14 @@ def files_read(systems: Iterable[System]) -> set[str]:
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
     beside = {os.path.join(system.spec.folder, name) for system in systems for name in (SCENARIOS, TRACE_LOCK)}
-    return read | {path for path in beside if exists(path)} | set(test_files(test_folders(systems)))
+    return read | {path for path in beside if exists(path)} | set(files_of_tests(folders_of_tests(systems)))
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:
     """The absolute paths of the folders of the specifications, that of the project first, and of the tests."""
     systems = tuple(systems)
-    tests = {os.path.dirname(path) for path in test_files(test_folders(systems))}
-    return [*(system.spec.own_folder for system in systems), *sorted({*test_folders(systems), *tests})]
+    tests = {os.path.dirname(path) for path in files_of_tests(folders_of_tests(systems))}
+    return [*(system.spec.own_folder for system in systems), *sorted({*folders_of_tests(systems), *tests})]
 
 
 def output_folder(system: System) -> str:

@@ -62,6 +62,12 @@ def test_a_change_is_a_finding_until_it_is_accepted(project: Project, capsys: py
     assert "specs/requirements/FR-1.md:10:1: error trace-suspect: FR-1.1 has another text than the one" in said
     assert 'codegen trace accept FR-1.1 --reason "..."' in said
     assert "specs/messages/heartbeat.yaml:1:1: HEARTBEAT cites it" in said
+    project.run("FR-1.1")
+    assert "FR-1.1  [has tests; changed since it was reviewed]" in capsys.readouterr().out
+    project.run("--format", "html")
+    assert 'id="FR-1.1" data-tags="suspect by-hand"' in capsys.readouterr().out
+    project.run("--format", "markdown")
+    assert "FR-1.1 (suspect): " in capsys.readouterr().out
     assert project.run("accept", "FR-old.1", "--reason", "still 1 Hz", "--by", "Jo") == 0
     assert project.run("--fail-on", "suspect") == 0
     after = project.lock.read_text()
@@ -84,6 +90,8 @@ def test_a_criterion_that_is_gone(project: Project, capsys: pytest.CaptureFixtur
     capsys.readouterr()
     assert project.run("--fail-on", "orphaned") == 1
     assert "specs/trace.lock.yaml:7:3: error trace-orphaned: the lock has FR-1.4" in capsys.readouterr().out
+    assert project.run("accept", "FR-1.1", "--reason", "another") == 0
+    assert "FR-1.4" in project.lock.read_text()
     assert project.run("accept", "FR-1.4", "--reason", "removed") == 0
     assert "FR-1.4" not in project.lock.read_text()
     assert project.run("--fail-on", "orphaned") == 0
