@@ -6,6 +6,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
 RELEASES := $(VENV)/.releases
+RESULTS := build/results
 
 .PHONY: build test lint clean benchmarks conformance
 
@@ -13,13 +14,15 @@ build: $(INSTALLED)
 	@$(BIN)/codegen build
 
 test: $(STATIONS) $(RELEASES)
-	@failed=""; \
+	@failed=""; rm -rf $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
 	step "mypy" $(BIN)/mypy; \
-	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal; \
-	for tests in $(wildcard generated/*/tests); do step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal "$$tests"; done; \
+	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/pytest.xml; \
+	for tests in $(wildcard generated/*/tests); do name="$$(basename "$$(dirname "$$tests")")"; \
+		step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/$$name.xml "$$tests"; done; \
+	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
 	step "codegen build --check" $(BIN)/codegen build --check; \
 	step "codegen check" $(BIN)/codegen check; \
 	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \

@@ -30,7 +30,8 @@ STEPS = [
     "ruff check",
     "ruff format --check",
     "mypy ",
-    "python -m pytest -n auto --dist worksteal",
+    "python -m pytest -n auto --dist worksteal --junit-xml=build/results/pytest.xml",
+    "codegen trace --results build/results/*.xml",
     "codegen build --check",
     "codegen check",
 ]
