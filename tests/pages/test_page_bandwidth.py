@@ -90,6 +90,20 @@ def test_bars_are_as_long_as_their_numbers_say(every: list[Program]) -> None:
     assert count > 40
 
 
+def test_streams_take_what_their_messages_take(every: list[Program]) -> None:
+    for program in every:
+        bars = bars_of(program.page("bandwidth.html"), "streams")
+        expected: dict[str, list[Range]] = {}
+        for message in sent(program.system):
+            assert message.stream
+            whole = message_price(message, program.system).whole
+            expected.setdefault(message.stream.name, []).append(whole)
+        assert {name: bar[0] for name, bar in bars.items()} == {
+            name: str(Range(Fraction(sum(each.low for each in prices)), Fraction(sum(each.high for each in prices))))
+            for name, prices in expected.items()
+        }
+
+
 def test_generations_cost_what_the_model_says(shipped: list[Program]) -> None:
     """The difference between two choices is that of their messages alone; MAVLink 1 has no room for ids above 255."""
     for program in shipped:

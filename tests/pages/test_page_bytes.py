@@ -18,6 +18,7 @@ from codegen.targets.expected import Wire, expected_fields
 from codegen.targets.pages.example_state import ExampleState, example_states
 from codegen.targets.pages.frame import sent_frame
 from codegen.targets.pages.navigation import message_path
+from codegen.targets.pages.value_text import is_unknown
 from codegen.targets.table import field_rows
 
 
@@ -137,6 +138,25 @@ def test_fields_that_are_unknown_differ_with_the_state(shipped: list[Program]) -
     assert "voltage_battery" not in known
     assert "voltage_battery" in start
     assert "current_battery" in known
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "unknown"),
+    [
+        ("ODOMETRY.pose_covariance", [math.nan] * 21, [0, 20]),  # [NaN:], the first speaks for all
+        ("ODOMETRY.pose_covariance", [1.0, *[math.nan] * 20], []),
+        ("BATTERY_STATUS.voltages", [12000, *[65535] * 9], [1, 9]),  # [UINT16_MAX], each for itself
+        ("GPS_RAW_INT.eph", 65535, [0]),
+        ("GPS_RAW_INT.eph", 99, []),
+        ("HEARTBEAT.custom_mode", 0, []),  # has none
+    ],
+)
+def test_unknown_is_what_the_sentinel_says(longest: Program, name: str, values: Wire, unknown: list[int]) -> None:
+    message, _, field_name = name.partition(".")
+    field = longest.system.dialect.messages[message].field(field_name)
+    assert field is not None
+    found = [index for index in range(field.count) if is_unknown(field, index, values)]
+    assert (found[:1], found[-1:]) == (unknown[:1], unknown[-1:])
 
 
 def test_a_version_1_frame_is_whole(longest: Program) -> None:
