@@ -13,7 +13,7 @@ from typing import Any, TextIO
 
 from codegen import __version__
 
-COMMANDS = ("build", "check", "explain", "codec", "sim")
+COMMANDS = ("build", "check", "diff", "trace", "explain", "codec", "sim")
 """The commands in the order of ``--help``; each is a module of this package with ``add_command``."""
 
 EXIT_USAGE = 2

@@ -42,6 +42,7 @@ def system(folder: Path, *overlays: str) -> System:
     return found
 
 
+@pytest.mark.requirement("FR-00072.9")
 @pytest.mark.parametrize(
     ("overlays", "messages"),
     [

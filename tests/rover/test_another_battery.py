@@ -1,4 +1,4 @@
-"""A third battery, or one more cell, is one edit of board.yaml: everything else follows (FR-00073.9)."""
+"""A third battery, or one more cell, is one edit of board.yaml: everything else follows."""
 
 import json
 import subprocess
@@ -41,6 +41,7 @@ def parameters_of(project: Path) -> dict[str, float]:
     return told
 
 
+@pytest.mark.requirement("FR-00073.1", "FR-00073.2", "FR-00073.7", "FR-00073.9")
 def test_a_third_battery_is_one_entry(project):
     """It has parameters, a pin, a failsafe and messages of its own; the generated suite tests all three."""
     third = "    - {prefix: BATT3_, doc: A third pack., facts: {cells: 2}, "
@@ -57,6 +58,7 @@ def test_a_third_battery_is_one_entry(project):
     assert values["BATT_LOW_VOLT"] == pytest.approx(10.5)
 
 
+@pytest.mark.requirement("FR-00073.9")
 def test_one_more_cell_is_one_number(project):
     """The thresholds of both batteries rise by what one cell has (a divider for them is another matter)."""
     apply(project, "board.yaml", "    cells: 3\n", "    cells: 4\n")

@@ -7,6 +7,9 @@ from codegen.model.system import System
 PAGES = (("index.html", "Overview"), ("bandwidth.html", "Bandwidth"))
 """Pages about the whole program: the path below its ``docs/``, and what links call them."""
 
+TRACE_PAGE = "trace.html"
+"""The page about the requirements of a project, which its further programs share."""
+
 
 @dataclass(frozen=True, slots=True)
 class Link:
@@ -33,8 +36,12 @@ def message_path(name: str) -> str:
 def navigation(system: System, here: str) -> Navigation:
     """The links of the page at the path ``here`` below ``docs/``."""
     up = "../" * here.count("/")
+    shared = f"{up}../../docs/" if system.spec.program else up
     return Navigation(
-        pages=tuple(Link(up + path, label, path == here) for path, label in PAGES),
+        pages=(
+            *(Link(up + path, label, path == here) for path, label in PAGES),
+            Link(shared + TRACE_PAGE, "Requirements", here == TRACE_PAGE),
+        ),
         messages=tuple(
             Link(up + path, message.name, path == here)
             for message in system.messages

@@ -1,0 +1,146 @@
+"""The blocks of a Markdown text in reading order: headings, paragraphs and code, every line with its place.
+
+Tables are not blocks of CommonMark: their lines are those of a paragraph, which ``markdown_table`` reads.
+"""
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from functools import cache
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+
+from codegen.source import Place
+
+_LINE_END = re.compile(r"\r\n?|\n")
+_MARKUP = re.compile(r"[\\`*_\[\]<>&!]")
+_CODE_TOKENS = ("fence", "code_block")
+
+
+class BlockKind(Enum):
+    """What the lines of a block are."""
+
+    HEADING = "heading"
+    PARAGRAPH = "paragraph"
+    CODE = "code"
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of a block, without the marks of the lists and quotes around it; ``place`` is its first character."""
+
+    text: str
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A run of lines. ``level`` is 1 to 6 for a heading, else 0; ``info`` is the language of a fence.
+
+    ``depth`` counts the lists that hold the block, 0 outside of lists; ``begins_item`` marks the first paragraph of an
+    item.
+    """
+
+    kind: BlockKind
+    lines: tuple[Line, ...]
+    level: int = 0
+    depth: int = 0
+    begins_item: bool = False
+    info: str = ""
+
+    @property
+    def place(self) -> Place:
+        """Where the block begins."""
+        return self.lines[0].place
+
+    @property
+    def written(self) -> str:
+        """The lines as they stand, in one text."""
+        return "\n".join(line.text for line in self.lines)
+
+
+@dataclass(frozen=True, slots=True)
+class Inline:
+    """Inline markup as a reader sees it: ``text`` on one line without marks, ``codes`` what stands in code spans."""
+
+    text: str
+    codes: tuple[str, ...] = ()
+
+
+@cache
+def parse_blocks(text: str, path: str) -> tuple[Block, ...]:
+    """The blocks of a text that have lines; every text is Markdown, and HTML blocks are left out.
+
+    Places count from 1 and name the absolute form of ``path``.
+    """
+    # Inline markup is read only where its text is wanted.
+    tokens = MarkdownIt("commonmark").disable("inline").parse(text)
+    return tuple(_blocks(tokens, _LINE_END.split(text), os.path.abspath(path)))
+
+
+@cache
+def _markdown() -> MarkdownIt:
+    return MarkdownIt("commonmark")
+
+
+def read_inline(written: str) -> Inline:
+    """The text and the code spans of a piece of inline markup."""
+    if _MARKUP.search(written) is None:
+        return Inline(" ".join(written.split()))
+    pieces: list[str] = []
+    codes: list[str] = []
+    for token in _markdown().parseInline(written):
+        _collect(token.children or [], pieces, codes)
+    return Inline(" ".join("".join(pieces).split()), tuple(codes))
+
+
+def _blocks(tokens: Sequence[Token], lines: Sequence[str], path: str) -> Iterator[Block]:
+    depth = 0
+    begins_item = False
+    for index, token in enumerate(tokens):
+        if token.type in ("bullet_list_open", "ordered_list_open", "bullet_list_close", "ordered_list_close"):
+            depth += token.nesting
+        elif token.type == "list_item_open":
+            begins_item = True
+        elif token.type in _CODE_TOKENS and token.map is not None:
+            begins_item = False
+            first = token.map[0] + (token.type == "fence")
+            found = _located(token.content.removesuffix("\n"), first, lines, path)
+            if token.content:
+                yield Block(BlockKind.CODE, found, depth=depth, info=token.info.strip())
+        elif token.type == "inline" and token.map is not None:
+            opening = tokens[index - 1]
+            found = _located(token.content, token.map[0], lines, path)
+            if opening.type == "heading_open":
+                yield Block(BlockKind.HEADING, found, level=int(opening.tag[1]), depth=depth)
+            else:
+                yield Block(BlockKind.PARAGRAPH, found, depth=depth, begins_item=begins_item)
+            begins_item = False
+
+
+def _located(content: str, first: int, lines: Sequence[str], path: str) -> tuple[Line, ...]:
+    """The lines of a block's content, each with its place; ``first`` is the index of its first line in the file."""
+    found = []
+    for index, text in enumerate(content.split("\n"), first):
+        raw = lines[index] if index < len(lines) else ""
+        # The marks of lists and quotes stand before the text, and a heading may be closed by marks behind it.
+        start = raw.rfind(text.strip()) if text.strip() else len(raw)
+        indent = len(text) - len(text.lstrip()) if text.strip() else 0
+        found.append(Line(text, Place(path, index + 1, max(start - indent, 0) + 1)))
+    return tuple(found)
+
+
+def _collect(tokens: Sequence[Token], pieces: list[str], codes: list[str]) -> None:
+    for token in tokens:
+        if token.type in ("softbreak", "hardbreak"):
+            pieces.append(" ")
+        elif token.type == "code_inline":
+            pieces.append(token.content)
+            codes.append(token.content)
+        elif token.type in ("text", "text_special"):
+            pieces.append(token.content)
+        elif token.children:
+            _collect(token.children, pieces, codes)
