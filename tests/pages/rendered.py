@@ -8,9 +8,7 @@ from lxml import html
 
 from codegen.diagnostics import Report
 from codegen.model.system import System
-from codegen.pipeline import read_systems
-from codegen.targets.documents import render_documents
-from codegen.targets.pages import render_pages
+from codegen.pipeline import read_systems, render_systems
 
 ROOT = Path(__file__).parents[2]
 PROJECTS = {
@@ -21,11 +19,16 @@ PROJECTS = {
 
 @dataclass(frozen=True)
 class Program:
-    """A program with its files below the output folder of its project."""
+    """A program with its documents, by their paths below the output folder of its project."""
 
     system: System
-    pages: Mapping[str, str]
+    documents: Mapping[str, str]
     folder: str
+
+    @property
+    def pages(self) -> dict[str, str]:
+        """The documents that browsers open."""
+        return {path: text for path, text in self.documents.items() if path.endswith(".html")}
 
     def page(self, name: str) -> html.HtmlElement:
         """A page as a tree, by its path below docs/."""
@@ -33,23 +36,21 @@ class Program:
 
 
 def programs_of(folder: Path) -> list[Program]:
-    """The programs of the project whose specification lies in a folder."""
+    """The programs of the project whose specification lies in a folder, each with what a build writes to its docs/."""
     report = Report()
     systems = read_systems(str(folder / "codegen.yaml"), report)
     assert not report.has_errors, [finding.message for finding in report]
+    files = render_systems(systems)
     return [
         Program(
             system,
-            {str(PurePosixPath(system.spec.program) / path): text for path, text in render_pages(system).items()},
+            {path: text for path, text in files.items() if PurePosixPath(system.spec.program, "docs") in parents(path)},
             system.spec.program,
         )
         for system in systems
     ]
 
 
-def site(program: Program) -> dict[str, str]:
-    """The pages with the other files that they lead to."""
-    documents = {
-        str(PurePosixPath(program.folder) / path): text for path, text in render_documents(program.system).items()
-    }
-    return {**program.pages, **documents}
+def parents(path: str) -> list[PurePosixPath]:
+    """The folders that a file lies in, at any depth."""
+    return list(PurePosixPath(path).parents)
