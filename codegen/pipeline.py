@@ -11,9 +11,11 @@ from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.importing.drift import drift
+from codegen.importing.stated import stated_fields
 from codegen.load.marked_tests import read_marked_tests, test_files
 from codegen.load.shipped import dialect_path
-from codegen.load.text import read_bytes
+from codegen.load.text import decode_text, read_bytes
 from codegen.load.trees import exists
 from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
@@ -112,6 +114,28 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
     path = scenarios_path(project_file)
     if exists(path):
         read_scenarios(path, () if report.has_errors else systems, report)
+
+
+def read_document(path: str, report: Report) -> str | None:
+    """The text of a document or a table; None after a finding."""
+    data = read_bytes(path, report)
+    return None if data is None else decode_text(data, path, report)
+
+
+def check_documents(systems: Sequence[System], report: Report) -> None:
+    """What the tables of the requirement documents say against the population tables and the dialect.
+
+    A document is read once, for the first program whose messages it is about: that of the project comes first.
+    """
+    seen: set[str] = set()
+    for system in systems:
+        for path in dict.fromkeys(requirement.place.file for requirement in system.requirements.values()):
+            text = None if path in seen else read_document(path, report)
+            seen.add(path)
+            if text is not None:
+                stated = stated_fields(text, path)
+                report.extend(stated.findings)
+                report.extend(drift(stated, system))
 
 
 def scenarios_path(project_file: str) -> str:

@@ -36,6 +36,7 @@ def run(arguments: argparse.Namespace) -> int:
     report = Report()
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
+    pipeline.check_documents(systems, report)
     report = with_waivers(report, waivers_of(project), (), ())
     print_findings(report, arguments.format)
     return report.exit_code
