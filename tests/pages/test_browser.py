@@ -87,7 +87,7 @@ def browser() -> Iterator[Browser]:
     if found is None:
         pytest.fail(f"no browser: install Chromium (apt-get install chromium); looked for {', '.join(NAMES)}")
     with sync_playwright() as play:
-        started = play.chromium.launch(executable_path=found, args=OPTIONS)
+        started = play.chromium.launch(executable_path=found, args=OPTIONS, timeout=90_000)
         yield started
         started.close()
 
