@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims.expression import Expression, expression_before
@@ -52,14 +53,14 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 
 def _examples(text: str, start: int = 0) -> Iterator[tuple[Expression, "re.Match[str]"]]:
-    """Expressions with a result that is not theirs."""
+    """Expressions with a result that is not theirs; their values are in the unit of the result."""
     for result in _RESULT.finditer(text, start) if "=" in text or "≈" in text else ():
         expression = expression_before(text, result.start())
         if expression is None or expression.start < start or _GOES_ON.match(text, result.end()):
             continue
         value = _in_unit(expression, result)
         if value is not None and not _is_right(value, result):
-            yield expression, result
+            yield replace(expression, value=value), result
 
 
 def _in_unit(expression: Expression, result: "re.Match[str]") -> Fraction | None:

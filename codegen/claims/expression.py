@@ -13,6 +13,7 @@ _TOKEN = re.compile(
     r"(?:[eE][-+]?\d{1,2})?)(?:[ ]?(?P<unit>%|(?!x[ \d])[A-Za-zµ°][A-Za-z°]{0,8}(?:/[A-Za-z]{1,3})?)(?![\w(]))?"
     r"|(?P<operator>\*\*|[-+*/^()\u00d7\u00b7\u00f7\u2212]|x(?=[ ]?\d)))"
 )
+_NO_PART = re.compile(r"[=<>:;|\"'`?!{}\[\]&#$@\n]")
 _SIGNS = {"\u00d7": "*", "\u00b7": "*", "x": "*", "\u00f7": "/", "\u2212": "-", "^": "**"}
 _POWERS_OF = (2, 10)
 """Bases for which ``^`` is a power, and not the exclusive or of a program."""
@@ -44,12 +45,15 @@ def expression_before(text: str, end: int) -> Expression | None:
     range such as 0-100, a date, a percentage) is none.
     """
     low = max(end - 200, 0)
+    low = max((found.end() for found in _NO_PART.finditer(text, low, end)), default=low)
     end = low + len(text[low:end].rstrip())
     tokens = _tokens(text, low, end)
     for first in range(len(tokens)):
         run = tokens[first:]
         if run[0].number is None and run[0].text not in ("(", "-"):
             continue
+        if first and tokens[first - 1].unit == "%":
+            continue  # a percentage of something, or a remainder
         if run[0].start > 0 and (text[run[0].start - 1].isalnum() or text[run[0].start - 1] in "._"):
             continue
         value = _value(run)

@@ -1,7 +1,7 @@
 """What a document says of the fields of a message, one by one: structs in code, tables, and lists."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -9,6 +9,7 @@ from codegen.claims.identifier import commented_id
 from codegen.claims.reading import Reading
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
+from codegen.source import Place
 
 C_TYPE = r"u?int(?:8|16|32|64)_t|float|double|char"
 _C_FIELD = re.compile(
@@ -54,14 +55,27 @@ class Note:
 class FieldNotes:
     """Notes about fields of one message, in their order.
 
-    ``is_whole`` marks a struct that says of itself which message it is, and so has all of its base fields;
-    ``columns`` are the headings of a table.
+    ``stated`` is the id that a comment in a struct gives its message, and the place of that line; ``columns`` are the
+    headings of a table.
     """
 
     message: WireMessage
     notes: tuple[Note, ...]
-    is_whole: bool = False
+    stated: tuple[int, Place] | None = None
     columns: tuple[str, ...] = ()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether a struct says of itself that it is the message, and so has all of its base fields."""
+        return self.stated is not None and self.stated[0] == self.message.id
+
+    def cell(self, note: Note, heading: "re.Pattern[str]") -> tuple[str, int] | None:
+        """The text of a note's row below the heading that matches, and its offset in the passage."""
+        own = cells(note.passage) if self.columns else []
+        for title, (text, offset) in zip(self.columns[1:], own[1:], strict=False):
+            if heading.fullmatch(title) and text.strip():
+                return text.strip(), offset
+        return None
 
     def pairs(self) -> Iterator[tuple[Note, WireField]]:
         """The notes about fields that the message has, each with its field."""
@@ -101,9 +115,8 @@ def _struct(reading: Reading, code: CodeBlock) -> Iterator[FieldNotes]:
     if len(notes) < 2:
         return
     about = reading.message_with([note.name for note in notes], code.place.line)
-    stated = commented_id(code)
     if about is not None:
-        yield FieldNotes(about, tuple(notes), is_whole=stated is not None and stated[0] == about.id)
+        yield FieldNotes(about, tuple(notes), commented_id(code))
 
 
 def _table(reading: Reading, rows: list[Passage]) -> Iterator[FieldNotes]:
@@ -150,9 +163,3 @@ def cells(row: Passage) -> list[tuple[str, int]]:
         found.append((cell, position + len(cell) - len(cell.lstrip())))
         position += len(cell) + 1
     return found
-
-
-def stated_twice(notes: Iterable[Note]) -> set[str]:
-    """The fields that have more than one note: each is about some of the elements."""
-    names = [note.name for note in notes]
-    return {name for name in names if names.count(name) > 1}

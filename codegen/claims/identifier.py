@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 
-from codegen.claims.reading import Mention, Reading
+from codegen.claims.reading import Mention, Reading, between
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import CodeBlock, Passage
 from codegen.model.literals import entry_value
@@ -37,7 +37,8 @@ _NUMBER = r"(?:0[xX][0-9a-fA-F]{1,16}|\d{1,20})"
 _VALUE_AFTER = re.compile(rf"\s*\(\s*({_NUMBER})\s*\)|\s*=\s*({_NUMBER})(?![\w.])")
 _VALUE_BEFORE = re.compile(rf"(?:^|[|:=,]|\bis|\bto|\bor|\bvalue)\s*({_NUMBER})\s*\(\s*$")
 _CRC = re.compile(
-    r"\bCRC[_ ]EXTRA\b(?:\s+(?:byte|of|is|for|value))*[\s:=(]{1,3}(0x[0-9a-f]{1,2}\b|\d{1,3}\b)", re.IGNORECASE
+    r"\bCRC[_ ]EXTRA\b(?:\s+(?:byte|of|is|for|value|[A-Z][A-Z0-9_]{2,60}))*[\s:=(]{1,3}(0x[0-9a-f]{1,2}\b|\d{1,3}\b)",
+    re.IGNORECASE,
 )
 
 
@@ -51,12 +52,12 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         yield from _values(reading, passage, entries)
 
 
-def commented_id(code: CodeBlock) -> tuple[int, int] | None:
-    """The id that a comment of a block of code gives its message, and the index of its line."""
-    for index, line in enumerate(code.lines):
+def commented_id(code: CodeBlock) -> tuple[int, Place] | None:
+    """The id that a comment of a block of code gives its message, and the place of its line."""
+    for line in code.lines:
         found = _COMMENT.search(line.text)
         if found:
-            return int(found[1]), index
+            return int(found[1]), line.place
     return None
 
 
@@ -93,7 +94,7 @@ def _definition(reading: Reading, place: Place) -> list[tuple[Place, str]]:
 def _crcs(reading: Reading, passage: Passage, mentions: tuple[Mention, ...]) -> Iterator[Diagnostic]:
     for found in _CRC.finditer(passage.text):
         start, end = passage.sentence(found.start(), found.end())
-        named = {mention.name for mention in mentions if start <= mention.start < end}
+        named = {mention.name for mention in between(mentions, start, end)}
         if len(named) != 1:
             continue
         message = reading.messages[named.pop()]

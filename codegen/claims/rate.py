@@ -1,13 +1,14 @@
 """Bytes per second at a rate: "BATTERY_STATUS at 2 Hz takes 96 bytes/s", "41 bytes at 2 Hz = 82 bytes/sec"."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from codegen.claims.reading import Reading
-from codegen.claims.size import SIGNATURE, frame_bytes, is_possible, size_claims
+from codegen.claims.reading import Reading, between
+from codegen.claims.size import SIGNATURE, SizeClaim, frame_bytes, is_possible, size_claims
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.price import HEAD_V1, HEAD_V2
+from codegen.model.dialect import WireMessage
+from codegen.model.price import HEAD_V1, HEAD_V2, Range
 
 RULE = Rule(
     "claim-bytes-per-second",
@@ -25,30 +26,35 @@ _RATE = re.compile(r"(?<![\w.,-])(\d{1,4}(?:\.\d{1,3})?) ?Hz\b")
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every rate in bytes per second that stands with one message and one rate in Hz."""
     for passage, mentions in reading.passages_with_messages():
+        claims: list[SizeClaim] | None = None
         for found in _PER_SECOND.finditer(passage.text):
             start, end = _row_or_sentence(passage.text, *passage.sentence(found.start(), found.end()))
-            names = {mention.name for mention in mentions if start <= mention.start < end}
+            inside = between(mentions, start, end)
             rates = {rate[1] for rate in _RATE.finditer(passage.text, start, end)}
-            if len(names) != 1 or len(rates) != 1:
+            if len({mention.name for mention in inside}) != 1 or len(rates) != 1:
                 continue
-            message, rate, stated = reading.messages[names.pop()], Fraction(rates.pop()), Fraction(found[1])
-            if rate == 0:
-                continue
-            words = passage.text[start:end].strip()
-            sizes = [claim for claim in size_claims(reading, passage, mentions) if start <= claim.start < end]
-            sent = frame_bytes(message, reading)
-            computed = f"frames of {sent} bytes are {sent.times(rate)} bytes/s at {_shown(rate)} Hz"
-            if any(not is_possible(claim) for claim in sizes):
-                continue  # the size is what is wrong, and that finding says what follows
-            if len(sizes) == 1 and not _is_product(stated, sizes[0].bytes, rate, found[1]):
-                text = f"{sizes[0].bytes} bytes at {_shown(rate)} Hz are {_shown(sizes[0].bytes * rate)} bytes/s"
-            elif stated < rate * (HEAD_V1 + 1) or stated > rate * (HEAD_V2 + message.length + SIGNATURE):
-                text = f"{message.name}: {computed}"
-            else:
-                continue
-            place = passage.place_at(found.start())
-            hint = None if text.endswith(computed) else computed
-            yield reading.found(RULE, place, words, f"{text}, not {found[1]}", hint)
+            claims = list(size_claims(reading, passage, mentions)) if claims is None else claims
+            sizes = between(claims, start, end)
+            message, rate = reading.messages[inside[0].name], Fraction(rates.pop())
+            if rate == 0 or any(not is_possible(claim) for claim in sizes):
+                continue  # where a size is wrong, that finding says what follows
+            said = _contradiction(found[1], message, rate, sizes, frame_bytes(message, reading))
+            if said is not None:
+                place, words = passage.place_at(found.start()), passage.text[start:end].strip()
+                yield reading.found(RULE, place, words, f"{said[0]}, not {found[1]}", said[1])
+
+
+def _contradiction(
+    written: str, message: WireMessage, rate: Fraction, sizes: Sequence[SizeClaim], sent: Range
+) -> tuple[str, str | None] | None:
+    """What a number of bytes per second should be, and a hint; None where it may be right."""
+    computed = f"frames of {sent} bytes are {sent.times(rate)} bytes/s at {_shown(rate)} Hz"
+    stated = Fraction(written)
+    if len(sizes) == 1 and not _is_product(stated, sizes[0].bytes, rate, written):
+        return f"{sizes[0].bytes} bytes at {_shown(rate)} Hz are {_shown(sizes[0].bytes * rate)} bytes/s", computed
+    if rate * (HEAD_V1 + 1) <= stated <= rate * (HEAD_V2 + message.length + SIGNATURE):
+        return None
+    return f"{message.name}: {computed}", None
 
 
 def _row_or_sentence(text: str, start: int, end: int) -> tuple[int, int]:

@@ -2,10 +2,11 @@
 
 import re
 from bisect import bisect_left
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
 from operator import add
+from typing import Protocol, TypeVar
 
 from codegen.claims.quoted import Quoted, quoted_definitions
 from codegen.diagnostics import Diagnostic, Report, Rule
@@ -17,6 +18,8 @@ from codegen.resolve.wire import wire_message
 from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
+_MOST_RELATED = 8
+"""How many repetitions of a claim are listed."""
 _FAR = 300
 """How many mentions of messages are looked through for the one that a statement is about."""
 
@@ -142,13 +145,32 @@ def _sightings(
             yield line.place.line, mention.name
 
 
+class _Located(Protocol):
+    """What stands at an offset of a passage."""
+
+    @property
+    def start(self) -> int: ...
+
+
+_Part = TypeVar("_Part", bound=_Located)
+
+
+def between(parts: Sequence[_Part], start: int, end: int) -> Sequence[_Part]:
+    """Those of ``parts``, in their order, that begin between two offsets."""
+    low = bisect_left(parts, start, key=lambda part: part.start)
+    return parts[low : bisect_left(parts, end, key=lambda part: part.start)]
+
+
 def merged(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """The findings, those about the same claim as one at its first place, which the repetitions are related to."""
-    first: dict[str, Diagnostic] = {}
+    """The findings by place, those about the same claim as one at its first place, to which the others are related."""
+    by_claim: dict[str, list[Diagnostic]] = {}
     for finding in sorted(findings, key=lambda finding: finding.place):
-        key = finding.fingerprint or ""
-        earlier = first.setdefault(key, finding)
-        if earlier is not finding and earlier.place != finding.place:
-            again = (finding.place, "stated again")
-            first[key] = replace(earlier, related=(*earlier.related, again))
-    return list(first.values())
+        by_claim.setdefault(finding.fingerprint or "", []).append(finding)
+    told = []
+    for first, *others in by_claim.values():
+        again = list(dict.fromkeys(other.place for other in others if other.place != first.place))
+        related = [(place, "stated again") for place in again[:_MOST_RELATED]]
+        if len(again) > _MOST_RELATED:
+            related[-1] = (related[-1][0], f"stated again, and {len(again) - _MOST_RELATED} times more below")
+        told.append(replace(first, related=(*first.related, *related)))
+    return told

@@ -30,6 +30,11 @@ _UNKNOWN = (
 )
 _OTHER = _VALUE.replace("value", "other")
 _STATED = re.compile(rf"{_VALUE}{_TIE}{_UNKNOWN}\b|\b(?:unknown|invalid)\s*[:=]\s*{_OTHER}", re.IGNORECASE)
+_ONLY = re.compile(_VALUE, re.IGNORECASE)
+_COLUMN_UNKNOWN = re.compile(
+    r"(?:if |when )?(?:invalid|unknown|sentinel|not (?:known|available))(?: value)?", re.IGNORECASE
+)
+_COLUMN_UNIT = re.compile(r"units?", re.IGNORECASE)
 _LIMIT = re.compile(r"(?<![\w])U?INT(?:8|16|32|64)_M(?:AX|IN)(?![\w])")
 _IN_UNIT = re.compile(r"\bin (?P<unit>[A-Za-z%][A-Za-z0-9/%^]{0,7})(?=\s*(?:[,.;)(|]|$|if\b|\u2013|\u2014))")
 
@@ -43,39 +48,48 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 
 
 def _sentinels(reading: Reading, notes: FieldNotes, note: Note, field: WireField) -> Iterator[Diagnostic]:
-    said: set[str] = set()
+    """The first value that is wrong, if none of those that are named is right: one note explains one field."""
+    values: list[tuple[str, int, bool]] = []
     for found in _STATED.finditer(note.text):
         group = "value" if found["value"] else "other"
-        problem = _problem(field, found[group], note, is_unknown=True)
-        if problem and found[group] not in said:
-            said.add(found[group])
-            yield _finding(reading, notes, note, found.start(group), found[group], problem)
-    for found in _LIMIT.finditer(note.text):
-        problem = _problem(field, found[0], note, is_unknown=False)
-        if problem and found[0] not in said:
-            said.add(found[0])
-            yield _finding(reading, notes, note, found.start(), found[0], problem)
-
-
-def _finding(reading: Reading, notes: FieldNotes, note: Note, offset: int, value: str, problem: str) -> Diagnostic:
+        values.append((found[group], note.start + found.start(group), True))
+    cell = notes.cell(note, _COLUMN_UNKNOWN)
+    if cell is not None and (single := _ONLY.fullmatch(cell[0])):
+        values.append((single["value"], cell[1] + single.start("value"), True))
+    values += [(found[0], note.start + found.start(), False) for found in _LIMIT.finditer(note.text)]
+    problems = [_problem(field, written, note, is_unknown=is_unknown) for written, _, is_unknown in values]
+    wrong = [(value, problem) for value, problem in zip(values, problems, strict=True) if problem]
+    if not wrong or any(_is_own(field, written, note) for written, _, _ in values):
+        return
+    (written, offset, _), problem = wrong[0]
     name = f"{notes.message.name}.{note.name}"
-    place = note.passage.place_at(note.start + offset)
-    return reading.found(SENTINEL, place, f"{name} {value}", f"{name} {problem}, not {value}")
+    text = f"{name} {problem}, not {written}"
+    yield reading.found(SENTINEL, note.passage.place_at(offset), f"{name} {written}", text)
 
 
 def _problem(field: WireField, written: str, note: Note, *, is_unknown: bool) -> str | None:
-    """What is wrong with a value for unknown, as the beginning of a sentence; None where nothing is."""
-    value = math.nan if written.lower() == "nan" else LIMITS.get(written.upper(), None)
-    if value is None:
-        value = int(written)
+    """What is wrong with a value for unknown, as the beginning of a sentence; None where nothing is.
+
+    0 of an enum is an entry, whatever it is called.
+    """
+    value = _number(written)
     own = _own(field, note)
-    is_carried = _carries(field, value)
-    if any(_is_same(value, sentinel) for sentinel in own):
+    if any(_is_same(value, sentinel) for sentinel in own) or (value == 0 and field.definition.enum):
         return None
     known = f"is unknown when it is {field.sentinel.written}" if field.sentinel is not None and own else None
-    if not is_carried:
+    if not _carries(field, value):
         return known or f"is {field.type.name} and carries {field.type.minimum} to {field.type.maximum}"
     return known if is_unknown else None
+
+
+def _is_own(field: WireField, written: str, note: Note) -> bool:
+    return any(_is_same(_number(written), sentinel) for sentinel in _own(field, note))
+
+
+def _number(written: str) -> int | float:
+    if written.lower() == "nan":
+        return math.nan
+    return LIMITS[written.upper()] if written.upper() in LIMITS else int(written)
 
 
 def _own(field: WireField, note: Note) -> list[int | float]:
@@ -98,10 +112,13 @@ def _is_same(first: int | float, second: int | float) -> bool:
 
 def _units(reading: Reading, notes: FieldNotes, note: Note, field: WireField) -> Iterator[Diagnostic]:
     own = field.definition.units
-    for found in _IN_UNIT.finditer(note.text) if own else ():
-        stated = found["unit"]
-        if stated in UNITS and own in UNITS and UNITS[stated] != UNITS[own]:
+    stated = [(found["unit"], note.start + found.start("unit")) for found in _IN_UNIT.finditer(note.text)]
+    cell = notes.cell(note, _COLUMN_UNIT)
+    if cell is not None:
+        stated.append(cell)
+    for unit, offset in stated if own in UNITS else ():
+        if unit in UNITS and own and UNITS[unit] != UNITS[own]:
             name = f"{notes.message.name}.{note.name}"
-            place = note.passage.place_at(note.start + found.start("unit"))
-            yield reading.found(UNIT, place, f"{name} in {stated}", f"{name} is in {own}, not {stated}")
+            place = note.passage.place_at(offset)
+            yield reading.found(UNIT, place, f"{name} in {unit}", f"{name} is in {own}, not {unit}")
             return

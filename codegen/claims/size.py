@@ -24,7 +24,7 @@ SIGNATURE = 13
 _BYTES = re.compile(r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?bytes?\b(?![ ]?(?:/|per\b|a second))", re.IGNORECASE)
 # What may stand between a message and its size without making the size that of something else.
 _BETWEEN = re.compile(
-    r"(?:[\s,:=(|\u2013-]|messages?|payload|frames?|packets?|size|length|total|whole|is|are|has|have|takes|needs|uses|of"
+    r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|messages?|payload|frames?|packets?|size|length|total|whole|is|are|has|have|takes|needs|uses|of"
     r"|an?|the|with|without|only|exactly|base|full|complete|extensions?|v[12]|mavlink(?: ?[12])?|unsigned|signed|up to"
     r"|at most)*",
     re.IGNORECASE,
@@ -108,9 +108,8 @@ def _message(claim: SizeClaim, passage: Passage) -> str:
     rate = _RATE.search(passage.text, start, end)
     if rate:
         whole = HEAD_V2 + message.base_length
-        text += (
-            f"; a frame of MAVLink 2 with {whole} bytes at {rate[1]} Hz is {_shown(whole * Fraction(rate[1]))} bytes/s"
-        )
+        per_second = _shown(whole * Fraction(rate[1]))
+        text += f"; frames of {whole} bytes (MAVLink 2) at {rate[1]} Hz are {per_second} bytes/s"
     return text
 
 

@@ -1,9 +1,10 @@
 """Structs that a document shows for a message: their types, array lengths, fields and order."""
 
+import re
 from collections.abc import Iterator
 
 from codegen.claims.field_notes import FieldNotes, Note, field_notes
-from codegen.claims.identifier import MESSAGE_ID, commented_id
+from codegen.claims.identifier import MESSAGE_ID
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule, did_you_mean
@@ -15,22 +16,38 @@ RULE = Rule(
     "that of the wire; extensions may be left out.",
 )
 
+_COLUMN_TYPE = re.compile(r"(?:field |wire |c )?type", re.IGNORECASE)
+_TYPE = re.compile(r"(?P<type>u?int(?:8|16|32|64)(?:_t)?|float|double|char)(?:\s?\[\s?(?P<length>\d{1,3})\s?\])?")
+
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every declaration of a field, and the structs as a whole; a struct with the id of another message."""
     for notes in field_notes(reading):
         for note, field in notes.pairs():
-            if note.type is not None and (note.type, note.length) != (field.type.name, field.definition.length):
-                stated = note.type if note.length is None else f"{note.type}[{note.length}]"
+            declared = _declared(notes, note)
+            own = (typed(field.definition), field.definition.type, field.type.name)
+            if declared is not None and declared[0] not in (own if field.is_array else (own[0], own[2])):
+                stated, offset = declared
                 text = f"{notes.message.name}.{note.name} is {typed(field.definition)}, not {stated}"
                 words = f"{notes.message.name}.{note.name} {stated}"
-                yield reading.found(RULE, note.passage.place, words, text)
+                yield reading.found(RULE, note.passage.place_at(offset), words, text)
             if note.elements is not None and note.elements[1] >= field.count:
                 text = f"{notes.message.name}.{note.name} has {field.count} elements, 0 to {field.count - 1}"
                 words = f"{notes.message.name}.{note.name} {note.elements}"
                 yield reading.found(RULE, note.passage.place, words, f"{text}: there is no {note.elements[1]}")
         yield from _whole(reading, notes)
-    yield from _commented(reading)
+        yield from _commented(reading, notes)
+
+
+def _declared(notes: FieldNotes, note: Note) -> tuple[str, int] | None:
+    """The type that a declaration or the column of a table states, as XML writes it, and its offset."""
+    if note.type is not None:
+        return (note.type if note.length is None else f"{note.type}[{note.length}]"), 0
+    cell = notes.cell(note, _COLUMN_TYPE)
+    if cell is None or (found := _TYPE.fullmatch(cell[0])) is None:
+        return None
+    number = f"[{found['length']}]" if found["length"] else ""
+    return found["type"] + ("_t" if found["type"][-1].isdigit() else "") + number, cell[1]
 
 
 def _whole(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
@@ -57,15 +74,9 @@ def _whole(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
         yield reading.found(RULE, first.passage.place, f"{message.name} order {written}", text)
 
 
-def _commented(reading: Reading) -> Iterator[Diagnostic]:
-    for code in reading.prose.code:
-        stated = commented_id(code)
-        if stated is None:
-            continue
-        number, index = stated
-        for notes in field_notes(reading):
-            inside = notes.notes[0].passage.place.line in {line.place.line for line in code.lines}
-            if inside and notes.message.id not in (number, -1):
-                text = f"{notes.message.name} has the id {notes.message.id}, not {number}"
-                words = f"{notes.message.name} message #{number}"
-                yield reading.found(MESSAGE_ID, code.lines[index].place, words, text)
+def _commented(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
+    message = notes.message
+    if notes.stated is not None and notes.stated[0] != message.id and message.id >= 0:
+        number, place = notes.stated
+        text = f"{message.name} has the id {message.id}, not {number}"
+        yield reading.found(MESSAGE_ID, place, f"{message.name} message #{number}", text)
