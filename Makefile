@@ -5,13 +5,14 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
+RELEASES := $(VENV)/.releases
 
 .PHONY: build test lint clean benchmarks conformance
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-test: $(STATIONS)
+test: $(STATIONS) $(RELEASES)
 	@failed=""; \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
@@ -61,4 +62,11 @@ $(INSTALLED): pyproject.toml
 # needs without them, pymavlink and pyserial, is there.
 $(STATIONS): $(INSTALLED)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps 'MAVProxy>=1.8.74'
+	@touch $@
+
+# An older pymavlink, of which only the dialects are read: `codegen diff` is tested between two real releases. This one has
+# a wheel for every Python.
+$(RELEASES): $(INSTALLED)
+	$(BIN)/python -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: --python-version 3.11 \
+		--implementation py --abi none --platform any --dest $(VENV)/releases 'pymavlink==2.4.37'
 	@touch $@

@@ -31,13 +31,25 @@ class Rule:
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """One finding at one place. ``related`` are further places that explain it, each with a short text."""
+    """One finding at one place. ``related`` are further places that explain it, each with a short text.
+
+    ``fingerprint`` (12 hex digits, see ``codegen.fingerprint``) is what a waiver names; without one a finding cannot be
+    waived. ``waived`` says who waived it, why and until when: then it counts neither as error nor as warning, but is
+    still shown.
+    """
 
     place: Place
     rule: Rule
     message: str
     hint: str | None = None
     related: tuple[tuple[Place, str], ...] = ()
+    fingerprint: str | None = None
+    waived: str | None = None
+
+    @property
+    def is_error(self) -> bool:
+        """Whether it stops a build, or makes a check fail."""
+        return self.rule.severity is Severity.ERROR and self.waived is None
 
 
 class Report:
@@ -53,9 +65,10 @@ class Report:
         message: str,
         hint: str | None = None,
         related: Iterable[tuple[Place, str]] = (),
+        fingerprint: str | None = None,
     ) -> None:
         """Record one finding."""
-        self._diagnostics.append(Diagnostic(place, rule, message, hint, tuple(related)))
+        self._diagnostics.append(Diagnostic(place, rule, message, hint, tuple(related), fingerprint))
 
     def extend(self, diagnostics: Iterable[Diagnostic]) -> None:
         """Record the findings of a rule."""
@@ -68,12 +81,12 @@ class Report:
     @property
     def has_errors(self) -> bool:
         """Whether anything was found that must stop the build."""
-        return any(found.rule.severity is Severity.ERROR for found in self._diagnostics)
+        return any(found.is_error for found in self._diagnostics)
 
     @property
     def exit_code(self) -> int:
-        """0 without errors, 2 if an input could not be read, 1 for every other error."""
-        errors = [found.rule for found in self._diagnostics if found.rule.severity is Severity.ERROR]
+        """0 without errors that count, 2 if an input could not be read, 1 for every other error."""
+        errors = [found.rule for found in self._diagnostics if found.is_error]
         if not errors:
             return 0
         return 2 if any(rule.unreadable for rule in errors) else 1

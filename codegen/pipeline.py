@@ -9,15 +9,19 @@ from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
+from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.importing.drift import drift
 from codegen.importing.stated import stated_fields
+from codegen.load.marked_tests import read_marked_tests, test_files
 from codegen.load.shipped import dialect_path
 from codegen.load.text import decode_text, read_bytes
+from codegen.load.trees import exists
 from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Spec
 from codegen.model.system import System
+from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
@@ -26,6 +30,9 @@ from codegen.rules import RULES
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.trace.generated_tests import generated_tests
+from codegen.trace.graph import Trace, hand_written, linked
+from codegen.trace.rows import rows_of
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -100,7 +107,7 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
     After an error in the specification they are checked by themselves: what they lack there may be what is broken.
     """
     path = scenarios_path(project_file)
-    if os.path.lexists(path):
+    if exists(path):
         read_scenarios(path, () if report.has_errors else systems, report)
 
 
@@ -155,6 +162,40 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     ]
     added = (message.definition for message in dialect.added_messages())
     return replace(dialect, known=taken_elsewhere(added, files, listed))
+
+
+def read_trace(systems: Sequence[System], report: Report) -> Trace:
+    """What criteria, tables, symbols and tests of a project have to do with one another.
+
+    A finding is about a file of tests that says nothing.
+    """
+    documents = {each.place: each for system in systems for each in system.requirements.values()}
+    marked = [test for path in test_files(test_folders(systems)) for test in read_marked_tests(path, report)]
+    tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
+    return linked(documents.values(), rows_of(systems), tests)
+
+
+def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
+    """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
+    path = trace_lock_path(project_file)
+    text = read_trace_lock_text(path, report)
+    return None if text is None else decode_trace_lock(text, path, report)
+
+
+def trace_lock_path(project_file: str) -> str:
+    """The absolute path of the lock file that belongs to a project file."""
+    return os.path.join(os.path.dirname(os.path.abspath(project_file)), TRACE_LOCK)
+
+
+def project_folder(systems: Sequence[System]) -> str:
+    """The absolute path of the folder of a project: the one above that of its specification."""
+    return os.path.dirname(systems[0].spec.folder) if systems else os.getcwd()
+
+
+def test_folders(systems: Iterable[System]) -> list[str]:
+    """The absolute paths of the folders with tests that are written by hand."""
+    specs = [system.spec for system in systems]
+    return sorted({os.path.normpath(os.path.join(spec.folder, name)) for spec in specs for name in spec.project.tests})
 
 
 def render_system(system: System) -> dict[str, str]:
@@ -212,7 +253,7 @@ def files_read(systems: Iterable[System]) -> set[str]:
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
     scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
-    return read | {path for path in scenarios if os.path.lexists(path)}
+    return read | {path for path in scenarios if exists(path)}
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:

@@ -13,7 +13,7 @@ from typing import Any, TextIO
 
 from codegen import __version__
 
-COMMANDS = ("build", "check", "explain", "import", "codec", "sim")
+COMMANDS = ("build", "check", "diff", "explain", "trace", "import", "codec", "sim")
 """The commands in the order of ``--help``; each is a module of this package with ``add_command``."""
 
 _MODULES = {"import": "importing"}

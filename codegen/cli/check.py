@@ -12,13 +12,18 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="check the specification against the dialect and the documents",
         description="Check the specification against the dialect and the requirement documents.",
     )
-    parser.add_argument("--format", choices=("text", "json"), default="text", help="how findings are printed")
+    parser.add_argument(
+        "--format",
+        choices=("text", "json", "github", "sarif"),
+        default="text",
+        help="how findings are printed: for people, as JSON, as annotations of GitHub, as SARIF 2.1.0",
+    )
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print what was found, and return the exit code."""
-    from codegen.cli.findings import findings_json, print_findings
+    from codegen.cli.findings import print_findings
     from codegen.cli.project import project_file, report_no_project
     from codegen.diagnostics import Report
 
@@ -26,13 +31,12 @@ def run(arguments: argparse.Namespace) -> int:
     if project is None:
         return report_no_project()
     from codegen import pipeline
+    from codegen.cli.waived import waivers_of, with_waivers
 
     report = Report()
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
     pipeline.check_documents(systems, report)
-    if arguments.format == "json":
-        print(findings_json(report))
-    else:
-        print_findings(report)
+    report = with_waivers(report, waivers_of(project), (), ())
+    print_findings(report, arguments.format)
     return report.exit_code

@@ -107,9 +107,11 @@ def _deliver(
         print(f"{proposal.message.name}: {_shown(proposal.place.file)} beside {_shown(table.path)}")
         print(comparison_text(rows))
         return max(_finish(report), int(any(row.verdict is Verdict.DIFFERENT for row in rows)))
+    from codegen.emit.file import write_file
+
     written = table_text(proposal, heading)
     if arguments.out != "-":
-        _write(arguments.out, written, report)
+        write_file(arguments.out, written, report)
         return _finish(report)
     print(written, end="", flush=True)
     # Whoever pipes the table into a file wants to see the findings, and not in the file.
@@ -123,12 +125,13 @@ def _deliver(
 def _merge(
     table: "ExistingTable", proposal: "Proposal", rows: "Sequence[Compared]", heading: "Heading", report: "Report"
 ) -> None:
+    from codegen.emit.file import write_file
     from codegen.importing.merging import merge
 
     merged = merge(table.text, table.path, proposal.message, rows, heading.document, report)
     if merged is None:
         return
-    if merged.added and _write(table.path, merged.text, report):
+    if merged.added and write_file(table.path, merged.text, report):
         print(f"added to {_shown(table.path)}: {', '.join(merged.added)}", file=sys.stderr)
     elif not merged.added:
         print(f"{_shown(table.path)} lacks none of these answers", file=sys.stderr)
@@ -228,21 +231,6 @@ def _heading(
         schema = schema_path(systems[0], file)
     name = identifier or os.path.basename(arguments.document)
     return Heading(name, requirement, for_each, stream, schema)
-
-
-def _write(path: str, text: str, report: "Report") -> bool:
-    """Whether a file could be written whole; a finding if not."""
-    from codegen.emit.replace import replace_file
-    from codegen.emit.write import OUTPUT_UNWRITABLE
-    from codegen.source import Place
-
-    path = os.path.realpath(path)
-    try:
-        replace_file(path, text.encode("utf-8"))
-    except OSError as error:
-        report.add(OUTPUT_UNWRITABLE, Place(path), f"it cannot be written: {error.strerror}")
-        return False
-    return True
 
 
 def _shown(path: str) -> str:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from lxml import etree
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.text import MAX_BYTES, decode_text, read_bytes
 from codegen.source import Place
 
 XML_DOCTYPE = Rule(
@@ -63,13 +63,14 @@ def place_of(element: XmlElement, path: str) -> Place:
     return Place(path, element.line, element.column)
 
 
-def read_xml(path: str, report: Report, asked_at: Place | None = None) -> XmlElement | None:
+def read_xml(path: str, report: Report, asked_at: Place | None = None, most: int = MAX_BYTES) -> XmlElement | None:
     """The root element of an XML file, or None after a diagnostic.
 
     ``asked_at`` is the place that names the file; a missing or unreadable file is reported there. Comments and
-    processing instructions are left out; line ends are normalised as XML says.
+    processing instructions are left out; line ends are normalised as XML says. A file of more bytes than ``most`` is
+    a mistake.
     """
-    data = read_bytes(path, report, asked_at)
+    data = read_bytes(path, report, asked_at, most)
     if data is None:
         return None
     text = _decoded(data, path, report)

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from codegen.cli.findings import closing_line, finding_text
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
+from codegen.findings.text import closing_line, finding_text
 from codegen.source import Place
 
 ERROR = Rule("broken-table", "")
@@ -79,9 +79,11 @@ def test_json_holds_all_that_the_text_says(pipeline: Any, run: Any) -> None:
         "message": "b",
         "hint": None,
         "related": [],
+        "fingerprint": None,
+        "waived": None,
     }
 
 
 def test_json_of_a_clean_project_is_json(pipeline: Any, run: Any) -> None:
     assert pipeline.is_readable
-    assert json.loads(run("check", "--format", "json")[1]) == {"findings": [], "errors": 0, "warnings": 0}
+    assert json.loads(run("check", "--format", "json")[1]) == {"findings": [], "errors": 0, "warnings": 0, "waived": 0}

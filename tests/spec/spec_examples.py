@@ -36,6 +36,10 @@ GOOD = {
         "corrections:\n  - message: M\n    field: f\n    set: {invalid: 0xFFFF, units: mV, instance: true}\n"
         "    reason: r\n    source: s\n"
     ),
+    "waivers": (
+        "waivers:\n  - {id: W1, rule: a-rule, document: a.md, fingerprint: 012345678901, reason: r, owner: o,\n"
+        "     expires: 2030-01-31}\n"
+    ),
     "scenarios": (
         "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 12 V, noise: 1 mV, divider: 4}}\n"
         "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    battery: {voltage: [[0 s, 12 V], [5 s, 11 V]]}\n"
@@ -76,6 +80,13 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("receiver", "component: b\nstale_after: 10\n", [("wrong-type", 2, 14)], True),
     ("receiver", "component: [a, b]\n", [("wrong-type", 1, 12)], False),
     ("receiver", "component: b\nstale: 10 s\n", [("unknown-key", 2, 1)], True),
+    ("waivers", "waivers: {id: W1}\n", [("wrong-type", 1, 10)], True),
+    (
+        "waivers",
+        "waivers:\n  - {id: W1, rule: r, document: 3, fingerprint: 0e1, owner: o, expire: 2030-01-31}\n",
+        [("missing-key", 2, 5), ("unknown-key", 2, 64), ("wrong-type", 2, 33)],
+        True,
+    ),
     ("state", "components: {}\n", [("empty-mapping", 1, 13)], False),
     ("state", "components: []\n", [("wrong-type", 1, 13)], False),
     ("state", "components:\n  b: {doc: d}\n", [("missing-key", 2, 3)], True),

@@ -18,11 +18,13 @@ from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.spec import BoardSpec, CorrectionsSpec, ParametersSpec, Project, StreamsSpec
 from codegen.model.state_spec import QuantitySpec, StateSpec
+from codegen.model.waiver_spec import WaiversSpec
 from codegen.source import Place, Written
 
 FILE = "/specs/a.yaml"
 MODELS: dict[str, type[Written]] = {
     "scenarios": ScenariosSpec,
+    "waivers": WaiversSpec,
     "vehicle": VehicleSpec,
     "receiver": ReceiverSpec,
     "codegen": Project,
