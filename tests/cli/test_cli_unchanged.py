@@ -20,7 +20,8 @@ def build(folder: Path, *options: str) -> str:
 
 
 def known(folder: Path) -> int | None:
-    return stamp.unchanged(str(folder / "specs" / "codegen.yaml"))
+    kept = stamp.unchanged(str(folder / "specs" / "codegen.yaml"))
+    return None if kept is None else kept.count
 
 
 def test_the_second_build_is_known_to_change_nothing(built: Path) -> None:
