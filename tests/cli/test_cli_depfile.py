@@ -1,4 +1,4 @@
-"""``--depfile``: real make and real ninja run codegen again when, and only when, something that it reads has changed."""
+"""``--depfile``: real make and real ninja run codegen again when something that it reads has changed, and only then."""
 
 import os
 import shutil
