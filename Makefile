@@ -5,14 +5,16 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
+RELEASES := $(VENV)/.releases
 RESULTS := build/results
+BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 
-.PHONY: build test lint clean benchmarks conformance
+.PHONY: build test browser lint clean benchmarks conformance
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-test: $(STATIONS)
+test: $(STATIONS) $(RELEASES) browser
 	@failed=""; rm -rf $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
@@ -65,3 +67,21 @@ $(INSTALLED): pyproject.toml
 $(STATIONS): $(INSTALLED)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps 'MAVProxy>=1.8.74'
 	@touch $@
+
+# An older pymavlink, of which only the dialects are read: `codegen diff` is tested between two real releases. This one has
+# a wheel for every Python.
+$(RELEASES): $(INSTALLED)
+	$(BIN)/python -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: --python-version 3.11 \
+		--implementation py --abi none --platform any --dest $(VENV)/releases 'pymavlink==2.4.37'
+	@touch $@
+
+# The tests of the pages drive a real browser, any of these. Debian's is installed where that is possible; else the tests
+# that need one fail, and say so.
+browser:
+	@for name in $(BROWSERS); do command -v "$$name" >/dev/null && exit 0; done; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+		echo "installing Chromium for the tests of the pages"; \
+		{ apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends chromium; } \
+			>/dev/null && exit 0; \
+	fi; \
+	echo "there is no Chromium for the tests of the pages: install one ($(BROWSERS))" >&2

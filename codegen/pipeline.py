@@ -17,7 +17,7 @@ from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.shipped import dialect_path
 from codegen.load.text import decode_text, read_bytes
 from codegen.load.trees import exists
-from codegen.model.dialect import Dialect
+from codegen.model.dialect import Dialect, KnownMessage
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
@@ -158,15 +158,19 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
         return None
     name = os.path.splitext(os.path.basename(path))[0]
     dialect = resolve_dialect(name, files, spec.corrections, report)
-    listed = [
-        message
-        for index, known in enumerate(project.known)
-        for message in decode_known_file(
-            os.path.normpath(os.path.join(spec.folder, known)), report, project.at(f"known[{index}]")
-        )
-    ]
     added = (message.definition for message in dialect.added_messages())
-    return replace(dialect, known=taken_elsewhere(added, files, listed))
+    return replace(dialect, known=taken_elsewhere(added, dialect.files, listed_messages(spec, report)))
+
+
+def listed_messages(spec: Spec, report: Report) -> tuple[KnownMessage, ...]:
+    """The messages of the dialects that a project names under known."""
+    return tuple(
+        message
+        for index, known in enumerate(spec.project.known)
+        for message in decode_known_file(
+            os.path.normpath(os.path.join(spec.folder, known)), report, spec.project.at(f"known[{index}]")
+        )
+    )
 
 
 def read_trace(systems: Sequence[System], report: Report) -> Trace:

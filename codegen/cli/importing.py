@@ -78,10 +78,10 @@ def run(arguments: argparse.Namespace) -> int:
         return _finish(report)
     if table is None and (arguments.compare or (arguments.merge and arguments.out == "-")):
         return _usage(f"there is no table of {found.message.name} yet; name a file with --out FILE")
-    for_each = arguments.for_each or (table.for_each if table else None)
+    for_each = arguments.for_each or (table.spec.for_each if table else None)
     sources = sources_of(dialect, systems[0] if systems else None, for_each)
     proposal = propose(found.lists, found.message, sources, report)
-    heading = _heading(arguments, text, for_each, found.message, systems)
+    heading = _heading(arguments, text, for_each, found.message, table, systems)
     return _deliver(arguments, proposal, heading, table, sources, report)
 
 
@@ -209,20 +209,28 @@ def _heading(
     text: str,
     for_each: str | None,
     message: "WireMessage",
+    table: "ExistingTable | None",
     systems: "tuple[System, ...]",
 ) -> "Heading":
+    """What stands above the fields: what the options say, else as in the table that there is, else the document."""
     from codegen.importing.document import document_id
     from codegen.importing.of_system import mentioned_stream, schema_path
     from codegen.importing.table_text import Heading
 
     identifier = document_id(text, arguments.document)
-    stream = arguments.stream or (mentioned_stream(text, systems[0]) if systems else None)
+    requirement, stream = arguments.requirement or identifier, arguments.stream
+    if table is not None:
+        stream = stream or table.spec.stream
+        if table.spec.requirement.partition(".")[0] == requirement:
+            requirement = table.spec.requirement
+    if stream is None and systems:
+        stream = mentioned_stream(text, systems[0])
     schema = None
     if systems:
         file = f"messages/{message.name.lower()}.yaml" if arguments.out == "-" else os.path.abspath(arguments.out)
         schema = schema_path(systems[0], file)
     name = identifier or os.path.basename(arguments.document)
-    return Heading(name, arguments.requirement or identifier, for_each, stream, schema)
+    return Heading(name, requirement, for_each, stream, schema)
 
 
 def _shown(path: str) -> str:

@@ -82,17 +82,31 @@ def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
         if (field, index) in after:
             found = list(subject_changes((known,), (after[field, index],), _ABSORBING))
             fields.setdefault(field, []).append((index, [change for change in found if _is_told(change)]))
-    for element, subject in after.items():
-        if element not in before:
-            place = subject.place
-            said = "; ".join(f"{fact.attribute} {fact.text}" for fact in subject.facts if fact.text)
-            added = changed(
-                rules.SOURCE, subject.name, None, said, (None, place), cited=subject.cited, messages=(new.name,)
-            )
-            fields.setdefault(element[0], []).append((element[1], [added]))
+    wires = old.wire, new.wire
+    for element, subject in {**before, **after}.items():
+        sides = before.get(element), after.get(element)
+        # A field that only one dialect has is told by the change of the dialect, with what it is populated from now.
+        if None not in sides or (sides[1] is None and wires[1].field(element[0]) is None):
+            continue
+        texts = [_told(side) if side else None for side in sides]
+        places = tuple(side.place if side else None for side in sides)
+        whole = changed(
+            rules.SOURCE,
+            subject.name,
+            texts[0],
+            texts[1],
+            (places[0], places[1]),
+            cited=subject.cited,
+            messages=(new.name,),
+        )
+        fields.setdefault(element[0], []).append((element[1], [whole]))
     for field, elements in fields.items():
         count = sum(name == field for name, _ in {**before, **after})
         yield from _joined(f"{new.name}.{field}", sorted(elements, key=lambda element: element[0]), count)
+
+
+def _told(subject: Subject) -> str:
+    return "; ".join(f"{fact.attribute} {fact.text}" for fact in subject.facts if fact.text)
 
 
 def _is_told(change: Change) -> bool:
@@ -132,7 +146,8 @@ def _facts(message: PopulatedMessage) -> dict[tuple[str, int], Subject]:
         note = covers.answer.note or ""
         for index in range(covers.first, covers.first + covers.count):
             facts = [Fact(fact.attribute, fact.text, fact.rule, place) for fact in binding_facts(binding, index)]
-            facts.append(Fact("answers to", str(covers.citation), CITATION, covers.answer.at("requirement")))
+            own = "" if covers.citation == message.citation else str(covers.citation)
+            facts.append(Fact("answers to", own, CITATION, covers.answer.at("requirement")))
             facts.append(Fact("note", note, DOC, covers.answer.at("note")))
             found[covers.field.name, index] = Subject(
                 name=f"{message.name}.{covers.field.name}",

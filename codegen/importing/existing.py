@@ -17,12 +17,12 @@ MERGE_MESSAGE = Rule("merge-message", "A population table is to be merged with a
 
 @dataclass(frozen=True, slots=True)
 class ExistingTable:
-    """A table: its absolute path, its text, and its answers; ``for_each`` is the component that it names."""
+    """A table: its absolute path, its text, its answers, and the record that it was read into."""
 
     path: str
     text: str
     answers: tuple[TableAnswer, ...]
-    for_each: str | None
+    spec: PopulationSpec
 
 
 def table_of(text: str, path: str, message: WireMessage, report: Report) -> ExistingTable | None:
@@ -37,7 +37,7 @@ def table_of(text: str, path: str, message: WireMessage, report: Report) -> Exis
         wrong = f"the table is of {table.message}, the document about {message.name}"
         report.add(MERGE_MESSAGE, table.at("message"), wrong, "name the table of that message")
         return None
-    return ExistingTable(path, text, table_answers(message, table.fields, {}), table.for_each)
+    return ExistingTable(path, text, table_answers(message, table.fields, {}), table)
 
 
 def populated(name: str, systems: Sequence[System]) -> PopulatedMessage | None:
@@ -47,5 +47,4 @@ def populated(name: str, systems: Sequence[System]) -> PopulatedMessage | None:
 
 def table_of_project(text: str, message: PopulatedMessage) -> ExistingTable:
     """The table of a message of the project, with the numbers that it settles; ``text`` is that of its file."""
-    spec = message.population
-    return ExistingTable(spec.place.file, text, answers_of(message), spec.for_each)
+    return ExistingTable(message.population.place.file, text, answers_of(message), message.population)

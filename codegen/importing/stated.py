@@ -25,7 +25,7 @@ _ITEM = re.compile(
 
 
 _PARAGRAPHS = 12
-"""How many paragraphs of the section above are looked at: what is further up is about something else."""
+"""How many paragraphs of a section are looked at: what is further up is about something else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,8 +163,12 @@ def _is_prose(text: str) -> bool:
 
 
 def _contexts(blocks: Sequence[Block], lines: Sequence[int]) -> Iterator[tuple[str, ...]]:
-    """For each of the lines, in rising order, the text above it: of its own section backwards, then the headings."""
+    """For each of the lines, in rising order, the text above it, the nearest first.
+
+    That is the text of its own section, the headings around it from the innermost, and what stands further up.
+    """
     headings: list[str] = []
+    further: deque[str] = deque(maxlen=_PARAGRAPHS)
     above: deque[str] = deque(maxlen=_PARAGRAPHS)
     rest = iter(blocks)
     block = next(rest, None)
@@ -172,10 +176,11 @@ def _contexts(blocks: Sequence[Block], lines: Sequence[int]) -> Iterator[tuple[s
         while block is not None and block.place.line < line:
             if block.kind is BlockKind.HEADING:
                 headings[block.level - 1 :] = [""] * (block.level - 1 - len(headings)) + [block.written]
+                further.extend(above)
                 above.clear()
             elif block.kind is BlockKind.PARAGRAPH:
                 # Of a paragraph with a table only what stands above the table tells what the table is about.
                 above.append("\n".join(takewhile(_is_prose, (one.text for one in block.lines))))
             block = next(rest, None)
-        written = (*reversed(above), *(heading for heading in reversed(headings) if heading))
+        written = (*reversed(above), *reversed(headings), *reversed(further))
         yield tuple(text for one in written if (text := read_inline(one).text))

@@ -33,7 +33,7 @@ def is_about(fields: FieldList, message: WireMessage) -> bool:
 def coverage(fields: FieldList, message: WireMessage) -> int:
     """How many rows name a field of the message."""
     names = {field.name for field in message.fields}
-    return sum(row.name in names for row in fields.rows)
+    return sum(row.name in names or row.name.rstrip("_") in names for row in fields.rows)
 
 
 def lookalikes(fields: FieldList, dialect: Dialect) -> tuple[str, ...]:

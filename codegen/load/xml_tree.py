@@ -71,8 +71,11 @@ def read_xml(path: str, report: Report, asked_at: Place | None = None, most: int
     ``most`` counts as a mistake.
     """
     data = read_bytes(path, report, asked_at, most)
-    if data is None:
-        return None
+    return None if data is None else parse_xml_bytes(data, path, report)
+
+
+def parse_xml_bytes(data: bytes, path: str, report: Report) -> XmlElement | None:
+    """The root element of what the file ``path`` holds, or None after a diagnostic."""
     text = _decoded(data, path, report)
     return None if text is None else parse_xml(text, path, report)
 

@@ -36,6 +36,9 @@ class Pipeline:
     def check_scenarios(self, _project_file: str, _system: object, _report: Report) -> None:
         """There are no scenarios."""
 
+    def check_documents(self, _systems: object, _report: Report) -> None:
+        """There are no documents."""
+
     def render_systems(self, _systems: object) -> dict[str, str]:
         return self.files
 
@@ -65,6 +68,9 @@ def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Pipeline:
     fake = Pipeline(project / "generated")
     monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
     monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
+    documents = SimpleNamespace(project_reference=lambda _systems: None)  # nothing is claimed
+    monkeypatch.setitem(sys.modules, "codegen.documents", documents)
+    monkeypatch.setattr(codegen, "documents", documents, raising=False)
     monkeypatch.setattr("codegen.stamp.keep", lambda *_: None)  # what is rendered changes here without a file
     return fake
 

@@ -1,4 +1,4 @@
-"""Nothing that changes in a dialect is missed: each attribute of each kind of record is changed, and the rule expected."""
+"""Nothing that changes in a dialect is missed: each attribute of each kind of record is changed, its rule expected."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, replace
@@ -170,7 +170,7 @@ def dialect() -> Dialect:
 
 
 def sites(dialect: Dialect, record: type) -> Iterator[tuple[str, Place, Any, Callable[[Any], Dialect]]]:
-    """Every record of a kind: what reports call it, where it stands, itself, and the dialect with another in its place."""
+    """Every record of a kind: its name in reports, its place, itself, and the dialect with another in its place."""
     if record is Dialect:
         yield "", ELSEWHERE, dialect, lambda other: other
     for message in dialect.messages.values():
@@ -221,24 +221,28 @@ def _in_enum(dialect: Dialect, enum: EnumDefinition, record: type) -> Iterator[A
     elif record is Lifecycle:
         yield enum.name, enum.place, enum.lifecycle, lambda other: put(replace(enum, lifecycle=other))
     for entry in enum.entries:
+        yield from _in_entry(enum, entry, record, put)
 
-        def put_entry(other: EnumEntry, entry: EnumEntry = entry) -> Dialect:
-            return put(replace(enum, entries=tuple(other if one is entry else one for one in enum.entries)))
 
-        name = f"{enum.name}.{entry.name}"
-        if record is EnumEntry:
-            yield name, entry.place, entry, put_entry
-        elif record is Lifecycle:
-            yield name, entry.place, entry.lifecycle, lambda o, e=entry, p=put_entry: p(e._replace(lifecycle=o))
-        elif record is CommandParameter:
-            for parameter in entry.parameters:
+def _in_entry(
+    enum: EnumDefinition, entry: EnumEntry, record: type, put: Callable[[EnumDefinition], Dialect]
+) -> Iterator[Any]:
+    def put_entry(other: EnumEntry) -> Dialect:
+        return put(replace(enum, entries=tuple(other if one is entry else one for one in enum.entries)))
 
-                def put_one(other: CommandParameter, e: EnumEntry = entry, x: CommandParameter = parameter) -> Dialect:
-                    kept = tuple(other if one is x else one for one in e.parameters)
-                    return put(replace(enum, entries=tuple(
-                        e._replace(parameters=kept) if one is e else one for one in enum.entries)))  # fmt: skip
+    name = f"{enum.name}.{entry.name}"
+    if record is EnumEntry:
+        yield name, entry.place, entry, put_entry
+    elif record is Lifecycle:
+        yield name, entry.place, entry.lifecycle, lambda other: put_entry(entry._replace(lifecycle=other))
+    elif record is CommandParameter:
+        for parameter in entry.parameters:
 
-                yield f"{name}.{parameter.number}", parameter.place, parameter, put_one
+            def put_one(other: CommandParameter, parameter: CommandParameter = parameter) -> Dialect:
+                kept = tuple(other if one is parameter else one for one in entry.parameters)
+                return put_entry(entry._replace(parameters=kept))
+
+            yield f"{name}.{parameter.number}", parameter.place, parameter, put_one
 
 
 @pytest.mark.parametrize("record", RECORDS, ids=lambda record: record.__name__)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from generated_suite import suite_is_green
 from test_smart_battery import run
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,10 +39,7 @@ def built(folder: Path, file: str, old: str, new: str) -> Path:
 
 def frames_are_green(folder: Path, selection: str) -> None:
     """Run the frames of one message in the suite of a project, against pymavlink."""
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-k", selection]
-    command = [sys.executable, "-m", "pytest", *options, "generated/tests/test_frames.py"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout[-3000:]
+    suite_is_green(folder, "generated/tests/test_frames.py", only=selection)
 
 
 @pytest.mark.requirement(

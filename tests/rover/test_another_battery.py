@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import generated_suite
 import pytest
 from test_change_goes_everywhere import ROOT, apply, run
 
@@ -23,11 +24,8 @@ def project(tmp_path):
 def suite_is_green(project: Path, selection: str) -> None:
     """Build the project, check that nothing is wrong with it, and run a part of its own suite."""
     run(project, "build")
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-k", selection]
-    suites = ["generated/tests/test_program.py", "generated/tests/test_behaviour.py"]
-    command = [sys.executable, "-m", "pytest", *options, *suites]
-    done = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout[-3000:]
+    suites = ("generated/tests/test_program.py", "generated/tests/test_behaviour.py")
+    generated_suite.suite_is_green(project, *suites, only=selection)
 
 
 def parameters_of(project: Path) -> dict[str, float]:

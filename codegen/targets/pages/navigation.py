@@ -33,10 +33,15 @@ def message_path(name: str) -> str:
     return f"messages/{name.lower()}.html"
 
 
+def shared_docs(system: System) -> str:
+    """The way from ``docs/`` of a program to that of its project, where it is another one."""
+    return "../../docs/" if system.spec.program else ""
+
+
 def navigation(system: System, here: str) -> Navigation:
     """The links of the page at the path ``here`` below ``docs/``."""
     up = "../" * here.count("/")
-    shared = f"{up}../../docs/" if system.spec.program else up
+    shared = up + shared_docs(system)
     return Navigation(
         pages=(
             *(Link(up + path, label, path == here) for path, label in PAGES),
