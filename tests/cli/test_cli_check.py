@@ -85,7 +85,7 @@ def test_the_documents_of_a_project_are_checked_with_it(project: Path, run: Any)
     code, out, _ = run("check")
     line = text.count("\n") + 3
     assert code == 1
-    assert f"specs/requirements/{document.name}:{line}:28: error claim-message-size: HEARTBEAT has" in out
+    assert f"specs/requirements/{document.name}:{line}:26: error claim-message-size: HEARTBEAT has" in out
 
 
 def test_after_an_error_of_the_specification_claims_wait(project: Path, run: Any) -> None:
