@@ -143,6 +143,15 @@ def test_a_claim_can_be_waived_and_stays_visible(project: Path, run: Any) -> Non
     assert "specs/waivers.yaml:8:14: warning waiver-expired: W-1 ended on 2001-01-01" in out
 
 
+def test_an_id_may_be_taken_by_any_dialect_that_is_shipped(folder: Path, run: Any) -> None:
+    """150 is free in common; ArduPilot's vehicles have given it away."""
+    xml = '<message id="150" name="OWN_STATUS"><field type="uint8_t" name="a">A</field></message>'
+    (folder / "draft.md").write_text(f"```xml\n{xml}\n```\n")
+    code, out, err = run("check", "draft.md")
+    assert (code, err) == (0, "1 warning\n")
+    assert out.startswith("draft.md:2:1: warning claim-id-taken: OWN_STATUS has the id 150 of SENSOR_OFFSETS\n")
+
+
 def test_sarif_of_a_document_has_the_rule_and_the_fingerprint(folder: Path, run: Any) -> None:
     assert os.getcwd() == str(folder)
     (log,) = json.loads(run("check", "notes.txt", "--format", "sarif")[1])["runs"]
