@@ -94,8 +94,18 @@ def codec_files(
     ``names`` are those of messages, ``enums`` those of enums (None: the ones that the messages refer to).
     """
     dialect = read_codec_dialect(written, report)
-    if dialect is None:
-        return {}
+    return {} if dialect is None else codec_of(dialect, names, report, enums=enums, machine_code=machine_code)
+
+
+def codec_of(
+    dialect: Dialect,
+    names: Sequence[str],
+    report: Report,
+    *,
+    enums: Sequence[str] | None = None,
+    machine_code: bool = True,
+) -> dict[str, str]:
+    """Like :func:`codec_files`, of a dialect that was read."""
     messages = chosen_messages(names, dialect, report)
     chosen = chosen_enums(enums, messages, dialect, report)
     if report.has_errors:

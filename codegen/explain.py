@@ -12,6 +12,7 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
+from codegen.targets.quantity_words import becomes_unknown
 from codegen.targets.table import FLAGS, FieldRow, field_rows, limit_text
 
 UNKNOWN_TOPIC = Rule(
@@ -273,7 +274,7 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
         ("measured", measured),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
-        ("unknown", _becomes_unknown(quantity)),
+        ("unknown", becomes_unknown(quantity)),
         ("follows", _followed(quantity)),
         ("warning", _warning(quantity)),
         ("sent in", ", ".join(fields)),
@@ -342,15 +343,6 @@ def _warning(quantity: Quantity) -> str:
     pause = "" if quantity.warn_every_ms is None else f", every {quantity.warn_every_ms} ms at most"
     limits = ", ".join(str(limit) for limit in dict.fromkeys(quantity.warn_above))
     return f"above {limits} {quantity.stored.name}{pause}"
-
-
-def _becomes_unknown(quantity: Quantity) -> str:
-    causes = []
-    if quantity.spec.invalid_after is not None:
-        causes.append(f"after {quantity.spec.invalid_after} failed readings in a row")
-    if quantity.stale_after_ms is not None:
-        causes.append(f"{quantity.stale_after_ms} ms after the last good one")
-    return ", or ".join(causes)
 
 
 def _cited(citation: Citation | None) -> str:

@@ -9,13 +9,19 @@ from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
+from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.importing.drift import drift
+from codegen.importing.stated import stated_fields
+from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.shipped import dialect_path
-from codegen.load.text import read_bytes
+from codegen.load.text import decode_text, read_bytes
+from codegen.load.trees import exists
 from codegen.model.dialect import Dialect, KnownMessage
 from codegen.model.scenario import Scenario
-from codegen.model.spec import Spec
+from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
+from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
@@ -24,6 +30,14 @@ from codegen.rules import RULES
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.trace.coverage import coverage_of
+from codegen.trace.findings import trace_findings
+from codegen.trace.generated_tests import generated_tests
+from codegen.trace.graph import Trace, hand_written, linked
+from codegen.trace.lock import gone, reviews
+from codegen.trace.page import render_trace
+from codegen.trace.rows import rows_of
+from codegen.trace.view import trace_view
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -98,8 +112,30 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
     After an error in the specification they are checked by themselves: what they lack there may be what is broken.
     """
     path = scenarios_path(project_file)
-    if os.path.lexists(path):
+    if exists(path):
         read_scenarios(path, () if report.has_errors else systems, report)
+
+
+def read_document(path: str, report: Report) -> str | None:
+    """The text of a document or a table; None after a finding."""
+    data = read_bytes(path, report)
+    return None if data is None else decode_text(data, path, report)
+
+
+def check_documents(systems: Sequence[System], report: Report) -> None:
+    """What the tables of the requirement documents say against the population tables and the dialect.
+
+    A document is read once, for the first program whose messages it is about: that of the project comes first.
+    """
+    seen: set[str] = set()
+    for system in systems:
+        for path in dict.fromkeys(requirement.place.file for requirement in system.requirements.values()):
+            text = None if path in seen else read_document(path, report)
+            seen.add(path)
+            if text is not None:
+                stated = stated_fields(text, path)
+                report.extend(stated.findings)
+                report.extend(drift(stated, system))
 
 
 def scenarios_path(project_file: str) -> str:
@@ -137,6 +173,44 @@ def listed_messages(spec: Spec, report: Report) -> tuple[KnownMessage, ...]:
     )
 
 
+def read_trace(systems: Sequence[System], report: Report) -> Trace:
+    """What criteria, tables, symbols and tests of a project have to do with one another.
+
+    A finding is about a file of tests that says nothing.
+    """
+    marked = [test for path in files_of_tests(folders_of_tests(systems)) for test in read_marked_tests(path, report)]
+    tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
+    return linked(_documents(systems), rows_of(systems), tests)
+
+
+def _documents(systems: Iterable[System]) -> Iterable[Requirement]:
+    """The requirement documents of all programs, each once."""
+    return {each.place: each for system in systems for each in system.requirements.values()}.values()
+
+
+def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
+    """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
+    path = trace_lock_path(project_file)
+    text = read_trace_lock_text(path, report)
+    return None if text is None else decode_trace_lock(text, path, report)
+
+
+def trace_lock_path(project_file: str) -> str:
+    """The absolute path of the lock file that belongs to a project file."""
+    return os.path.join(os.path.dirname(os.path.abspath(project_file)), TRACE_LOCK)
+
+
+def project_folder(systems: Sequence[System]) -> str:
+    """The absolute path of the folder of a project: the one above that of its specification."""
+    return os.path.dirname(systems[0].spec.folder) if systems else os.getcwd()
+
+
+def folders_of_tests(systems: Iterable[System]) -> list[str]:
+    """The absolute paths of the folders with tests that are written by hand."""
+    specs = [system.spec for system in systems]
+    return sorted({os.path.normpath(os.path.join(spec.folder, name)) for spec in specs for name in spec.project.tests})
+
+
 def render_system(system: System) -> dict[str, str]:
     """Every output file of a system without errors: ``{path below its output folder: text}``."""
     files: dict[str, str] = {}
@@ -145,13 +219,29 @@ def render_system(system: System) -> dict[str, str]:
     return files
 
 
-def render_systems(systems: Iterable[System]) -> dict[str, str]:
+def render_systems(systems: Sequence[System]) -> dict[str, str]:
     """Every output file of a project: those of a further program lie below the folder of its name."""
-    return {
+    files = {
         os.path.join(system.spec.program, path): text
         for system in systems
         for path, text in render_system(system).items()
     }
+    return files if not systems or systems[0].spec.program else files | _trace_page(systems)
+
+
+def _trace_page(systems: Sequence[System]) -> dict[str, str]:
+    """The page of the requirements: like all output a function of the specification, so without tests by hand.
+
+    What is wrong with the lock, codegen trace tells.
+    """
+    trace = linked(_documents(systems), rows_of(systems), generated_tests(systems))
+    lock = read_trace_lock(systems[0].spec.project.place.file, Report())
+    coverage = coverage_of(trace, reviews(trace, lock), None)
+    findings = Report()
+    findings.extend(trace_findings(trace, coverage, gone(trace, lock), only=("orphaned", "suspect")))
+    name = systems[0].spec.project.project
+    view = trace_view(name, project_folder(systems), trace, coverage, findings, only_generated=True)
+    return render_trace(systems, view)
 
 
 def stale_firmware(system: System) -> list[str]:
@@ -188,11 +278,11 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def files_read(systems: Iterable[System]) -> set[str]:
-    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios."""
+    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios, reviews."""
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
-    scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
-    return read | {path for path in scenarios if os.path.lexists(path)}
+    beside = {os.path.join(system.spec.folder, name) for system in systems for name in (SCENARIOS, TRACE_LOCK)}
+    return read | {path for path in beside if exists(path)}
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:

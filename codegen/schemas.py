@@ -34,6 +34,7 @@ from codegen.model.shape import (
 )
 from codegen.model.spec import CorrectionsSpec, ParametersSpec, ProgramProject, Project, StreamsSpec
 from codegen.model.state_spec import StateSpec
+from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.model.waiver_spec import WaiversSpec
 from codegen.source import Written
 
@@ -49,6 +50,7 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "message.schema.json": PopulationSpec,
     "corrections.schema.json": CorrectionsSpec,
     "scenarios.schema.json": ScenariosSpec,
+    "trace_lock.schema.json": TraceLockSpec,
     "waivers.schema.json": WaiversSpec,
 }
 """The schemas by file name, each with the model of the YAML file that it describes."""

@@ -24,9 +24,12 @@ class Place(NamedTuple):
 
 
 def shown_path(path: str, base: str | None = None) -> str:
-    """``path`` relative to ``base`` (default: the working directory) if it lies below it, else unchanged."""
+    """``path`` relative to ``base`` (default: the working directory) if it lies below it, else unchanged.
+
+    What lies in a revision or an archive is named as git does: ``HEAD~1:specs/state.yaml``.
+    """
     relative = os.path.relpath(path, base or os.getcwd())
-    return path if relative.startswith(os.pardir) else relative
+    return path if relative.startswith(os.pardir) else relative.replace(":/", ":", 1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -14,6 +14,7 @@ import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 from codegen.emit.folder import leads_outside, other_files
@@ -32,8 +33,16 @@ MARGIN_S = 1.0
 _OUTPUT = re.compile(rb"""^output:[ \t]*["']?([^"'#\s]+)""", re.MULTILINE)
 
 
-def unchanged(project: str) -> int | None:
-    """How many files the last build of ``project`` wrote, if a build would do nothing now; else None."""
+@dataclass(frozen=True, slots=True)
+class Unchanged:
+    """A build that need not run again: how many files it wrote, and what it read, as ``everything_read`` has it."""
+
+    count: int
+    read: tuple[str, ...]
+
+
+def unchanged(project: str) -> Unchanged | None:
+    """The last build of ``project``, if a build would do nothing now; else None."""
     try:
         folder = _likely_output(project)
         with open(os.path.join(folder, FOLDER, "stamp.json"), encoding="utf-8") as file:
@@ -43,7 +52,9 @@ def unchanged(project: str) -> int | None:
             return None
         if other_files(folder, outputs) != ((), ()):
             return None
-        return len(outputs) - 1 if kept["written"] == _digest(_below(folder, outputs)) else None  # without the manifest
+        if kept["written"] != _digest(_below(folder, outputs)):
+            return None
+        return Unchanged(len(outputs) - 1, tuple(everything_read(project, kept["read"], kept["folders"])))
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
@@ -106,9 +117,24 @@ def _inputs(project: str, read: Iterable[str], specifications: Iterable[str]) ->
     return _digest(_everything_read(project, read), sys.version, *_libraries(), *names)
 
 
-def _everything_read(project: str, read: Iterable[str]) -> list[str]:
+def everything_read(project: str, read: Iterable[str], specifications: Iterable[str]) -> list[str]:
+    """The absolute paths of what decides over the output: files, and folders in which a new file would be read.
+
+    That is the specification, codegen itself and its templates; folders that are not there are left out.
+    """
+    folders = [os.path.normpath(os.path.join(one, name)) for one in specifications for name in LISTED]
+    there = [folder for folder in folders if os.path.isdir(folder)]
+    return list(dict.fromkeys([*_everything_read(project, read), *there]))
+
+
+def tool_files() -> list[str]:
+    """The absolute paths of codegen's own files, its templates included."""
     package = os.path.dirname(os.path.abspath(__file__))
-    return [project, *read, *_files(package), *_files(templates_folder())]
+    return sorted({*_files(package), *_files(templates_folder())})
+
+
+def _everything_read(project: str, read: Iterable[str]) -> list[str]:
+    return [project, *read, *tool_files()]
 
 
 def _are_older(paths: Iterable[str], time: float) -> bool:

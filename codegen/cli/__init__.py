@@ -13,8 +13,11 @@ from typing import Any, TextIO
 
 from codegen import __version__
 
-COMMANDS = ("build", "check", "explain", "codec", "sim")
+COMMANDS = ("build", "check", "diff", "explain", "trace", "import", "codec", "sim")
 """The commands in the order of ``--help``; each is a module of this package with ``add_command``."""
+
+_MODULES = {"import": "importing"}
+"""Modules of commands that are words of Python."""
 
 EXIT_USAGE = 2
 EXIT_INTERNAL = 3
@@ -102,7 +105,7 @@ def _parser(argv: list[str]) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"codegen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="codegen")
     for command in argv[:1] if argv[:1] and argv[0] in COMMANDS else COMMANDS:
-        import_module(f"codegen.cli.{command}").add_command(commands, common)
+        import_module(f"codegen.cli.{_MODULES.get(command, command)}").add_command(commands, common)
     return parser
 
 

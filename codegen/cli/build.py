@@ -6,6 +6,7 @@ import time
 from typing import Any
 
 from codegen.cli.architectures import ARCHITECTURES
+from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
 from codegen.cli.output import add_output_options, is_plain, nonsense
 
 
@@ -26,12 +27,13 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="compile the firmware for a board too, into build/ARCH beside the specification's folder: "
         + ", ".join(ARCHITECTURES),
     )
+    add_depfile_options(parser)
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Do what the options ask for, and return the exit code."""
-    fault = nonsense(arguments)
+    fault = nonsense(arguments) or depfile_nonsense(arguments)
     if fault:
         print(f"codegen build: {fault}", file=sys.stderr)
         return 2
@@ -43,10 +45,10 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen import stamp
 
     started = time.time()
-    count = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
-    if count is not None:
-        print(f"0 files written, {count} unchanged", file=sys.stderr)
-        return 0
+    kept = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
+    if kept is not None:
+        print(f"0 files written, {kept.count} unchanged", file=sys.stderr)
+        return write_depfile(arguments, kept.read)
     from codegen import pipeline
     from codegen.cli.output import emit
     from codegen.diagnostics import Report
@@ -60,11 +62,13 @@ def run(arguments: argparse.Namespace) -> int:
     rendered = pipeline.render_systems(systems)
     folder = pipeline.output_folder(system)
     code = emit(rendered, folder, arguments, report)
+    read, beside = pipeline.files_read(systems), pipeline.folders_read(systems)
     if is_plain(arguments) and not list(report):
-        read, beside = pipeline.files_read(systems), pipeline.folders_read(systems)
         stamp.keep(project, started, read, folder, rendered, beside)
-    if arguments.mpy is None or code:
+    if arguments.mpy is not None and not code:
+        compiled = Report()
+        boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
+        code = emit(boards, pipeline.board_folder(system, arguments.mpy), arguments, compiled)
+    if arguments.depfile is None or code:
         return code
-    compiled = Report()
-    boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
-    return emit(boards, pipeline.board_folder(system, arguments.mpy), arguments, compiled)
+    return write_depfile(arguments, stamp.everything_read(project, read, beside))

@@ -69,6 +69,7 @@ def _check_project(project: str, report: "Report") -> list[str]:
 
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
+    pipeline.check_documents(systems, report)
     if report.has_errors:
         return []  # what documents say could not be compared with what is meant
     from codegen import documents

@@ -6,6 +6,7 @@ import sys
 from typing import Any
 
 from codegen.cli.architectures import ARCHITECTURES
+from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
 from codegen.cli.output import add_output_options, nonsense
 
 
@@ -38,6 +39,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="write compiled modules instead of sources: " + ", ".join(ARCHITECTURES),
     )
     add_output_options(parser)
+    add_depfile_options(parser)
     parser.set_defaults(run=run)
 
 
@@ -45,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Do what the options ask for, and return the exit code."""
     names = _names(arguments.messages)
     enums = None if arguments.enums is None else [name for name in _names(arguments.enums) if name.lower() != "none"]
-    fault = nonsense(arguments)
+    fault = nonsense(arguments) or depfile_nonsense(arguments)
     if not names:
         fault = "--messages names no message; say all for every one"
     elif not arguments.out:
@@ -54,12 +56,13 @@ def run(arguments: argparse.Namespace) -> int:
         print(f"codegen codec: {fault}", file=sys.stderr)
         return 2
     from codegen.cli.output import emit
-    from codegen.codec import codec_files
+    from codegen.codec import codec_of, read_codec_dialect
     from codegen.diagnostics import Report
 
     report = Report()
     machine_code = not (arguments.bytecode or arguments.mpy == "bytecode")
-    files = codec_files(arguments.dialect, names, report, enums=enums, machine_code=machine_code)
+    dialect = read_codec_dialect(arguments.dialect, report)
+    files = {} if dialect is None else codec_of(dialect, names, report, enums=enums, machine_code=machine_code)
     rendered: dict[str, str | bytes] = {**files}
     if rendered and arguments.mpy is not None:
         from codegen.mpy import compiled
@@ -67,7 +70,12 @@ def run(arguments: argparse.Namespace) -> int:
         rendered = compiled(rendered, arguments.mpy, report)
     # A module that is left over would be imported instead of its successor; what was edited by hand stays all the same.
     arguments.clean = arguments.clean or not arguments.check
-    return emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
+    code = emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
+    if arguments.depfile is None or code or dialect is None:
+        return code
+    from codegen.stamp import tool_files
+
+    return write_depfile(arguments, [*dialect.files, *tool_files()])
 
 
 def _names(text: str) -> list[str]:

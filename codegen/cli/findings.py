@@ -42,7 +42,7 @@ def repository_root() -> str:
 
 
 def _print_text(report: Report) -> None:
-    is_coloured = _wants_colour(sys.stdout)
+    is_coloured = wants_colour(sys.stdout)
     for finding in report:
         print(finding_text(finding, is_coloured=is_coloured))
     closing = closing_line(report)
@@ -51,5 +51,6 @@ def _print_text(report: Report) -> None:
         print(closing, file=sys.stderr)
 
 
-def _wants_colour(stream: TextIO | None) -> bool:
+def wants_colour(stream: TextIO | None) -> bool:
+    """Whether a stream is a terminal of somebody who has nothing against colours."""
     return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR")

@@ -1,9 +1,9 @@
 """``<enum>`` and ``<entry>`` of a dialect file."""
 
-from codegen.decode.dialect_element import LIFECYCLE, ElementReader
+from codegen.decode.dialect_element import LIFECYCLE, ElementReader, one_line
 from codegen.diagnostics import Rule
 from codegen.load.xml_tree import XmlElement
-from codegen.model.dialect import EnumDefinition, EnumEntry
+from codegen.model.dialect import CommandParameter, EnumDefinition, EnumEntry
 from codegen.model.literals import entry_value
 
 BAD_ENTRY_VALUE = Rule(
@@ -69,4 +69,19 @@ def _entry(element: XmlElement, next_value: int, read: ElementReader) -> EnumEnt
         read.report.add(BAD_ENTRY_VALUE, read.place(element), message, "write a number such as 4, 0x04, 0b100 or 2**2")
     if name is None or value is None:
         return None
-    return EnumEntry(name, value, read.description(element), read.place(element), lifecycle, is_implicit=text is None)
+    return EnumEntry(
+        name,
+        value,
+        read.description(element),
+        read.place(element),
+        lifecycle,
+        is_implicit=text is None,
+        parameters=tuple(_parameter(child, read) for child in element.children if child.tag == "param"),
+        traits=tuple(item for item in element.attributes.items() if item[0] not in ("name", "value")),
+    )
+
+
+def _parameter(element: XmlElement, read: ElementReader) -> CommandParameter:
+    attributes = tuple(item for item in element.attributes.items() if item[0] != "index")
+    index = element.attributes.get("index", "")
+    return CommandParameter(index, attributes, one_line(element.text), read.place(element))

@@ -9,6 +9,7 @@ from typing import TypeVar
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report, Rule
 from codegen.load.text import decode_text, read_bytes
+from codegen.load.trees import exists
 from codegen.load.yaml_tree import parse_yaml
 from codegen.model.spec import ProgramProject, Project
 from codegen.source import Place, Written, shown_path
@@ -107,7 +108,7 @@ def _is_base(own: ProgramProject, base: Project, report: Report) -> bool:
     if stated == folder:
         return True
     message = f"{own.base} is not the folder of the project that lists this program"
-    if not os.path.lexists(os.path.join(stated, "codegen.yaml")):
+    if not exists(os.path.join(stated, "codegen.yaml")):
         message = f"{own.base} is not the folder of a project"
     hint = os.path.relpath(folder, os.path.dirname(own.place.file)).replace(os.sep, "/")
     related = [(base.place, "the project that lists it")]

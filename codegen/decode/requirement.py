@@ -4,16 +4,17 @@
 ## Metadata               - Status: Approved, - Aliases: FR-zxxlp
 ## Links                  the ids of other documents
 ## Acceptance Criteria    1. ..., 2. ...; in an ADR the numbered items of "Decision", where it has no criteria
+## What a host cannot show    - Criterion 1: ..., - Criteria 3, 4 and 6: ...
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.load.markdown import Document, Item, Section
-from codegen.model.spec import Criterion, Requirement
+from codegen.model.spec import Criterion, HostLimit, Requirement
 from codegen.source import Place
 
 REQUIREMENT_TITLE = Rule(
@@ -53,6 +54,7 @@ _ID = r"[A-Z]+-[0-9a-z]+"
 _TITLE = re.compile(rf"({_ID})\s*\|\s*(\S.*)")
 _LINK = re.compile(rf"(?<![A-Za-z0-9-]){_ID}")
 _ENTRY = re.compile(r"([^:]{1,40}):\s*(.*)", re.DOTALL)
+_LIMITED = re.compile(r"Criteri(?:on|a) (\d[\d, and]*): *(\S.*)", re.DOTALL)
 _READ_ENTRIES = ("type", "status", "aliases")
 _NEEDS_CRITERIA = ("FR", "NFR")
 
@@ -90,6 +92,7 @@ def decode_requirement(document: Document, report: Report) -> Requirement | None
         status=metadata["status"].value if "status" in metadata else "",
         links=tuple(dict.fromkeys(links)),
         criteria=_criteria(document, identifier, heading.place, report),
+        host_limits=tuple(_host_limits(document)),
     )
 
 
@@ -161,6 +164,15 @@ def _aliases(entry: _Entry | None, report: Report) -> tuple[str, ...]:
             hint = "write ids such as FR-zxxlp, with commas between them"
             report.add(REQUIREMENT_METADATA, entry.place, f"the alias {alias!r} is no document id", hint)
     return tuple(aliases)
+
+
+def _host_limits(document: Document) -> Iterator[HostLimit]:
+    """The items about criteria; what else the section says is for people."""
+    for item in _items(document, "what a host cannot show"):
+        match = _LIMITED.fullmatch(item.text) if item.depth == 0 else None
+        if match is not None:
+            numbers = tuple(map(int, re.findall(r"\d+", match[1])))
+            yield HostLimit(place=item.place, numbers=numbers, text=match[2])
 
 
 def _criteria(document: Document, identifier: str, place: Place, report: Report) -> tuple[Criterion, ...]:

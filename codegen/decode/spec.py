@@ -11,10 +11,12 @@ from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.scenario import SCENARIOS
+from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.decode.waivers import WAIVERS
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text, read_bytes
+from codegen.load.trees import exists, file_names, is_file
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_spec import BoardSpec
 from codegen.model.population_spec import PopulationSpec
@@ -65,7 +67,7 @@ PROGRAM_FILE = "vehicle.yaml"
 RECEIVER_FILE = "receiver.yaml"
 OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE)
 """Files beside it that only a project with a whole program, or with a receiver for its messages, has."""
-READ_BY_OTHERS = (SCENARIOS, WAIVERS)
+READ_BY_OTHERS = (SCENARIOS, WAIVERS, TRACE_LOCK)
 """Files beside the project file that are no part of the specification."""
 
 _Record = TypeVar("_Record", bound=Written)
@@ -181,12 +183,12 @@ class _SpecReader:
 
     def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
         path = self._used(name)
-        return self._record(path, cls, Place(path)) if os.path.lexists(path) else None
+        return self._record(path, cls, Place(path)) if exists(path) else None
 
     def _receiver(self) -> ReceiverSpec | None:
         """The receiver of the messages of this program; a further one does not repeat that of its base."""
         path = os.path.join(self._folder, RECEIVER_FILE)
-        return self._record(path, ReceiverSpec, Place(path)) if os.path.lexists(path) else None
+        return self._record(path, ReceiverSpec, Place(path)) if exists(path) else None
 
     def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
         """The tables in use, by the names of their files; of two for one message the first."""
@@ -248,7 +250,7 @@ class _SpecReader:
         if overlay is None:
             return True
         path = self._path(overlay)
-        if not os.path.isfile(path):
+        if not is_file(path):
             names = [f"dialects/{os.path.basename(found)}" for found in self._listed("dialects", (".xml",))]
             hint = did_you_mean(overlay, names)
             self._report.add(UNKNOWN_OVERLAY, record.at("overlay"), f"there is no overlay {overlay}", hint)
@@ -303,7 +305,7 @@ class _SpecReader:
     def _used(self, name: str) -> str:
         """The path of a file with a fixed name: the program's own, if there is one."""
         own = os.path.join(self._folder, name)
-        return own if os.path.lexists(own) else os.path.join(self._base, name)
+        return own if exists(own) else os.path.join(self._base, name)
 
     def _united(self, folder: str, endings: tuple[str, ...]) -> list[str]:
         """The files of the base's folder and of the program's own by name; of two with one name its own."""
@@ -313,8 +315,6 @@ class _SpecReader:
     def _listed(self, folder: str, endings: tuple[str, ...], below: str | None = None) -> list[str]:
         """The files of a folder with one of the endings, by name; hidden files (of editors) are left out."""
         path = os.path.join(below or self._folder, folder).rstrip(os.sep)
-        try:
-            names = sorted(os.listdir(path))
-        except OSError:
-            return []
-        return [os.path.join(path, name) for name in names if name.endswith(endings) and not name.startswith(".")]
+        return [
+            os.path.join(path, name) for name in file_names(path) if name.endswith(endings) and not name.startswith(".")
+        ]

@@ -2,12 +2,12 @@
 
 import errno
 import os
-import stat
 from contextlib import suppress
 from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule
-from codegen.emit.folder import UNFINISHED, leads_outside
+from codegen.emit.file import replace_file
+from codegen.emit.folder import leads_outside
 from codegen.emit.plan import Change, Plan
 from codegen.manifest import MANIFEST, Manifest, sha256
 
@@ -70,31 +70,7 @@ def _manifest_meanwhile(plan: Plan) -> Manifest:
 def _replace(folder: str, path: str, content: bytes) -> None:
     """Put ``content`` at ``path`` in one step; the permissions of a file that was there are kept."""
     _verify(folder, path)
-    target = os.path.join(folder, path)
-    where = os.path.dirname(target)
-    unfinished = os.path.join(where, os.urandom(8).hex().join(UNFINISHED))
-    try:
-        with open(_created(unfinished, where), "wb", buffering=0) as stream:
-            written = 0
-            while written < len(content):
-                written += stream.write(memoryview(content)[written:])
-        if os.path.exists(target):
-            os.chmod(unfinished, stat.S_IMODE(os.stat(target).st_mode))
-        os.replace(unfinished, target)
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(unfinished)
-        raise
-
-
-def _created(path: str, folder: str) -> int:
-    """The descriptor of a new file, in a folder that is made if it is not there."""
-    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
-    try:
-        return os.open(path, flags, 0o666)
-    except FileNotFoundError:
-        os.makedirs(folder, exist_ok=True)
-        return os.open(path, flags, 0o666)
+    replace_file(os.path.join(folder, path), content)
 
 
 def _remove(folder: str, path: str) -> None:

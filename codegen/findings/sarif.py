@@ -24,7 +24,8 @@ def findings_sarif(findings: Iterable[Diagnostic], base: str | None = None) -> s
     A waived finding is a result with a suppression, which services show as closed.
     """
     findings = list(findings)
-    rules = sorted({finding.rule for finding in findings}, key=lambda rule: rule.id)
+    by_id = {finding.rule.id: finding.rule for finding in findings}
+    rules = [rule for _, rule in sorted(by_id.items())]
     index = {rule.id: position for position, rule in enumerate(rules)}
     run = {
         "tool": {"driver": {"name": "codegen", "version": __version__, "rules": [_rule(rule) for rule in rules]}},

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
-from functools import cache
+from functools import cache, lru_cache
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
@@ -86,6 +86,7 @@ def _markdown() -> MarkdownIt:
     return MarkdownIt("commonmark")
 
 
+@lru_cache(maxsize=4096)
 def read_inline(written: str) -> Inline:
     """The text and the code spans of a piece of inline markup."""
     if _MARKUP.search(written) is None:

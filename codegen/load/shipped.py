@@ -1,11 +1,26 @@
-"""The dialects that pymavlink ships as XML inside its package."""
+"""The dialects that pymavlink ships as XML inside its package: of the installed one, or of another that is given."""
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.load.trees import file_names
 from codegen.source import Place
+
+_GIVEN: list[str] = []
+
+
+@contextmanager
+def shipped_in(folder: str) -> Iterator[None]:
+    """Let the XML files of ``folder`` (absolute) be the dialects that are shipped, in place of the installed ones."""
+    _GIVEN.append(folder)
+    try:
+        yield
+    finally:
+        _GIVEN.pop()
 
 
 def shipped_dialect_path(name: str) -> str | None:
@@ -40,8 +55,18 @@ def dialect_path(
     return os.path.normpath(os.path.join(folder, written))
 
 
-@cache
 def _shipped() -> dict[str, str]:
+    return dialects_in(_GIVEN[-1]) if _GIVEN else _installed()
+
+
+def dialects_in(folder: str) -> dict[str, str]:
+    """The absolute path of each XML file of a folder by the name of its dialect, sorted."""
+    names = (name for name in file_names(folder) if name.endswith(".xml"))
+    return {os.path.splitext(name)[0]: os.path.join(folder, name) for name in names}
+
+
+@cache
+def _installed() -> dict[str, str]:
     # find_spec on the top-level package locates it without importing it, which would cost more than reading the XML.
     try:
         found = find_spec("pymavlink")
@@ -49,13 +74,5 @@ def _shipped() -> dict[str, str]:
         return {}
     paths: dict[str, str] = {}
     for location in (found.submodule_search_locations or ()) if found else ():
-        folder = os.path.abspath(os.path.join(location, "dialects", "v20"))
-        try:
-            files = os.listdir(folder)
-        except OSError:
-            continue
-        for file in sorted(files):
-            stem, extension = os.path.splitext(file)
-            if extension == ".xml":
-                paths.setdefault(stem, os.path.join(folder, file))
-    return paths
+        paths = {**dialects_in(os.path.abspath(os.path.join(location, "dialects", "v20"))), **paths}
+    return dict(sorted(paths.items()))

@@ -5,6 +5,7 @@ import re
 import stat
 
 from codegen.diagnostics import Report, Rule
+from codegen.load.trees import is_in_tree, tree_content
 from codegen.source import Place, shown_path
 
 MAX_BYTES = 10_000_000
@@ -36,14 +37,20 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
-def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> bytes | None:
-    """The content of a regular file of at most ``MAX_BYTES``, or None after a diagnostic.
+def read_bytes(path: str, report: Report, asked_at: Place | None = None, most: int | None = None) -> bytes | None:
+    """The content of a regular file of at most ``most`` bytes (default: ``MAX_BYTES``), or None after a diagnostic.
 
     ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
     itself where nothing names it.
     """
+    most = MAX_BYTES if most is None else most
     place = asked_at or Place(os.path.abspath(path))
     shown = shown_path(path)
+    if is_in_tree(path):
+        content = tree_content(path)
+        if content is None:
+            report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
+        return content
     try:
         # Looking first keeps a pipe or a device from blocking the run.
         mode = os.stat(path).st_mode
@@ -52,7 +59,7 @@ def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> byte
             report.add(FILE_NOT_READABLE, place, f"{shown} is {kind}, not a file")
             return None
         with open(path, "rb") as file:
-            data = file.read(MAX_BYTES + 1)
+            data = file.read(most + 1)
     except (FileNotFoundError, NotADirectoryError):
         report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
         return None
@@ -63,8 +70,8 @@ def read_bytes(path: str, report: Report, asked_at: Place | None = None) -> byte
         reason = getattr(problem, "strerror", None) or str(problem)
         report.add(FILE_NOT_READABLE, place, f"{shown!r} cannot be read: {reason}")
         return None
-    if len(data) > MAX_BYTES:
-        report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {MAX_BYTES // 1_000_000} MB")
+    if len(data) > most:
+        report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {most // 1_000_000} MB")
         return None
     return data
 

@@ -23,10 +23,23 @@ IN_USE = Lifecycle()
 """The lifecycle of what nothing is said about."""
 
 
+class CommandParameter(NamedTuple):
+    """One ``<param>`` of a command, an entry of MAV_CMD.
+
+    ``number``, the attribute index, and ``attributes`` (label, units, enum, minValue, reserved ...) are as written.
+    """
+
+    number: str
+    attributes: tuple[tuple[str, str], ...]
+    description: str
+    place: Place
+
+
 class EnumEntry(NamedTuple):
     """One entry of an enum; ``value`` is the number of the XML (``0x``, ``0b`` and ``2**n`` already read).
 
     ``is_implicit`` marks an entry without a ``value`` attribute: the previous value plus one, as mavgen does.
+    ``traits`` are further attributes as written, such as hasLocation; like ``parameters`` they belong to commands.
     """
 
     name: str
@@ -35,6 +48,8 @@ class EnumEntry(NamedTuple):
     place: Place
     lifecycle: Lifecycle = IN_USE
     is_implicit: bool = False
+    parameters: tuple[CommandParameter, ...] = ()
+    traits: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

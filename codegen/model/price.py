@@ -155,10 +155,16 @@ def default_rate(message: PopulatedMessage) -> Fraction:
 
 def message_price(message: PopulatedMessage, system: System) -> Price:
     """What a message costs while its generation is chosen."""
-    protocol, rate = system.spec.project.protocol, default_rate(message) * message.pages
-    instances = range(message.instances)
+    return price_at(default_rate(message), message, system, system.spec.project.protocol)
+
+
+def price_at(rate: Fraction, message: PopulatedMessage, system: System, protocol: int) -> Price:
+    """What a message costs at a rate in Hz, in frames of MAVLink 1 or 2."""
+    frames = rate * message.pages
     return Price(
-        by_instance=tuple(frame_size(message, instance, protocol).times(rate) for instance in instances),
+        by_instance=tuple(
+            frame_size(message, instance, protocol).times(frames) for instance in range(message.instances)
+        ),
         is_on=on_by_default(message.component, system),
     )
 

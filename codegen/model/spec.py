@@ -35,6 +35,9 @@ class Project(Written):
     )
     corrections: tuple[str, ...] = described("YAML files that correct attributes of the dialect.", default=())
     output: str = described("Folder that the generated files go to.", default="../generated")
+    tests: tuple[str, ...] = described(
+        "Folders with tests written by hand, in which codegen trace looks for what they show.", default=("../tests",)
+    )
     programs: Mapping[str, str] = described(
         "Further programs from the same specification by name, each with the path of its own project file; what is "
         "generated for one goes to the folder of that name below the output.",
@@ -200,6 +203,14 @@ class Criterion(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class HostLimit(Written):
+    """What tests on a host cannot show of the criteria with these ``numbers``, and how the bench does."""
+
+    numbers: tuple[int, ...]
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Requirement(Written):
     """A requirement or decision document: ``# ID | Title``, a metadata list, numbered acceptance criteria."""
 
@@ -209,6 +220,7 @@ class Requirement(Written):
     status: str
     links: tuple[str, ...]
     criteria: tuple[Criterion, ...]
+    host_limits: tuple[HostLimit, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -72,6 +72,18 @@ def answered_elements(
     return sorted(kept, key=lambda found: (found.field.offset, found.first))
 
 
+def answered_ranges(key: str, message: WireMessage) -> Iterator[tuple[WireField, int, int]]:
+    """The field, the first element and the number of elements that a key answers for; nothing for a wrong key."""
+    match = _KEY.fullmatch(key)
+    field = None if match is None else message.field(match[1])
+    if match is None or field is None:
+        return
+    if match[2] is None:
+        yield field, 0, field.count
+    elif int(match[2]) <= int(match[3] or match[2]) < field.count:
+        yield field, int(match[2]), int(match[3] or match[2]) - int(match[2]) + 1
+
+
 def _written_keys(population: PopulationSpec) -> list[str]:
     return [key.removeprefix("fields.") for key in population.places if key.startswith("fields.")]
 

@@ -1,7 +1,7 @@
 """The cases of the generated test suite, as data: what is set, what must go out, and which criterion asks for it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from heapq import nsmallest
 
@@ -29,6 +29,8 @@ from codegen.targets.expected import (
 from codegen.targets.message_case import MessageCase, set_to
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.representation_cases import representation_cases
+
+_VARYING = (LiveBinding, SplitBinding, EachBinding, FlagsBinding)
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,13 +86,14 @@ def _sharpest(quantity: Quantity, steps: int) -> list[int]:
 
 
 def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:
-    used = _used_quantities(message, system)
+    used = used_quantities(message, system)
     for instance in range(message.instances):
         suffix = f"-{instance}" if message.instances > 1 else ""
         for page in range(message.pages):
             paged = f"{suffix}-page-{page}" if message.pages > 1 else suffix
             base = _base(used, instance)
-            yield _case(message, f"nominal{paged}", str(message.citation), base, instance, used, page)
+            case = _case(message, f"nominal{paged}", str(message.citation), base, instance, used, page)
+            yield replace(case, also=_constant_criteria(message))
     base = _base(used, 0)
     unknown: Known = {
         path: None if value is None or isinstance(value, int) else (None,) * len(value) for path, value in base.items()
@@ -108,6 +111,12 @@ def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase
         elif isinstance(binding, EachBinding):
             yield from _each_cases(message, binding, used)
     yield from representation_cases(message, used)
+
+
+def _constant_criteria(message: PopulatedMessage) -> tuple[str, ...]:
+    """The criteria of what no state changes, and of which no other case is made."""
+    constant = [binding.covers for binding in message.bindings if not isinstance(binding, _VARYING)]
+    return tuple(sorted({str(covers.citation) for covers in constant} - {str(message.citation)}))
 
 
 def _base(used: dict[str, Quantity], instance: int) -> dict[str, Stored]:
@@ -162,7 +171,7 @@ def _each_cases(message: PopulatedMessage, binding: EachBinding, used: dict[str,
             yield _case(message, f"{label}-fallback-{name}", criterion, known, 0, used)
 
 
-def _used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:
+def used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quantity]:
     """The quantities that tests of the message set, by path: those it reads, and those that these follow."""
     used = {}
     for binding in message.bindings:

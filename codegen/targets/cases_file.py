@@ -17,6 +17,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
         {
             "name": case.name,
             "requirement": case.requirement,
+            **({"also": case.also} if case.also else {}),
             "message": case.message,
             "instance": case.instance,
             **({"page": case.page} if case.page else {}),

@@ -1,6 +1,6 @@
 """Review documents: the resolved system as tables that are committed, so that their diff shows what a change does."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
@@ -10,7 +10,8 @@ from codegen.targets.generation_table import GenerationTable, generation_tables,
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
-from codegen.targets.table import FieldRow, field_rows, in_table, limit_text
+from codegen.targets.quantity_words import quantity_source
+from codegen.targets.table import FieldRow, field_rows, in_table
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,10 +95,10 @@ def render_documents(system: System) -> dict[str, str]:
             for component in system.components.values()
             for quantity in component.quantities.values()
         ),
-        parameters=tuple(_parameter(parameter, system) for parameter in system.parameters.values()),
+        parameters=tuple(_in_table(parameter_row(parameter, system)) for parameter in system.parameters.values()),
         streams=stream_rows(system),
         generations=generation_tables(system),
-        links=link_rows(system),
+        links=tuple(replace(row, details=in_table(row.details)) for row in link_rows(system)),
         program=program_section(system),
         criteria=tuple(_criteria(system)),
     )
@@ -129,31 +130,10 @@ def _rate(stream: Stream | None) -> str:
 
 
 def _quantity(quantity: Quantity) -> QuantityRow:
-    conversion = quantity.conversion
-    source = "set by the vehicle"
-    if quantity.spec.counts_returns_of:
-        source = f"counts when {quantity.component}.{quantity.spec.counts_returns_of} ends"
-    elif quantity.spec.restarts_with:
-        source += f"; anew with {quantity.component}.{quantity.spec.restarts_with}"
-    elif quantity.while_known:
-        source = f"while {quantity.component}.{quantity.while_known} is known"
-    elif quantity.follows:
-        source = f"while {quantity.component}.{quantity.followed} is {limit_text(quantity)}"
-    elif quantity.enabled_by:
-        source = f"while {quantity.enabled_by.name} is not 0"
-    elif quantity.trend:
-        source = f"change of {quantity.component}.{quantity.trend.quantity} over {quantity.trend.readings} readings"
-    elif quantity.estimate:
-        source = f"discharge curve by {quantity.component}.{quantity.estimate.quantity}"
-    if conversion is not None:
-        channel = conversion.channel
-        gpio = channel.pin.name if channel.pin else channel.gpio
-        source = f"GPIO {gpio}: count / {channel.full_scale} * {decimal(channel.reference)} V"
-        source += f" * {conversion.multiplier.name}"
     return QuantityRow(
         path=quantity.path,
         kept=f"{_counted(quantity)}{quantity.attribute} ({quantity.stored.name or quantity.kind.value})",
-        source=source,
+        source=quantity_source(quantity),
         initial="unknown" if quantity.initial is None else str(quantity.initial),
         criterion=str(quantity.citation or ""),
     )
@@ -165,7 +145,12 @@ def _counted(quantity: Quantity) -> str:
     return f"{' and '.join(counts if len(set(counts)) > 1 else counts[:1])} in " if counts else ""
 
 
-def _parameter(parameter: Parameter, system: System) -> ParameterRow:
+def _in_table(row: ParameterRow) -> ParameterRow:
+    return replace(row, values=in_table(row.values))
+
+
+def parameter_row(parameter: Parameter, system: System) -> ParameterRow:
+    """What documents and pages say of a parameter, as plain text."""
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     smallest, largest = (decimal(steps * parameter.step) for steps in (parameter.minimum, parameter.maximum))
     return ParameterRow(
@@ -174,8 +159,8 @@ def _parameter(parameter: Parameter, system: System) -> ParameterRow:
         default=f"{decimal(parameter.default * parameter.step)}{unit}",
         limits=f"{smallest}..{largest}{unit}",
         step=f"{decimal(parameter.step)}{unit}",
-        values=in_table(
-            ", ".join(f"{decimal(steps * parameter.step)} {text}" for steps, text in sorted(parameter.choices.items()))
+        values=", ".join(
+            f"{decimal(steps * parameter.step)} {text}" for steps, text in sorted(parameter.choices.items())
         ),
         restart="yes" if parameter.spec.reboot else "",
         sets=", ".join(uses(parameter, system)),

@@ -9,6 +9,7 @@ from codegen.model.system import System
 from codegen.targets.documents import render_documents
 from codegen.targets.firmware import render_firmware
 from codegen.targets.mocks import render_mocks
+from codegen.targets.pages import render_pages
 from codegen.targets.receiver import render_receiver
 from codegen.targets.schema_files import render_schemas
 from codegen.targets.suite import render_suite
@@ -19,6 +20,7 @@ TARGETS: tuple[Callable[[System], dict[str, str]], ...] = (
     render_suite,
     render_receiver,
     render_documents,
+    render_pages,
 )
 """Functions from the system to ``{path below the output folder: text}``."""
 

@@ -14,7 +14,10 @@ The component ``parameters`` has the parameters by their attributes.
 
 @dataclass(frozen=True, slots=True)
 class MessageCase:
-    """A state and the message that must come of it. ``requirement`` is the criterion that asks for it."""
+    """A state and the message that must come of it. ``requirement`` is the criterion that asks for it.
+
+    ``also`` are further criteria that it shows: those of fields that are the same in every message.
+    """
 
     name: str
     requirement: str
@@ -23,6 +26,7 @@ class MessageCase:
     settings: tuple[Setting, ...]
     expect: dict[str, Wire]
     page: int = 0
+    also: tuple[str, ...] = ()
 
 
 def set_to(quantity: Quantity, value: Stored, instance: int) -> Setting:

@@ -41,6 +41,16 @@ def builder_name(message: "PopulatedMessage") -> str:
     return f"build_{message.name.lower()}"
 
 
+def prefill_name(message: "PopulatedMessage") -> str:
+    """BATTERY_STATUS -> _new_battery_status, which fills in what never changes."""
+    return f"_new_{message.name.lower()}"
+
+
+def failsafe_class(component: str) -> str:
+    """battery -> BatteryFailsafe."""
+    return f"{class_name(component)}Failsafe"
+
+
 def parameter_attribute(parameter: str) -> str:
     """BATT_VOLT_MULT -> batt_volt_mult."""
     name = parameter.lower()

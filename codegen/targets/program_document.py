@@ -98,8 +98,7 @@ def _stream(stream: Stream, system: System) -> StreamRow:
 def link_rows(system: System) -> tuple[LinkRow, ...]:
     """The links in the order of board.yaml."""
     return tuple(
-        LinkRow(link.name, link.kind.value.upper(), in_table(_details(link)), str(link.citation or ""))
-        for link in system.links
+        LinkRow(link.name, link.kind.value.upper(), _details(link), str(link.citation or "")) for link in system.links
     )
 
 

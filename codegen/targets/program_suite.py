@@ -69,7 +69,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         inputs={name: _inputs(system, system.components[name], quantity) for name, quantity in system.measured()},
         generations=generation_facts(system),
         messages=message_facts(system),
-        requirements=_requirements(system, program),
+        requirements=documents_of_topics(system, program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = render_template(f"{_PROGRAM}/program_facts.py.j2", view)
@@ -98,7 +98,7 @@ def _attributes(parameter: Parameter | None) -> tuple[str, ...]:
     return tuple(map(parameter_attribute, parameter.siblings)) if parameter else ()
 
 
-def _requirements(system: System, program: Program) -> dict[str, str]:
+def documents_of_topics(system: System, program: Program) -> dict[str, str]:
     """The id of the document for each topic, or "" where nothing is cited: criteria are numbered within it."""
     cited = {name: citation.requirement.id for name, citation in program.cited.items()}
     failsafe = next(iter(program.failsafes), None)

@@ -4,13 +4,14 @@ from dataclasses import dataclass
 
 from codegen.model.system import System, read_quantities
 from codegen.render import render_template
+from codegen.targets.behaviour_checks import BehaviourCheck, behaviour_checks
 from codegen.targets.cases_file import cases_text
 from codegen.targets.firmware.board import BoardView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.state import ComponentView, StateView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.naming import parameter_attribute
-from codegen.targets.origin import copied_files, headed, origin_of
+from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
 
 RENDERED = ("behaviour.py", "test_frames.py")
@@ -31,33 +32,41 @@ class SuiteView:
     choosers: tuple[str, ...]
     has_program: bool
     parameters: tuple[ParameterView, ...]
+    checks: tuple[BehaviourCheck, ...]
     expiring: dict[str, tuple[str, ...]]
 
 
 def render_suite(system: System) -> dict[str, str]:
     """The files below ``tests/``."""
-    wires = [message.wire for message in system.messages]
-    origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
+    origin = suite_origin(system)
     about: dict[str, object] = {"from": list(origin.sources), "inputs": origin.digest}
     files = {**copied_files("tests"), "tests/cases.json": cases_text(system, about)}
-    state = state_view(system)
+    board, state, streams = board_view(system), state_view(system), stream_views(system)
+    measured = tuple(component for component in state.components if component.measured)
     view = SuiteView(
         system_id=system.system_id,
         component_id=system.component_id,
-        board=board_view(system),
+        board=board,
         state=state,
-        measured=tuple(component for component in state.components if component.measured),
+        measured=measured,
         builders=tuple(message.name.lower() for message in system.messages),
         steady=tuple(message.name.lower() for message in system.messages if not message.made_floats),
-        streams=stream_views(system),
+        streams=streams,
         choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
         has_program=system.program is not None,
         parameters=parameter_views(system),
+        checks=behaviour_checks(board.readers, streams, state.components),
         expiring={component.name: _readers(component.name, system) for component in state.components},
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)
     return files if system.program is None else files | render_program_suite(system, system.program)
+
+
+def suite_origin(system: System) -> Origin:
+    """What the suite is made of: everything but the documents, and the messages that are sent."""
+    wires = [message.wire for message in system.messages]
+    return origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
 
 
 def _readers(component: str, system: System) -> tuple[str, ...]:

@@ -1,10 +1,32 @@
 # Generated from templates/tests/test_behaviour.py: do not edit.
-# Inputs: 0e07c7e18cec8be4
-"""The checks of behaviour.py, each in one run of each interpreter."""
+# Inputs: 8fdad2fe6a1df20c
+"""The checks of behaviour.py, in one run of each interpreter; a test is named by its check and criterion."""
+
+import ast
+
+import pytest
+from interpreters import HERE
 
 
-def test_behaviour(behaviour):
+def _checks():
+    """Return criterion and name of each check, without running it."""
+    for statement in ast.parse((HERE / "behaviour.py").read_text()).body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
+            for criterion, check in (entry.elts for entry in statement.value.elts):
+                yield criterion.value, check.id
+
+
+def _cases():
+    for interpreter in ("cpython", "micropython"):
+        for criterion, name in _checks():
+            shows = [pytest.mark.requirement(criterion)] if criterion else []
+            case = f"{interpreter}-{name}" + (f"-{criterion}" if criterion else "")
+            yield pytest.param(interpreter, name, id=case, marks=shows)
+
+
+@pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
+def test_behaviour(interpreter, name, printed):
     """The board and the state behave as the requirements say, and the steady cycle allocates nothing."""
-    outcomes = behaviour("behaviour.py")
-    assert outcomes
-    assert [found for found in outcomes if found[1] is not None] == []
+    found = printed(interpreter, "behaviour.py")
+    assert "" not in found, found[""]
+    assert found[name] is None, found[name]

@@ -28,8 +28,16 @@ def modules():
     return dialects(DATA["dialect"], {case["message"] for case in DATA["messages"]}, HERE)
 
 
-def named(cases):
-    return [pytest.param(case, id=f"{case['name']}-{case['requirement']}") for case in cases]
+def named(cases, mark=pytest.mark.requirement):
+    """Return the cases for pytest, each with its name and, marked so, the criteria that it shows."""
+    return [
+        pytest.param(
+            case,
+            id=f"{case['name']}-{case['requirement']}",
+            marks=[mark(*filter(None, [case["requirement"], *case.get("also", [])]))] if mark else [],
+        )
+        for case in cases
+    ]
 
 
 def plain(value, kind):
@@ -63,7 +71,7 @@ def test_conversion(case, results):
     assert results["conversions"][case["name"]] == case["expect"]
 
 
-@pytest.mark.parametrize("case", named(DATA["messages"]))
+@pytest.mark.parametrize("case", named(DATA["messages"], mark=None))
 def test_every_field_is_expected(case, modules):
     """A case has a value for each field of its message, so that none goes out unseen."""
     assert sorted(case["expect"]) == sorted(message_class(modules[0], case["message"]).fieldnames)

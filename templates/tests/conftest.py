@@ -1,9 +1,31 @@
-"""What the firmware does in the cases and checks of this suite, once for each interpreter."""
+"""What the firmware does in the cases and checks of this suite, once for each interpreter; and what each test shows.
+
+A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
+called requirement, and in codegen-inputs the hash of the specification that the tests were made of.
+"""
 
 import json
+import os
+import time
+from functools import cache
 
 import pytest
-from interpreters import CASES, run_under
+from interpreters import CASES, HERE, run_under
+
+
+def pytest_configure(config):
+    """Make the marker known."""
+    config.addinivalue_line("markers", "requirement(*criteria): the criteria that a test shows, such as FR-00068.3")
+
+
+def pytest_collection_modifyitems(items):
+    """Note for the results what each test of this suite shows."""
+    inputs = ("codegen-inputs", json.loads(CASES.read_text())["generated"]["inputs"])
+    for item in items:
+        if item.path.parent == HERE:
+            shown = [name for mark in item.iter_markers("requirement") for name in mark.args]
+            noted = [*(("requirement", name) for name in dict.fromkeys(shown)), inputs]
+            item.user_properties += [found for found in noted if found not in item.user_properties]
 
 
 @pytest.fixture(scope="session", params=["cpython", "micropython"])
@@ -12,11 +34,33 @@ def results(request):
     return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
 
 
-@pytest.fixture(scope="session", params=["cpython", "micropython"])
-def behaviour(request):
-    """Run the functions of a behaviour script under an interpreter; their names with None or what went wrong."""
+@pytest.fixture(scope="session")
+def printed(request, tmp_path_factory):
+    """What a script prints, as JSON: it runs once, however many processes pytest-xdist lets ask."""
+    base = tmp_path_factory.getbasetemp()
+    shared = base.parent if hasattr(request.config, "workerinput") else base  # of all workers of this run
 
-    def run(script):
-        return json.loads(run_under(request.param, script))
+    @cache
+    def by(interpreter, script, arguments=tuple):
+        path = shared / f"{interpreter}-{script}.json"
+        try:
+            os.close(os.open(path.with_suffix(".started"), os.O_CREAT | os.O_EXCL))
+        except FileExistsError:
+            return _awaited(path)
+        try:
+            text = run_under(interpreter, script, *arguments())
+        except AssertionError as error:  # who waits for it is told, too
+            text = json.dumps({"": str(error)})
+        path.with_suffix(".part").write_text(text)
+        path.with_suffix(".part").replace(path)
+        return json.loads(text)
 
-    return run
+    return by
+
+
+def _awaited(path):
+    end = time.monotonic() + 200
+    while not path.exists():
+        assert time.monotonic() < end, f"{path} does not come"
+        time.sleep(0.05)
+    return json.loads(path.read_text())

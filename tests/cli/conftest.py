@@ -36,6 +36,9 @@ class Pipeline:
     def check_scenarios(self, _project_file: str, _system: object, _report: Report) -> None:
         """There are no scenarios."""
 
+    def check_documents(self, _systems: object, _report: Report) -> None:
+        """There are no documents."""
+
     def render_systems(self, _systems: object) -> dict[str, str]:
         return self.files
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.model.program import Failsafe, Program
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.families import FamilyView, family_view
-from codegen.targets.naming import class_name, parameter_attribute, parameter_expression
+from codegen.targets.naming import failsafe_class, parameter_attribute, parameter_expression
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +90,7 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
         instances=component.instances,
         several=component.instances > 1,
         uses_instance=any(parameter.siblings for parameter in parameters_of(failsafe)),
-        class_name=f"{class_name(component.name)}Failsafe",
+        class_name=failsafe_class(component.name),
         title=component.name.replace("_", " ").capitalize(),
         quantity=quantity.name,
         attribute=quantity.attribute,

@@ -29,6 +29,7 @@ from codegen.targets.naming import (
     instance_expression,
     number,
     parameter_attribute,
+    prefill_name,
     quoted,
 )
 
@@ -161,7 +162,7 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
         id=message.wire.id,
         class_name=class_name,
         function=builder_name(message),
-        prefill=f"_new_{lowered}",
+        prefill=prefill_name(message),
         store=f"_{lowered}",
         citation=str(message.citation),
         instances=message.instances,

@@ -1,7 +1,9 @@
 """The generated tests of the receiver: what it must say for the cases of the suite, by exact arithmetic."""
 
+import ast
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 
 from codegen.model.receiver import Receiver
 from codegen.model.system import Binding, EachBinding, FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding, System
@@ -9,6 +11,7 @@ from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.targets.expected import is_settable
 from codegen.targets.origin import copied_files, origin_of, specification_file
 from codegen.targets.receiver.view import ReceiverView
+from codegen.template_files import copied
 
 _SUITE = "tests/receiver"
 
@@ -80,4 +83,17 @@ def _number(binding: LiveBinding | SplitBinding, source: Quantity) -> dict[str, 
         "high": float(binding.high * to_unit),
         "within": float(one),
         "stands_in": None if source.initial is None else float(source.initial / source.steps),
+    }
+
+
+@cache
+def shown_by_receiver_tests() -> Mapping[str, tuple[int, ...]]:
+    """The tests by name, with the numbers of the criteria that they are marked with."""
+    module = ast.parse(copied(f"{_SUITE}/test_receiver.py"))
+    return {
+        statement.name: tuple(map(ast.literal_eval, mark.args))
+        for statement in module.body
+        if isinstance(statement, ast.FunctionDef)
+        for mark in statement.decorator_list
+        if isinstance(mark, ast.Call) and ast.unparse(mark.func) == "shows"
     }

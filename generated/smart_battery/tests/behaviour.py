@@ -506,4 +506,4 @@ def outcome(check):
 
 
 if __name__ == "__main__":
-    print(json.dumps([[f"{check.__name__}-{criterion}", outcome(check)] for criterion, check in CHECKS]))
+    print(json.dumps({check.__name__: outcome(check) for _, check in CHECKS}))

@@ -1,0 +1,178 @@
+"""``codegen diff``: what changed between two versions of a specification or of a dialect, and what that means."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from codegen.diff.review import Review
+    from codegen.sides import Around, Side, Unreadable
+    from codegen.trace.graph import Trace
+
+FORMATS = ("text", "markdown", "json", "github", "sarif", "html")
+KINDS = ("never", "any", "breaking", "silent", "wire", "behaviour", "trace", "documentation")
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "diff",
+        parents=[common],
+        help="say what changed between two versions, and who breaks",
+        description="Compare two resolved specifications or dialects: what changes on the wire, in the meaning of "
+        "bytes, in the behaviour of the vehicle, in requirements and in texts; who notices and who breaks.",
+        epilog="A side is a git revision (main, HEAD~1, main... for where main parted; REVISION:path for a dialect or "
+        "another project), a folder or project file, an XML file, a dialect of the installed pymavlink (common), or of "
+        "another: a wheel, source archive or folder of it, with :DIALECT.",
+    )
+    parser.add_argument("base", metavar="BASE", nargs="?", help="the old version")
+    parser.add_argument("head", metavar="HEAD", nargs="?", help="the new version (default: the project as it is)")
+    parser.add_argument("--format", choices=FORMATS, default="text", help="how the report is written")
+    parser.add_argument(
+        "--fail-on",
+        metavar="KIND[,KIND]",
+        default="breaking",
+        help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking)",
+    )
+    parser.add_argument(
+        "--all", action="store_true", help="show changes of the dialect that do not concern the project"
+    )
+    parser.add_argument(
+        "--bandwidth", metavar="PERCENT", default="5", help="growth of the telemetry that is a change (default: 5)"
+    )
+    parser.add_argument("--dialect", metavar="NAME", help="the dialect of a pymavlink for which none is named")
+    parser.add_argument("--base-pymavlink", metavar="PATH", help="pymavlink to read the old version with")
+    parser.add_argument("--head-pymavlink", metavar="PATH", help="pymavlink to read the new version with")
+    parser.add_argument("--schema", action="store_true", help="print the JSON Schema of --format json and end")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print the report to stdout, and return the exit code."""
+    from fractions import Fraction
+
+    if arguments.schema:
+        from codegen.diff.as_json import review_schema
+
+        print(review_schema())
+        return 0
+    kinds = [kind.strip() for kind in arguments.fail_on.split(",") if kind.strip()]
+    try:
+        threshold = Fraction(arguments.bandwidth.strip().rstrip("%"))
+    except (ValueError, ZeroDivisionError):
+        return _usage(f"--bandwidth is a number of percent, not {arguments.bandwidth!r}")
+    if arguments.base is None:
+        return _usage("name the old version: BASE is a revision, a folder, an XML file or a dialect")
+    from codegen.catalogue import rule_catalogue
+    from codegen.diagnostics import did_you_mean
+
+    for kind in kinds:
+        if kind not in KINDS and kind not in rule_catalogue():
+            return _usage(f"--fail-on knows no {kind}", did_you_mean(kind, (*KINDS, *rule_catalogue())))
+    return _compared(arguments, kinds, threshold)
+
+
+def _usage(message: str, hint: str | None = None) -> int:
+    print(f"codegen diff: {message}{f' ({hint})' if hint else ''}", file=sys.stderr)
+    return 2
+
+
+def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: Any) -> int:
+    from codegen.cli.diff_report import print_review
+    from codegen.cli.project import project_file
+    from codegen.diff.review import fails
+    from codegen.sides import Unreadable, default_head, opened
+
+    project = project_file(arguments)
+    base_around = _around(project, arguments.dialect, arguments.base_pymavlink)
+    head_around = _around(project, arguments.dialect, arguments.head_pymavlink)
+    with opened(arguments.base, base_around) as base:
+        if isinstance(base, Unreadable):
+            return _unreadable(base)
+        with opened(arguments.head or default_head(base), head_around) as head:
+            if isinstance(head, Unreadable):
+                return _unreadable(head)
+            found = _review(base, head, threshold, is_all=arguments.all)
+            found, code = _waived(found, project, head)
+            print_review(found, arguments.format)
+            is_broken = head.is_project and bool(head.findings)
+            return 1 if fails(found, kinds) or is_broken else code
+
+
+def _around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":
+    from codegen.sides import Around
+
+    return Around(project, dialect or "common", pymavlink)
+
+
+def _unreadable(side: "Unreadable") -> int:
+    """Say why there is nothing to compare."""
+    from codegen.findings.text import finding_text
+
+    for finding in side.findings:
+        print(finding_text(finding), file=sys.stderr)
+    return _usage(side.message, side.hint)
+
+
+def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Review":
+    """The review of both sides: of two projects with what changes reach, else of their dialects."""
+    from dataclasses import replace
+
+    from codegen.diff.reach import traces, with_reach
+    from codegen.diff.review import review
+    from codegen.diff.system import compare_dialects, compare_systems
+
+    notes = [
+        f"{side.label} has {_errors(len(side.findings))}, and what that concerns may be missing here. "
+        f"{side.findings[0].place.shown()}: {side.findings[0].message}"
+        for side in (base, head)
+        if side.findings
+    ]
+    if base.is_project and head.is_project:
+        compared = compare_systems(base.systems, head.systems, threshold)
+        if is_all:
+            compared = replace(compared, changes=(*compared.changes, *compared.elsewhere), elsewhere=())
+        if compared.changes:
+            found = traces(_trace(base), _trace(head), (*base.systems, *head.systems))
+            compared = replace(compared, changes=with_reach(compared.changes, found))
+    else:
+        compared = compare_dialects(base.dialect, head.dialect)
+    return review(base.label, head.label, compared, notes)
+
+
+def _trace(side: "Side") -> "Trace":
+    """What hangs together on one side; of a specification with errors nothing is known."""
+    from codegen import pipeline
+    from codegen.diagnostics import Report
+    from codegen.trace.graph import linked
+
+    return linked((), (), ()) if side.findings else pipeline.read_trace(side.systems, Report())
+
+
+def _errors(count: int) -> str:
+    return "an error" if count == 1 else f"{count} errors, the first of which is shown"
+
+
+def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review, int]":
+    """The review with waivers applied, and the exit code of what is wrong with them."""
+    from codegen.catalogue import rule_catalogue
+    from codegen.cli.waived import waivers_of, with_waivers
+    from codegen.diagnostics import Report
+    from codegen.diff.change import ChangeRule
+    from codegen.diff.review import as_finding, with_waived
+    from codegen.findings.text import finding_text
+
+    waivers = waivers_of(project) if project and head.is_project else None
+    report = Report()
+    report.extend(as_finding(group) for group in found.groups)
+    rules = [rule.id for rule in rule_catalogue().values() if isinstance(rule, ChangeRule)]
+    files = [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
+    judged = list(with_waivers(report, waivers, rules, files))
+    found = with_waived(found, judged)
+    code = 0
+    for finding in judged:
+        if finding.rule.id not in rules:
+            print(finding_text(finding), file=sys.stderr)
+            code = 1 if finding.is_error else code
+    return found, code

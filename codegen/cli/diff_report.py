@@ -1,0 +1,59 @@
+"""Printing a review in each of its formats."""
+
+import sys
+from dataclasses import replace
+
+from codegen.cli.findings import repository_root, wants_colour
+from codegen.diagnostics import Diagnostic
+from codegen.diff.review import Review, as_finding
+from codegen.findings.text import finding_text
+from codegen.load.trees import on_disk
+
+
+def print_review(found: Review, form: str) -> None:
+    """Print the report; for people nothing where nothing changed."""
+    if form == "json":
+        from codegen.diff.as_json import review_json
+
+        print(review_json(found))
+    elif form == "html":
+        from codegen.diff.page import review_page
+
+        print(review_page(found), end="")
+    elif form == "markdown":
+        from codegen.diff.markdown import review_markdown
+
+        print(review_markdown(found), end="")
+    elif form in ("github", "sarif"):
+        from codegen.findings.github import findings_github
+        from codegen.findings.sarif import findings_sarif
+
+        findings = [_in_work_tree(as_finding(group)) for group in found.groups]
+        text = (
+            findings_github(findings, repository_root())
+            if form == "github"
+            else findings_sarif(findings, repository_root())
+        )
+        if text:
+            print(text)
+    else:
+        _print_text(found)
+
+
+def _in_work_tree(finding: Diagnostic) -> Diagnostic:
+    """What is gone is shown at its line in the file as it was: services know only files of the repository."""
+    place = finding.place
+    return replace(finding, place=place._replace(file=on_disk(place.file)))
+
+
+def _print_text(found: Review) -> None:
+    is_coloured = wants_colour(sys.stdout)
+    for group in found.groups:
+        print(finding_text(as_finding(group), is_coloured=is_coloured))
+    print(end="", flush=True)
+    for note in found.notes:
+        print(f"note: {note}", file=sys.stderr)
+    if found.groups:
+        print(f"{found.base} -> {found.head}: {found.head_line}", file=sys.stderr)
+    if found.elsewhere:
+        print(f"{found.elsewhere} more in the dialect do not concern the project (--all shows them)", file=sys.stderr)

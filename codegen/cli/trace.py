@@ -1,0 +1,96 @@
+"""``codegen trace``: from criteria over rows and symbols to tests and their last results; and what was reviewed."""
+
+import argparse
+import sys
+from typing import Any
+
+FORMATS = ("text", "markdown", "html", "needs")
+KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "partly")
+ACCEPT = "accept"
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "trace",
+        parents=[common],
+        help="what answers to each requirement: rows, symbols, tests and their results",
+        usage="codegen trace [ID ...] [--results FILE] [--format FORMAT] [--out FILE] [--fail-on KINDS]\n"
+        "       codegen trace accept ID ... | --all  --reason TEXT [--by NAME]",
+        description="Follow each criterion of the requirement documents over the rows of the tables and the generated "
+        "symbols to the tests and their last results. accept notes that the rows and tests of a criterion were "
+        "reviewed with its text as it is now.",
+    )
+    parser.add_argument("names", metavar="ID", nargs="*", help="only these: FR-00068 or FR-00068.3 (default: all)")
+    parser.add_argument(
+        "--results",
+        metavar="FILE",
+        action="append",
+        help="results of tests in JUnit's format, as pytest --junit-xml=FILE writes them; may be repeated",
+    )
+    parser.add_argument("--format", choices=FORMATS, default="text", help="needs: needs.json of sphinx-needs")
+    parser.add_argument("--out", metavar="FILE", help="where the report goes (default: stdout)")
+    parser.add_argument(
+        "--fail-on",
+        metavar="KINDS",
+        type=_kinds,
+        default=("uncovered", "orphaned", "suspect"),
+        help=f"what makes the exit code 1, separated by commas, of {', '.join(KINDS)}; or none "
+        "(default: uncovered,orphaned,suspect)",
+    )
+    parser.add_argument("--reason", metavar="TEXT", help="with accept: what was looked at, or why the links still hold")
+    parser.add_argument("--by", metavar="NAME", help="with accept: who looked")
+    parser.add_argument("--all", action="store_true", help="with accept: every criterion that is not the reviewed one")
+    parser.set_defaults(run=run)
+
+
+def _kinds(text: str) -> tuple[str, ...]:
+    names = tuple(name for name in text.split(",") if name not in ("", "none"))
+    unknown = [name for name in names if name not in KINDS]
+    if unknown:
+        raise argparse.ArgumentTypeError(f"{unknown[0]} is none of {', '.join(KINDS)}, none")
+    return names
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print the trace, or note what was reviewed, and return the exit code."""
+    is_accept = arguments.names[:1] == [ACCEPT]
+    fault = _nonsense(arguments, is_accept)
+    if fault:
+        print(f"codegen trace: {fault}", file=sys.stderr)
+        return 2
+    from codegen.cli.findings import print_findings
+    from codegen.cli.project import project_file, report_no_project
+    from codegen.diagnostics import Report
+
+    project = project_file(arguments)
+    if project is None:
+        return report_no_project()
+    from codegen import pipeline
+
+    reading = Report()
+    systems = pipeline.read_systems(project, reading)
+    if not systems or reading.has_errors:
+        print_findings(reading)
+        return reading.exit_code or 2
+    if is_accept:
+        from codegen.cli.trace_accept import accept
+
+        return accept(arguments, project, systems)
+    from codegen.cli.trace_report import report_trace
+
+    return report_trace(arguments, project, systems)
+
+
+def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
+    """What is wrong with how the options are used together, or nothing."""
+    if not is_accept:
+        given = [name for name in ("reason", "by", "all") if getattr(arguments, name)]
+        return f"--{given[0]} belongs to codegen trace accept" if given else ""
+    if arguments.results or arguments.out or arguments.format != "text":
+        return "accept takes neither --results nor --format nor --out"
+    if not (arguments.reason or "").strip():
+        return 'accept needs --reason "...": what was looked at, or why the links still hold'
+    if arguments.all == bool(arguments.names[1:]):
+        return "accept takes either ids or --all"
+    return ""

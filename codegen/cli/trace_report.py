@@ -1,0 +1,94 @@
+"""The report of ``codegen trace``."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from codegen import pipeline
+from codegen.cli.findings import print_findings
+from codegen.decode.junit import decode_junit
+from codegen.diagnostics import Report, did_you_mean
+from codegen.emit.file import write_file
+from codegen.model.system import System
+from codegen.model.test_record import TestResult
+from codegen.source import Place, shown_path
+from codegen.trace.coverage import coverage_of
+from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
+from codegen.trace.graph import Trace
+from codegen.trace.lock import gone, reviews
+from codegen.trace.needs import needs_json
+from codegen.trace.page import trace_markdown, trace_report
+from codegen.trace.results import Results, results_of, unrelated, with_links_of
+from codegen.trace.text import summary_text, tree_text
+from codegen.trace.view import TraceView, only, trace_view
+
+
+def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
+    """Print or write the report, then the findings where there is room for them; return the exit code."""
+    report = Report()
+    trace = pipeline.read_trace(systems, report)
+    lock = pipeline.read_trace_lock(project, report)
+    results = _results(arguments.results, trace, report)
+    if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
+        print_findings(report)
+        return report.exit_code
+    if results is not None:
+        trace = with_links_of(trace, results)
+    chosen = chosen_names(arguments.names, trace)
+    if chosen is None:
+        return 2
+    coverage = coverage_of(trace, reviews(trace, lock), results)
+    about = chosen if arguments.names else None
+    report.extend(trace_findings(trace, coverage, gone(trace, lock), arguments.fail_on, about))
+    files = None if arguments.results is None else [shown_path(path) for path in arguments.results]
+    folder = pipeline.project_folder(systems)
+    view = trace_view(systems[0].spec.project.project, folder, trace, coverage, report, files)
+    text = _text(arguments.format, view if about is None else only(view, about), is_tree=about is not None)
+    if arguments.out is None:
+        print(text, end="")
+    else:
+        written = Report()
+        if not write_file(arguments.out, text, written):
+            print_findings(written)
+            return written.exit_code
+    if arguments.format == "text" or arguments.out is not None:
+        print_findings(report)
+    return report.exit_code
+
+
+def _text(form: str, view: TraceView, *, is_tree: bool) -> str:
+    if form == "needs":
+        return needs_json(view)
+    if form == "html":
+        return trace_report(view)
+    if form == "markdown":
+        return trace_markdown(view)
+    return tree_text(view) if is_tree else summary_text(view)
+
+
+def chosen_names(names: Sequence[str], trace: Trace) -> set[str] | None:
+    """The criteria that are meant, of a document all of them; None, after saying so, where there is no such thing."""
+    if not names:
+        return set(trace.criteria)
+    chosen: set[str] = set()
+    for name in names:
+        called = trace.called(name)
+        if called is None:
+            hint = did_you_mean(name, [*trace.names, *trace.criteria])
+            print(f"codegen trace: no document has {name}{f'; {hint}' if hint else ''}", file=sys.stderr)
+            return None
+        chosen |= {one for one in trace.criteria if one == called or one.startswith(f"{called}.")}
+    return chosen
+
+
+def _results(files: Sequence[str] | None, trace: Trace, report: Report) -> Results | None:
+    """The results of all files; one that cannot be read leaves a finding and says nothing."""
+    if files is None:
+        return None
+    found: list[TestResult] = []
+    for path in files:
+        decoded = decode_junit(path, report)
+        if decoded is not None and unrelated(decoded, trace):
+            report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
+        found += decoded or ()
+    return results_of(found, trace.tests)

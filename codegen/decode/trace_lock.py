@@ -1,0 +1,25 @@
+"""The lock file of the trace into its record."""
+
+from codegen.decode.record import decode_record
+from codegen.diagnostics import Report
+from codegen.load.text import decode_text, read_bytes
+from codegen.load.trees import exists
+from codegen.load.yaml_tree import parse_yaml
+from codegen.model.trace_lock_spec import TraceLockSpec
+
+TRACE_LOCK = "trace.lock.yaml"
+"""The lock file of a project, beside its project file."""
+
+
+def read_trace_lock_text(path: str, report: Report) -> str | None:
+    """The text of the lock file; None where there is none, or, after a finding, where it cannot be read."""
+    if not exists(path):
+        return None
+    data = read_bytes(path, report)
+    return None if data is None else decode_text(data, path, report)
+
+
+def decode_trace_lock(text: str, path: str, report: Report) -> TraceLockSpec | None:
+    """What the text of a lock file says; None, after a finding, where it says nothing that can be used."""
+    tree = parse_yaml(text, path, report)
+    return None if tree is None else decode_record(tree, TraceLockSpec, report)

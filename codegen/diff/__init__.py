@@ -1,0 +1,1 @@
+"""What changed between two resolved models, and what that means: see ``change``."""

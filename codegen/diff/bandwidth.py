@@ -1,0 +1,111 @@
+"""What the telemetry takes of the links, before and after: whole frames at the default rates of their streams."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.diff.behaviour_rules import BANDWIDTH
+from codegen.diff.change import Change, changed
+from codegen.model.price import NOTHING, Range, message_price, total
+from codegen.model.program import LinkKind
+from codegen.model.system import PopulatedMessage, System
+from codegen.source import Place
+
+BITS_A_BYTE = 10
+"""On a serial line: a start bit, eight bits, a stop bit."""
+
+
+@dataclass(frozen=True, slots=True)
+class BandwidthRow:
+    """Bytes per second of a message, or of all: None where it is not sent."""
+
+    name: str
+    old: Range | None
+    new: Range | None
+
+
+@dataclass(frozen=True, slots=True)
+class LinkRow:
+    """A serial link, its capacity in bytes per second, and the largest share of it that the telemetry takes, in %."""
+
+    name: str
+    capacity: int
+    share: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Bandwidth:
+    """The messages that are streamed by default in one of the versions, their sum, and the links of the new one."""
+
+    rows: tuple[BandwidthRow, ...]
+    whole: BandwidthRow
+    links: tuple[LinkRow, ...]
+
+    @property
+    def growth(self) -> Fraction | None:
+        """The change of the largest sum in %; None where nothing was sent before."""
+        assert self.whole.old is not None
+        assert self.whole.new is not None
+        before, after = self.whole.old.high, self.whole.new.high
+        return None if not before else (after - before) * 100 / before
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether any message takes another part."""
+        return any(row.old != row.new for row in self.rows)
+
+
+def compare_bandwidth(old: System, new: System) -> Bandwidth:
+    """Both versions side by side."""
+    before, after = _prices(old), _prices(new)
+    rows = tuple(BandwidthRow(name, before.get(name), after.get(name)) for name in dict.fromkeys((*after, *before)))
+    whole = BandwidthRow("all", total(before.values()), total(after.values()))
+    assert whole.new is not None
+    links = []
+    for link in new.links:
+        if link.kind is LinkKind.UART and link.spec.baud:
+            capacity = link.spec.baud // BITS_A_BYTE
+            links.append(LinkRow(link.name, capacity, whole.new.high * 100 / capacity))
+    return Bandwidth(rows, whole, tuple(links))
+
+
+def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fraction) -> Iterator[Change]:
+    """One change where the sum grew or fell by ``threshold`` percent or more."""
+    growth = found.growth
+    if not found.is_changed or (growth is not None and abs(growth) < threshold):
+        return
+    words = [f"{row.name} {row.old or 0} -> {row.new or 0}" for row in found.rows if row.old != row.new]
+    shares = [f"{float(link.share):.1f} % of {link.name}" for link in found.links]
+    effect = "; ".join([f"bytes/s: {', '.join(words)}", *([f"now at most {', '.join(shares)}"] if shares else [])])
+    yield changed(
+        BANDWIDTH,
+        "bandwidth",
+        f"{found.whole.old} bytes/s",
+        f"{found.whole.new} bytes/s{'' if growth is None else f' ({float(growth):+.1f} %)'}",
+        (_streams(old), _streams(new)),
+        effect,
+        messages=[row.name for row in found.rows if row.old != row.new],
+        rows=[row.name for row in found.rows if row.old != row.new],
+    )
+
+
+def _streams(system: System) -> Place:
+    return next((stream.spec.place for stream in system.streams.values()), system.spec.project.place)
+
+
+def _prices(system: System) -> dict[str, Range]:
+    """Bytes per second of what is streamed by default, the chosen generations only."""
+    found = {}
+    for message in system.messages:
+        price = message_price(message, system).whole
+        if price != NOTHING and _is_chosen(message, system):
+            found[message.name] = price
+    return found
+
+
+def _is_chosen(message: PopulatedMessage, system: System) -> bool:
+    return all(
+        message.name in generations.names(generations.default)
+        for generations in system.generations
+        if message.name in (*generations.old, *generations.new)
+    )

@@ -1,0 +1,131 @@
+"""The kinds of change that a specification can go through: what the vehicle sends, keeps, is told and answers."""
+
+from codegen.diagnostics import Severity
+from codegen.diff.change import BOTH, Area, ChangeRule, Notice, Victim
+
+
+def _silent(name: str, explanation: str, *breaks: Victim) -> ChangeRule:
+    """The bytes of a message mean something else, or say it otherwise, and nothing tells."""
+    severity = Severity.ERROR if breaks else Severity.WARNING
+    return ChangeRule(name, explanation, severity, area=Area.BEHAVIOUR, notice=Notice.SILENT, breaks=breaks)
+
+
+def _inside(name: str, explanation: str, *breaks: Victim) -> ChangeRule:
+    """The vehicle behaves otherwise."""
+    severity = Severity.ERROR if breaks else Severity.WARNING
+    return ChangeRule(name, explanation, severity, area=Area.BEHAVIOUR, breaks=breaks)
+
+
+MESSAGE_SENT = _inside("message-sent", "The vehicle sends a message that it did not send before.")
+MESSAGE_NOT_SENT = _inside(
+    "message-no-longer-sent",
+    "The vehicle sends a message no more: who shows or records it gets nothing.",
+    Victim.OLD_STATION,
+)
+MESSAGE_STREAM = _inside(
+    "message-schedule-changed",
+    "A message belongs to another stream, or is sent on other occasions: on request, on connection, on a change.",
+)
+MESSAGE_INSTANCES = _silent(
+    "message-instances-changed",
+    "A message is sent for other instances of a component, or a single message reports another one of them.",
+)
+SOURCE = _silent(
+    "population-source-changed",
+    "A field takes its value from somewhere else: another quantity, a parameter, a fact of the board, a constant.",
+)
+CONSTANT = _silent("population-constant-changed", "A field that always has the same value has another one.")
+CONVERSION = _silent(
+    "population-conversion-changed",
+    "The factor or the rounding between the value that is kept and the number on the wire has changed.",
+)
+LIMITS = _silent(
+    "population-limits-changed",
+    "A field is limited to another range, or steps aside from another value so that no measurement reads as unknown.",
+)
+UNKNOWN = _silent(
+    "population-unknown-changed",
+    "What goes out while the value is unknown has changed. Receivers that know the other number take it for a "
+    "measurement.",
+    *BOTH,
+)
+FLAGS = _silent("population-flags-changed", "Other bits of a field are set, or under other conditions.")
+
+PARAMETER_ADDED = _inside(
+    "parameter-added", "A parameter is new: ground stations list it, and stored parameters of before do not have it."
+)
+PARAMETER_REMOVED = _inside(
+    "parameter-removed",
+    "A parameter is gone: files of parameters and scripts that set it get no answer, and stored values are dropped.",
+    Victim.OLD_STATION,
+)
+PARAMETER_DEFAULT = _inside(
+    "parameter-default-changed", "The value of a parameter on a new board, and after damaged storage, has changed."
+)
+PARAMETER_RANGE = _inside(
+    "parameter-range-changed", "Other values of a parameter are accepted; stored ones outside become the default."
+)
+PARAMETER_UNIT = _inside(
+    "parameter-unit-changed",
+    "A parameter is in another unit. Ground stations and files of parameters go on with the old numbers.",
+    *BOTH,
+)
+PARAMETER_TYPE = _inside(
+    "parameter-type-changed",
+    "PARAM_VALUE announces another type of a parameter: who took the old one reads other numbers.",
+    *BOTH,
+)
+PARAMETER = _inside(
+    "parameter-changed", "A parameter has other steps, other meanings of its values, or is used at another time."
+)
+
+QUANTITY_ADDED = _inside("quantity-added", "The vehicle state has a quantity more, which code can set or read.")
+QUANTITY_REMOVED = _inside(
+    "quantity-removed", "The vehicle state has a quantity less: code that sets or reads it fails."
+)
+QUANTITY_UNIT = _inside(
+    "quantity-unit-changed",
+    "A quantity is kept or told in another unit: code that sets or reads it goes on with the old.",
+)
+QUANTITY_RANGE = _inside(
+    "quantity-range-changed", "A quantity is limited to another range, or has another number of values."
+)
+QUANTITY_SOURCE = _inside("quantity-source-changed", "A quantity is measured, computed or initialised otherwise.")
+QUANTITY_AGE = _inside(
+    "quantity-trust-changed", "A quantity becomes unknown, or is warned about, under other conditions."
+)
+
+COMPONENT_ADDED = _inside("component-added", "The vehicle state has a component more, such as a second kind of sensor.")
+COMPONENT_REMOVED = _inside(
+    "component-removed", "The vehicle state has a component less: code that sets or reads it fails."
+)
+INSTANCES = _inside(
+    "component-instances-changed", "There are other instances of a component, or other facts about them."
+)
+UPDATE_RATE = _inside("component-rate-changed", "A component is measured at another rate than before.")
+
+STREAM_ADDED = _inside("stream-added", "There is a stream more, at a rate of its own.")
+STREAM_REMOVED = _inside("stream-removed", "There is a stream less: who asks for it gets no answer.")
+STREAM_RATE = _inside(
+    "stream-rate-changed", "A stream is sent at another rate, can be asked for at another, or by other means."
+)
+BANDWIDTH = _inside(
+    "bandwidth-changed",
+    "The telemetry takes more or less of the links at the default rates than the threshold allows "
+    "(codegen diff --bandwidth PERCENT, 5 by default).",
+)
+GENERATIONS = _inside("generations-changed", "Another generation of messages is sent, or is chosen otherwise.")
+
+CHANNEL = _inside(
+    "adc-channel-changed", "An ADC channel has another pin, reference, resolution or number of samples, is new or gone."
+)
+LINK = _inside("link-changed", "A link to ground stations is configured otherwise, is new or gone.")
+IDENTITY = _inside(
+    "identity-changed",
+    "The vehicle sends as another system or component, or in another version of MAVLink: ground stations take it for "
+    "another vehicle, or cannot read it.",
+    *BOTH,
+)
+FAILSAFE = _inside("failsafe-changed", "A failsafe watches, waits or acts otherwise, is new or gone.")
+PROGRAM = _inside("program-changed", "The program on the board runs at other rates, stores or answers otherwise.")
+RECEIVER = _inside("receiver-changed", "The generated receiver reads other messages, or trusts them otherwise.")

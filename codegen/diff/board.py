@@ -1,0 +1,150 @@
+"""What there is to say about the board, its links, the streams on them, and as whom the vehicle speaks."""
+
+from collections.abc import Iterator
+
+from codegen.diff import behaviour_rules as rules
+from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.trace_rules import CITATION, DOC
+from codegen.model.program import BoardLink
+from codegen.model.system import Generations, System
+from codegen.model.vehicle import AdcChannel, Stream
+
+
+def board_subjects(system: System) -> Iterator[Subject]:
+    """Identity, ADC channels, links, streams, generations."""
+    yield _identity(system)
+    yield from (_channel(channel) for channel in system.channels.values())
+    yield from (_link(link) for link in system.links)
+    yield from (_stream(stream) for stream in system.streams.values())
+    yield from (_generations(generations) for generations in system.generations)
+
+
+def _identity(system: System) -> Subject:
+    project = system.spec.project
+    board = system.spec.board
+    facts = (
+        Fact("system id", _number(system.system_id, system.system_parameter), rules.IDENTITY, project.at("system_id")),
+        Fact(
+            "component id",
+            _number(system.component_id, system.component_parameter),
+            rules.IDENTITY,
+            project.at("component_id"),
+        ),
+        Fact("MAVLink", str(project.protocol), rules.IDENTITY, project.at("protocol")),
+        Fact("machine code", "yes" if project.machine_code else "no", rules.PROGRAM, project.at("machine_code")),
+        Fact("board", f"{board.board}, {board.mcu}", rules.PROGRAM, board.at("board")),
+        Fact("name", project.project, DOC, project.at("project")),
+    )
+    name = system.spec.program or "project"
+    return Subject(name, project.project, rules.IDENTITY, rules.IDENTITY, project.place, facts)
+
+
+def _number(number: int, parameter: object) -> str:
+    name = getattr(parameter, "name", None)
+    return f"{number}, default of {name}" if name else str(number)
+
+
+def _channel(channel: AdcChannel) -> Subject:
+    spec = channel.spec
+    pin = f"GPIO of {channel.pin.name}, {channel.gpio} at first" if channel.pin else f"GPIO {channel.gpio}"
+    facts = (
+        Fact("pin", pin, rules.CHANNEL, spec.at("gpio")),
+        Fact("resolution", f"{channel.bits} bits, {channel.full_scale} at full scale", rules.CHANNEL, spec.at("bits")),
+        Fact("reference", amount(channel.reference, "V"), rules.CHANNEL, spec.at("reference")),
+        Fact("samples", str(channel.samples), rules.CHANNEL, spec.at("samples")),
+        Fact("time for a mean", amount(channel.read_limit_us, "us"), rules.CHANNEL, spec.at("read_limit")),
+        Fact("answers to", ", ".join(cited(channel.citation, channel.aspects)), CITATION, spec.at("requirement")),
+    )
+    return Subject(
+        name=f"adc.{channel.name}",
+        says=pin,
+        added=rules.CHANNEL,
+        removed=rules.CHANNEL,
+        place=spec.place,
+        facts=facts,
+        cited=cited(channel.citation, channel.aspects),
+        row=channel.name,
+    )
+
+
+def _link(link: BoardLink) -> Subject:
+    spec = link.spec
+    written = {
+        "uart": spec.uart,
+        "tx": spec.tx,
+        "rx": spec.rx,
+        "baud": spec.baud,
+        "buffer": spec.buffer,
+        "udp": spec.udp,
+        "to": spec.to,
+        "local_port": spec.local_port,
+        "credentials": spec.credentials,
+    }
+    facts = (
+        Fact("over", link.kind.value, rules.LINK, spec.place),
+        *(
+            Fact(name, "" if value is None else str(value), rules.LINK, spec.at(name))
+            for name, value in written.items()
+        ),
+        Fact("tried again after", amount(link.retry_ms, "ms"), rules.LINK, spec.at("retry")),
+        Fact("answers to", str(link.citation or ""), CITATION, spec.at("requirement")),
+    )
+    name, kind = f"link.{link.name}", link.kind.value
+    return Subject(name, kind, rules.LINK, rules.LINK, spec.place, facts, cited(link.citation), row=link.name)
+
+
+def _stream(stream: Stream) -> Subject:
+    spec = stream.spec
+    facts = (
+        Fact("rate", _rate(stream), rules.STREAM_RATE, spec.at("rate" if stream.parameter is None else "parameter")),
+        Fact("fastest", amount(stream.fastest, "Hz"), rules.STREAM_RATE, spec.at("fastest")),
+        Fact(
+            "asked for by",
+            "" if stream.data_stream is None else f"{spec.data_stream} ({stream.data_stream})",
+            rules.STREAM_RATE,
+            spec.at("data_stream"),
+        ),
+        Fact("answers to", str(stream.citation or ""), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    name = f"stream {stream.name}"
+    return Subject(
+        name=name,
+        says=_rate(stream),
+        added=rules.STREAM_ADDED,
+        removed=rules.STREAM_REMOVED,
+        place=spec.place,
+        facts=facts,
+        cited=cited(stream.citation),
+        row=stream.name,
+    )
+
+
+def _rate(stream: Stream) -> str:
+    rate = amount(stream.default_rate, "Hz")
+    return f"{rate}, default of {stream.parameter.name}" if stream.parameter else rate
+
+
+def _generations(generations: Generations) -> Subject:
+    spec = generations.spec
+    parameter = generations.parameter
+    chosen = f"{generations.default.value}, default of {parameter.name}" if parameter else generations.default.value
+    facts = (
+        Fact("old", ", ".join(generations.old), rules.GENERATIONS, spec.at("old")),
+        Fact("new", ", ".join(generations.new), rules.GENERATIONS, spec.at("new")),
+        Fact("sent", chosen, rules.GENERATIONS, spec.at("parameter" if parameter else "send")),
+        Fact("fixed", generations.send.value if generations.send else "", rules.GENERATIONS, spec.at("send")),
+        Fact("answers to", str(generations.citation or ""), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    return Subject(
+        name=f"generations of {generations.component.name}",
+        says=chosen,
+        added=rules.GENERATIONS,
+        removed=rules.GENERATIONS,
+        place=spec.place,
+        facts=facts,
+        cited=cited(generations.citation),
+        messages=(*generations.old, *generations.new),
+        row=generations.component.name,
+    )

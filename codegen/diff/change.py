@@ -1,0 +1,142 @@
+"""A change between two resolved models: what was and what is, who notices, who breaks, and what it reaches."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from codegen.diagnostics import Rule
+from codegen.source import Place
+
+
+class Area(StrEnum):
+    """What a change is about, the gravest first."""
+
+    WIRE = "wire"
+    BEHAVIOUR = "behaviour"
+    TRACE = "trace"
+    DOCUMENTATION = "documentation"
+
+
+class Notice(StrEnum):
+    """Whether a receiver that was built from the other version notices."""
+
+    NOTICED = "noticed: CRC_EXTRA differs, the frame is dropped"
+    UNKNOWN_ID = "noticed: the id is unknown, the frame is passed over"
+    SILENT = "silent on the wire"
+    NONE = ""
+
+
+class Victim(StrEnum):
+    """Who breaks."""
+
+    OLD_STATION = "old ground station with new vehicle"
+    NEW_STATION = "new ground station with old vehicle"
+
+
+BOTH = (Victim.OLD_STATION, Victim.NEW_STATION)
+
+
+@dataclass(frozen=True, slots=True)
+class ChangeRule(Rule):
+    """A kind of change: its area, and whom it breaks and who notices unless the change itself knows better."""
+
+    area: Area = Area.DOCUMENTATION
+    notice: Notice = Notice.NONE
+    breaks: tuple[Victim, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """What a change touches: ids of requirements and criteria, symbols of the firmware, tests."""
+
+    requirements: tuple[str, ...] = ()
+    symbols: tuple[str, ...] = ()
+    tests: tuple[str, ...] = ()
+
+
+NOWHERE = Reach()
+
+
+def builders_first(symbols: Iterable[str]) -> tuple[str, ...]:
+    """The symbols, first what puts values into messages."""
+    return tuple(sorted(symbols, key=lambda symbol: (": build_" not in symbol, symbol)))
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One change. ``subject`` is what changed: MESSAGE, MESSAGE.field, ENUM.ENTRY, component.quantity, PARAMETER, id.
+
+    ``old`` and ``new`` are values as people write them, None where there is none; ``effect`` says in a sentence what
+    comes of it. ``place`` is in the new version, or in the old one if it is gone there; ``was_at`` is in the old one
+    otherwise. ``messages`` are the names of the messages that are concerned, of the old or the new version; ``enum``
+    and ``entry`` are set where the change is one of an enum. ``rows`` are the names by which the trace knows what is
+    touched.
+    """
+
+    rule: ChangeRule
+    subject: str
+    old: str | None
+    new: str | None
+    place: Place
+    was_at: Place | None = None
+    notice: Notice = Notice.NONE
+    breaks: tuple[Victim, ...] = ()
+    effect: str = ""
+    causes: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
+    cited: tuple[str, ...] = ()
+    enum: str | None = None
+    entry: str | None = None
+    rows: tuple[str, ...] = ()
+    reach: Reach = NOWHERE
+
+    @property
+    def has_moved(self) -> bool:
+        """Whether it stood at another line before."""
+        return self.was_at is not None and self.was_at[1:] != self.place[1:]
+
+    @property
+    def is_breaking(self) -> bool:
+        """Whether somebody breaks who was not changed as well."""
+        return bool(self.breaks)
+
+    @property
+    def is_silent(self) -> bool:
+        """Whether bytes are believed that mean something else: the dangerous kind."""
+        return self.is_breaking and self.notice is Notice.SILENT
+
+
+def changed(
+    rule: ChangeRule,
+    subject: str,
+    old: str | None,
+    new: str | None,
+    places: tuple[Place | None, Place | None],
+    effect: str = "",
+    *,
+    notice: Notice | None = None,
+    breaks: tuple[Victim, ...] | None = None,
+    causes: Iterable[str] = (),
+    messages: Iterable[str] = (),
+    cited: Iterable[str] = (),
+    rows: Iterable[str] | None = None,
+) -> Change:
+    """A change with what its rule says of it; ``places`` are the old and the new one, one of them at least."""
+    was_at, place = places
+    found = place or was_at
+    assert found is not None
+    return Change(
+        rule=rule,
+        subject=subject,
+        old=old,
+        new=new,
+        place=found,
+        was_at=was_at if place is not None else None,
+        notice=rule.notice if notice is None else notice,
+        breaks=rule.breaks if breaks is None else breaks,
+        effect=effect,
+        causes=tuple(causes),
+        messages=tuple(messages),
+        cited=tuple(cited),
+        rows=(subject,) if rows is None else tuple(rows),
+    )

@@ -1,0 +1,134 @@
+"""Changes as reports show them: those that say the same about several things are one line."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from codegen.diff.change import Area, Change, Notice, Reach, builders_first
+from codegen.fingerprint import fingerprint
+
+AREAS = tuple(Area)
+MOST_NAMES = 4
+_LONG = 70
+_AROUND = 30
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Changes of one rule that say the same, of one message or enum; ``first`` stands for all of them.
+
+    ``waived`` says who waived them, why and until when: then they count no more.
+    """
+
+    changes: tuple[Change, ...]
+    waived: str | None = None
+
+    @property
+    def first(self) -> Change:
+        """The first of them."""
+        return self.changes[0]
+
+    @property
+    def subject(self) -> str:
+        """``RC_CHANNELS.chan1_raw``, or ``RC_CHANNELS: chan1_raw, chan2_raw, chan3_raw and 9 more``."""
+        if len(self.changes) == 1:
+            return self.first.subject
+        whole = self.first.subject.rpartition(".")[0]
+        names = [change.subject.removeprefix(f"{whole}.") for change in self.changes]
+        more = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
+        return f"{whole}: {', '.join(names[:MOST_NAMES])}{more}"
+
+    @property
+    def reach(self) -> Reach:
+        """What any of them touches."""
+        reaches = [change.reach for change in self.changes]
+        return Reach(
+            requirements=_all(reach.requirements for reach in reaches),
+            symbols=builders_first(_all(reach.symbols for reach in reaches)),
+            tests=_all(reach.tests for reach in reaches),
+        )
+
+    @property
+    def fingerprint(self) -> str:
+        """What a waiver of them names: the same in another run as long as they say the same."""
+        change = self.first
+        said = f"{' '.join(each.subject for each in self.changes)}: {change.old} -> {change.new}"
+        return fingerprint(change.rule.id, change.place.file, said)
+
+
+def _all(several: Iterable[Sequence[str]]) -> tuple[str, ...]:
+    return tuple(sorted({one for each in several for one in each}))
+
+
+def grouped(changes: Iterable[Change]) -> list[Group]:
+    """The groups, the gravest area first, within it what breaks somebody and nobody notices; then as found."""
+    found: dict[object, list[Change]] = {}
+    for change in changes:
+        found.setdefault(_key(change), []).append(change)
+    return sorted((Group(tuple(each)) for each in found.values()), key=_gravity)
+
+
+def _key(change: Change) -> object:
+    whole, dot, _ = change.subject.rpartition(".")
+    if not dot or change.rule.area is Area.TRACE:
+        return change.subject, change.rule.id, change.old, change.new
+    said = change.old, change.new, change.effect, change.notice, change.breaks
+    return whole, change.rule.id, *said, change.place.file
+
+
+def _gravity(group: Group) -> tuple[int, int]:
+    change = group.first
+    rank = 2
+    if change.is_silent:
+        rank = 0
+    elif change.is_breaking:
+        rank = 1
+    return AREAS.index(change.rule.area), rank
+
+
+def counted(groups: Sequence[Group]) -> str:
+    """``7 changes, 2 of which break somebody silently``: the head line of every report. Waived ones are told apart."""
+    changes = [change for group in groups if group.waived is None for change in group.changes]
+    waived = sum(len(group.changes) for group in groups if group.waived is not None)
+    silent = sum(change.is_silent for change in changes)
+    noticed = sum(change.is_breaking and not change.is_silent for change in changes)
+    told = [
+        f"{silent} {'breaks' if silent == 1 else 'break'} somebody silently" if silent else "",
+        f"{noticed} {'breaks' if noticed == 1 else 'break'} somebody who notices" if noticed else "",
+        f"{waived} waived" if waived else "",
+    ]
+    words = [word for word in told if word]
+    if not silent and not noticed:
+        words.insert(0, "none of them breaks anybody")
+    return f"{len(changes)} {'change' if len(changes) == 1 else 'changes'}: {', '.join(words)}"
+
+
+def notice_text(change: Change) -> str:
+    """Whether the other side notices, as reports say it; empty where nothing of it is on the wire."""
+    if change.notice is Notice.SILENT and not change.is_breaking:
+        return "not in CRC_EXTRA"
+    return change.notice.value
+
+
+def difference(old: str | None, new: str | None) -> tuple[str | None, str | None]:
+    """Both texts, of long ones only where they differ and a little around it."""
+    if old is None or new is None or max(len(old), len(new)) <= _LONG:
+        return _shortened(old), _shortened(new)
+    start = 0
+    while start < min(len(old), len(new)) and old[start] == new[start]:
+        start += 1
+    end = 0
+    while end < min(len(old), len(new)) - start and old[-1 - end] == new[-1 - end]:
+        end += 1
+    return _around(old, start, end), _around(new, start, end)
+
+
+def _around(text: str, start: int, end: int) -> str:
+    first, last = max(0, start - _AROUND), min(len(text), len(text) - end + _AROUND)
+    middle = text[first:last]
+    if len(middle) > 4 * _LONG:
+        middle = f"{middle[: 2 * _LONG]} ... {middle[-_LONG:]}"
+    return f"{'...' if first else ''}{middle}{'...' if last < len(text) else ''}"
+
+
+def _shortened(text: str | None) -> str | None:
+    return text if text is None or len(text) <= 4 * _LONG else f"{text[: 4 * _LONG]}..."

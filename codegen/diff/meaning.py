@@ -1,0 +1,126 @@
+"""What the bytes of a field mean, in two versions: units, sentinels, enums, ranges. Nothing of it is in CRC_EXTRA."""
+
+import math
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.diff import wire_rules as rules
+from codegen.diff.change import BOTH, Change, ChangeRule, Victim, changed
+from codegen.diff.pairing import Pair
+from codegen.model.dialect import FieldDefinition, Sentinel, WireField
+from codegen.model.unit import UNITS, decimal
+from codegen.source import Place
+
+_WORD = re.compile(r"-?[\w.]*\w")
+
+_TEXTS: tuple[tuple[str, ChangeRule], ...] = (
+    ("enum", rules.FIELD_ENUM),
+    ("print_format", rules.PRINT_FORMAT),
+    ("description", rules.DESCRIPTION),
+)
+
+
+def meaning_changes(pair: Pair, message: str) -> Iterator[Change]:
+    """What changed in the meaning of a field of ``message``, the gravest first."""
+    old, new = pair.old.definition, pair.new.definition
+
+    def told(
+        rule: ChangeRule,
+        before: str | None,
+        after: str | None,
+        effect: str = "",
+        breaks: tuple[Victim, ...] | None = None,
+        places: tuple[Place, Place] = (old.place, new.place),
+    ) -> Change:
+        subject = f"{message}.{new.name}"
+        return changed(rule, subject, before, after, places, effect, breaks=breaks, messages=(message,))
+
+    if (old.units or None) != (new.units or None):
+        effect = _unit_effect(old.units, new.units)
+        yield told(rules.FIELD_UNITS, old.units or None, new.units or None, effect, None if old.units else ())
+    if not _is_same_sentinel(pair.old.sentinel, pair.new.sentinel):
+        effect, breaks = _sentinel_effect(pair)
+        places = _stated_at(pair.old), _stated_at(pair.new)  # a correction may have stated it
+        yield told(rules.FIELD_SENTINEL, _sentinel(pair.old), _sentinel(pair.new), effect, breaks, places)
+    if _number(old.multiplier) != _number(new.multiplier):
+        yield told(rules.FIELD_MULTIPLIER, old.multiplier, new.multiplier, _factor_effect(old, new))
+    if old.is_bitmask != new.is_bitmask:
+        words = ["bits" if side.is_bitmask else "a number" for side in (old, new)]
+        yield told(rules.FIELD_BITMASK, words[0], words[1])
+    if old.is_instance != new.is_instance:
+        words = ["the instance" if side.is_instance else "a value" for side in (old, new)]
+        yield told(rules.FIELD_INSTANCE, words[0], words[1], "what the messages are about is told apart otherwise")
+    if (_number(old.minimum), _number(old.maximum)) != (_number(new.minimum), _number(new.maximum)):
+        yield told(rules.FIELD_RANGE, _range(old), _range(new))
+    for attribute, rule in _TEXTS:
+        before, after = getattr(old, attribute) or None, getattr(new, attribute) or None
+        if before != after:
+            is_new = rule is rules.FIELD_ENUM and before is None
+            yield told(rule, before, after, "stated for the first time" if is_new else "", () if is_new else None)
+
+
+def _unit_effect(old: str | None, new: str | None) -> str:
+    """By which factor receivers of the other version are wrong, where it is known."""
+    if not old:
+        return "stated for the first time"
+    before, after = UNITS.get(old), UNITS.get(new or "")
+    factor = before.to(after) if before and after else None
+    if factor is None:
+        return "the number is read in another unit"
+    if factor == 1:
+        return "another name of the same unit"
+    word = f"{decimal(factor)} times as large" if factor > 1 else f"{decimal(1 / factor)} times as small"
+    return f"the same value is a number {word}"
+
+
+def _sentinel_effect(pair: Pair) -> tuple[str, tuple[Victim, ...]]:
+    """What comes of another sentinel, and who breaks: nobody where the text has said the same before."""
+    old, new = _sentinel(pair.old), _sentinel(pair.new)
+    if new is None:
+        return f"{old} is a value now; old receivers take it for unknown", (Victim.OLD_STATION,)
+    if old is None and new.strip("[]:") in _WORD.findall(pair.old.definition.description):
+        return "the description said so before", ()
+    if old is None:
+        return f"old receivers take {new} for a measurement", (Victim.OLD_STATION,)
+    return f"old receivers take {new} for a measurement, new ones take {old} for one", BOTH
+
+
+def _factor_effect(old: FieldDefinition, new: FieldDefinition) -> str:
+    before, after = _number(old.multiplier or "1"), _number(new.multiplier or "1")
+    if isinstance(before, Fraction) and isinstance(after, Fraction) and before and after:
+        return f"receivers of the other version are wrong by a factor of {decimal(max(after / before, before / after))}"
+    return "receivers of the other version are wrong by a factor"
+
+
+def _is_same_sentinel(old: Sentinel | None, new: Sentinel | None) -> bool:
+    """Whether the same values mean unknown, however they are written."""
+    if old is None or new is None:
+        return old is new
+    return old.form is new.form and [_value(value) for value in old.values] == [_value(value) for value in new.values]
+
+
+def _value(value: int | float | None) -> str:
+    return "NaN" if isinstance(value, float) and math.isnan(value) else str(value)
+
+
+def _stated_at(field: WireField) -> Place:
+    return field.sentinel.place if field.sentinel else field.definition.place
+
+
+def _sentinel(field: WireField) -> str | None:
+    return None if field.sentinel is None else field.sentinel.written
+
+
+def _number(text: str | None) -> Fraction | str | None:
+    """The number that a text stands for, so that 0.01 is 1E-2; the text itself where it is none."""
+    try:
+        return None if text is None else Fraction(text.strip())
+    except (ValueError, ZeroDivisionError):
+        return text
+
+
+def _range(definition: FieldDefinition) -> str | None:
+    if definition.minimum is None and definition.maximum is None:
+        return None
+    return f"{definition.minimum or ''}..{definition.maximum or ''}"

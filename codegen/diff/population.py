@@ -1,0 +1,162 @@
+"""Changes of what messages are populated with, element by element."""
+
+from collections.abc import Iterator
+from itertools import groupby
+
+from codegen.diff import behaviour_rules as rules
+from codegen.diff.binding_facts import binding_facts
+from codegen.diff.change import Change, changed
+from codegen.diff.subject import Fact, Subject, cited, subject_changes
+from codegen.diff.trace_rules import CITATION, DOC
+from codegen.model.system import PopulatedMessage, Representation, System
+from codegen.model.unit import decimal
+
+_ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rules.FLAGS)}
+"""What follows from another source is told with it."""
+
+
+def population_changes(old: System, new: System) -> Iterator[Change]:
+    """Messages that are sent or no longer, how they are scheduled, and what each element of them carries."""
+    yield from subject_changes(map(_message, old.messages), map(_message, new.messages))
+    before = {message.name: message for message in old.messages}
+    for message in new.messages:
+        if message.name in before:
+            yield from _elements(before[message.name], message)
+
+
+def _message(message: PopulatedMessage) -> Subject:
+    spec = message.population
+    stream = message.stream.name if message.stream else "on request"
+    facts = [
+        Fact("stream", stream, rules.MESSAGE_STREAM, spec.at("stream")),
+        Fact(
+            "sent on connection", "yes" if message.on_connection else "", rules.MESSAGE_STREAM, spec.at("on_connection")
+        ),
+        Fact(
+            "sent on a change of",
+            message.on_change.path if message.on_change else "",
+            rules.MESSAGE_STREAM,
+            spec.at("on_change"),
+        ),
+        Fact("pages", str(message.pages) if message.pages > 1 else "", rules.MESSAGE_STREAM, spec.at("pages")),
+        Fact(
+            "sent for each",
+            message.component.name if message.component else "",
+            rules.MESSAGE_INSTANCES,
+            spec.at("for_each"),
+        ),
+        *(
+            Fact(f"{name} it is about:", _policy(choice), rules.MESSAGE_INSTANCES, spec.at(f"represents.{name}"))
+            for name, choice in message.represents.items()
+        ),
+        Fact("answers to", str(message.citation), CITATION, spec.at("requirement")),
+    ]
+    rate = f"{decimal(message.stream.default_rate)} Hz" if message.stream else "on request"
+    each = f" for each {message.component.name}" if message.component else ""
+    return Subject(
+        name=message.name,
+        says=f"{rate}{each}",
+        added=rules.MESSAGE_SENT,
+        removed=rules.MESSAGE_NOT_SENT,
+        place=spec.at("message"),
+        facts=tuple(facts),
+        cited=cited(message.citation),
+        messages=(message.name,),
+    )
+
+
+def _policy(choice: Representation) -> str:
+    words = {
+        "first": "the first",
+        "parameter": f"the one of {choice.parameter.name}" if choice.parameter else "",
+        "lowest": f"the one with the lowest {choice.quantity.name}" if choice.quantity else "",
+    }
+    return words[choice.policy.value]
+
+
+def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
+    """Changes of single elements; neighbours that change alike are told as one."""
+    before, after = _facts(old), _facts(new)
+    fields: dict[str, list[tuple[int, list[Change]]]] = {}
+    for (field, index), known in before.items():
+        if (field, index) in after:
+            found = list(subject_changes((known,), (after[field, index],), _ABSORBING))
+            fields.setdefault(field, []).append((index, [change for change in found if _is_told(change)]))
+    wires = old.wire, new.wire
+    for element, subject in {**before, **after}.items():
+        sides = before.get(element), after.get(element)
+        # A field that only one dialect has is told by the change of the dialect, with what it is populated from now.
+        if None not in sides or (sides[1] is None and wires[1].field(element[0]) is None):
+            continue
+        texts = [_told(side) if side else None for side in sides]
+        places = tuple(side.place if side else None for side in sides)
+        whole = changed(
+            rules.SOURCE,
+            subject.name,
+            texts[0],
+            texts[1],
+            (places[0], places[1]),
+            cited=subject.cited,
+            messages=(new.name,),
+        )
+        fields.setdefault(element[0], []).append((element[1], [whole]))
+    for field, elements in fields.items():
+        count = sum(name == field for name, _ in {**before, **after})
+        yield from _joined(f"{new.name}.{field}", sorted(elements, key=lambda element: element[0]), count)
+
+
+def _told(subject: Subject) -> str:
+    return "; ".join(f"{fact.attribute} {fact.text}" for fact in subject.facts if fact.text)
+
+
+def _is_told(change: Change) -> bool:
+    """An unknown that goes out where there was none, or no more, is told by the source that came or went."""
+    return change.rule is not rules.UNKNOWN or (change.old is not None and change.new is not None)
+
+
+def _joined(name: str, elements: list[tuple[int, list[Change]]], count: int) -> Iterator[Change]:
+    for _, run in groupby(elements, key=lambda element: [_said(change) for change in element[1]]):
+        members = list(run)
+        first, last = members[0][0], members[-1][0]
+        label = name if len(members) == count else f"{name}[{first}]" if first == last else f"{name}[{first}..{last}]"
+        for change in members[0][1]:
+            yield changed(
+                change.rule,
+                label,
+                change.old,
+                change.new,
+                (change.was_at, change.place),
+                change.effect,
+                cited=change.cited,
+                messages=change.messages,
+                rows=(name,),
+            )
+
+
+def _said(change: Change) -> tuple[object, ...]:
+    return change.rule.id, change.old, change.new, change.place, change.was_at
+
+
+def _facts(message: PopulatedMessage) -> dict[tuple[str, int], Subject]:
+    """What is known of each element, by the name of its field and its number from 0."""
+    found = {}
+    for binding in message.bindings:
+        covers = binding.covers
+        place = covers.answer.place
+        note = covers.answer.note or ""
+        for index in range(covers.first, covers.first + covers.count):
+            facts = [Fact(fact.attribute, fact.text, fact.rule, place) for fact in binding_facts(binding, index)]
+            own = "" if covers.citation == message.citation else str(covers.citation)
+            facts.append(Fact("answers to", own, CITATION, covers.answer.at("requirement")))
+            facts.append(Fact("note", note, DOC, covers.answer.at("note")))
+            found[covers.field.name, index] = Subject(
+                name=f"{message.name}.{covers.field.name}",
+                says=covers.label,
+                added=rules.SOURCE,
+                removed=rules.SOURCE,
+                place=place,
+                facts=tuple(facts),
+                cited=cited(covers.citation, message.citation),
+                messages=(message.name,),
+            )
+    return found

@@ -1,0 +1,102 @@
+"""What there is to say about the program on the board and about the receiver."""
+
+from collections.abc import Iterator
+
+from codegen.diff import behaviour_rules as rules
+from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.trace_rules import CITATION, DOC
+from codegen.model.program import Failsafe, Program
+from codegen.model.receiver import Receiver
+from codegen.model.system import System
+
+
+def program_subjects(system: System) -> Iterator[Subject]:
+    """The program, its failsafes and what they do, and the receiver, as far as there are any."""
+    if system.program is not None:
+        yield _program(system.program)
+        yield from (_failsafe(failsafe) for failsafe in system.program.failsafes)
+        for action in system.program.actions:
+            mode = "" if action.mode is None else str(action.mode)
+            facts = (
+                Fact("call", action.call, rules.FAILSAFE, action.at("call")),
+                Fact("mode", mode, rules.FAILSAFE, action.at("mode")),
+                Fact("disarms", "yes" if action.disarm else "", rules.FAILSAFE, action.at("disarm")),
+                Fact("doc", action.doc, DOC, action.at("doc")),
+            )
+            name = f"failsafe action {action.value}"
+            yield Subject(name, action.call, rules.FAILSAFE, rules.FAILSAFE, action.place, facts)
+    if system.receiver is not None:
+        yield _receiver(system.receiver)
+
+
+def _program(program: Program) -> Subject:
+    spec = program.spec
+    arming = "" if spec.arming is None else str(spec.arming.force)
+    services = spec.services
+    texts = (
+        ("control slot every", amount(program.control_us, "us"), spec.control.at("rate")),
+        ("links served every", amount(program.links_us, "us"), spec.control.at("links")),
+        ("missed slots reported every", amount(program.report_ms, "ms"), spec.control.at("report_every")),
+        ("step of a save takes at most", amount(program.step_limit_us, "us"), spec.storage.at("step_limit")),
+        ("parameters stored in", f"{', '.join(spec.storage.files)} by {spec.storage.chunk} bytes", spec.storage.place),
+        ("armed past the checks by", arming, spec.at("arming")),
+        ("fastest without a stream:", amount(program.fastest, "Hz"), services.at("fastest")),
+        ("ground station gone after", amount(program.silence_ms, "ms"), services.at("silence")),
+        ("own code:", f"{program.module}.{program.class_name}", spec.at("code")),
+        ("own code measures every", amount(program.measure_us, "us"), spec.at("code")),
+        ("receives", ", ".join(message.name for message in program.services), spec.place),
+        ("answers with", ", ".join(program.sent), spec.place),
+        ("constants", ", ".join(f"{name} {value}" for name, value in sorted(program.constants.items())), spec.place),
+    )
+    citations = ", ".join(f"{name} {citation}" for name, citation in sorted(program.cited.items()))
+    facts = (
+        *(Fact(name, text, rules.PROGRAM, place) for name, text, place in texts),
+        Fact("answers to", citations, CITATION, spec.place),
+    )
+    says = f"control at {amount(program.control_us, 'us')}"
+    return Subject("program", says, rules.PROGRAM, rules.PROGRAM, spec.place, facts, cited(program.cited))
+
+
+def _failsafe(failsafe: Failsafe) -> Subject:
+    spec = failsafe.spec
+    named = (
+        ("quantity", failsafe.quantity.path, "quantity"),
+        ("delay", failsafe.after.name, "after"),
+        ("least to arm", failsafe.minimum_to_arm.name if failsafe.minimum_to_arm else "", "minimum_to_arm"),
+        ("health in", failsafe.health.path if failsafe.health else "", "health"),
+        ("level in", failsafe.level.path if failsafe.level else "", "level"),
+        ("health told every", amount(failsafe.health_every_ms, "ms"), "health_every"),
+        ("used", failsafe.used.path if failsafe.used else "", "used"),
+    )
+    levels = (("low", failsafe.low, spec.low), ("critical", failsafe.critical, spec.critical))
+    facts = [Fact(name, text, rules.FAILSAFE, spec.at(key)) for name, text, key in named]
+    for name, level, written in levels:
+        facts.append(Fact(f"{name} below", level.below.name, rules.FAILSAFE, written.at("below")))
+        facts.append(Fact(f"{name} does", level.action.name, rules.FAILSAFE, written.at("action")))
+        facts.append(Fact(f"{name} answers to", str(level.citation or ""), CITATION, written.at("requirement")))
+    facts.append(Fact("answers to", str(failsafe.citation), CITATION, spec.at("requirement")))
+    return Subject(
+        name=f"failsafe of {failsafe.component.name}",
+        says=failsafe.quantity.path,
+        added=rules.FAILSAFE,
+        removed=rules.FAILSAFE,
+        place=spec.place,
+        facts=tuple(facts),
+        cited=cited(failsafe.citation, failsafe.low.citation, failsafe.critical.citation),
+        row=failsafe.component.name,
+    )
+
+
+def _receiver(receiver: Receiver) -> Subject:
+    spec = receiver.spec
+    names = tuple(message.name for message in receiver.messages)
+    facts = (
+        Fact("component", receiver.component.name, rules.RECEIVER, spec.at("component")),
+        Fact("reads", ", ".join(names), rules.RECEIVER, spec.place),
+        Fact("stale after", amount(receiver.stale_after_ms, "ms"), rules.RECEIVER, spec.at("stale_after")),
+        Fact("current averaged over", amount(receiver.rate_over_ms, "ms"), rules.RECEIVER, spec.at("rate_over")),
+        Fact("answers to", str(receiver.citation or ""), CITATION, spec.at("requirement")),
+    )
+    says = f"of {receiver.component.name}"
+    citation = cited(receiver.citation)
+    return Subject("receiver", says, rules.RECEIVER, rules.RECEIVER, spec.place, facts, citation, names)

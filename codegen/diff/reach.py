@@ -1,0 +1,82 @@
+"""What a change touches beyond itself: requirements, symbols of the firmware, tests, in either version."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from codegen.diff.change import Area, Change, Reach, builders_first
+from codegen.model.system import LiveBinding, System, read_quantities
+from codegen.model.vehicle import Parameter
+from codegen.trace.graph import Trace, reached
+
+
+@dataclass(frozen=True, slots=True)
+class Traces:
+    """The traces of both versions, and the fields of messages that quantities and parameters are sent in, by name."""
+
+    old: Trace
+    new: Trace
+    sent_in: Mapping[str, tuple[str, ...]]
+
+
+def traces(old: Trace, new: Trace, systems: Iterable[System]) -> Traces:
+    """What reach is looked up in; ``systems`` are those of both versions."""
+    sent_in: dict[str, dict[str, None]] = {}
+    for system in systems:
+        for message in system.messages:
+            for binding in message.bindings:
+                field = f"{message.name}.{binding.covers.field.name}"
+                for quantity in read_quantities(binding):
+                    sent_in.setdefault(quantity.path, {})[field] = None
+                if isinstance(binding, LiveBinding) and isinstance(binding.source, Parameter):
+                    sent_in.setdefault(binding.source.name, {})[field] = None
+            if message.stream is not None:
+                sent_in.setdefault(message.stream.name, {})[message.name] = None
+    return Traces(old, new, {name: tuple(fields) for name, fields in sent_in.items()})
+
+
+def with_reach(changes: Iterable[Change], found: Traces) -> tuple[Change, ...]:
+    """The changes with what each of them touches."""
+    known: dict[str, Reach] = {}
+    return tuple(replace(change, reach=_reach(change, found, known)) for change in changes)
+
+
+def _reach(change: Change, found: Traces, known: dict[str, Reach]) -> Reach:
+    names = list(dict.fromkeys(change.rows))
+    names += [field for name in names for field in found.sent_in.get(name, ()) if field not in names]
+    parts = [_of_row(name, found, known) for name in names]
+    if change.rule.area is Area.TRACE:
+        parts += [_of_criterion(name, found, known) for name in change.cited]
+    symbols = _sorted(*(part.symbols for part in parts))
+    return Reach(
+        requirements=_sorted(change.cited, *(part.requirements for part in parts)),
+        symbols=builders_first(symbols),
+        tests=_sorted(*(part.tests for part in parts)),
+    )
+
+
+def _sorted(*several: Sequence[str]) -> tuple[str, ...]:
+    return tuple(sorted({one for each in several for one in each}))
+
+
+def _of_row(name: str, found: Traces, known: dict[str, Reach]) -> Reach:
+    if name not in known:
+        sides = [reached(trace, name) for trace in (found.old, found.new)]
+        known[name] = Reach(
+            requirements=_sorted(*(side.criteria for side in sides)),
+            symbols=_sorted(*(tuple(map(str, side.symbols)) for side in sides)),
+            tests=_sorted(*(tuple(test.name for test in side.tests) for side in sides)),
+        )
+    return known[name]
+
+
+def _of_criterion(name: str, found: Traces, known: dict[str, Reach]) -> Reach:
+    """What answers to a criterion and shows it, whoever cites it."""
+    key = f"criterion {name}"
+    if key not in known:
+        rows = [row for trace in (found.old, found.new) for row in trace.rows_of.get(name, ())]
+        tests = [test for trace in (found.old, found.new) for test in trace.tests_of.get(name, ())]
+        known[key] = Reach(
+            symbols=_sorted(tuple(str(symbol) for row in rows for symbol in row.symbols)),
+            tests=_sorted(tuple(test.name for test in tests)),
+        )
+    return known[key]

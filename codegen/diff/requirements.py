@@ -1,0 +1,81 @@
+"""Changes of requirement documents, and of what answers to their criteria."""
+
+from collections.abc import Iterable, Iterator
+
+from codegen.diff import trace_rules as rules
+from codegen.diff.change import Change, changed
+from codegen.diff.subject import Fact, Subject, subject_changes
+from codegen.model.spec import Requirement
+from codegen.model.system import System
+from codegen.source import Place
+
+
+def requirement_changes(old: System, new: System) -> Iterator[Change]:
+    """What documents say, in the order of their ids; what they say outside their criteria last."""
+    before, after = ({each.id: each for each in side.requirements.values()} for side in (old, new))
+    subjects = [[_document(each) for _, each in sorted(side.items())] for side in (before, after)]
+    yield from subject_changes(subjects[0], subjects[1])
+    for name in sorted(before.keys() & after.keys()):
+        yield from _criteria(before[name], after[name])
+    for name in sorted(before.keys() & after.keys()):
+        yield from _prose(before[name], after[name], old, new)
+
+
+def _document(requirement: Requirement) -> Subject:
+    facts = (
+        Fact("title", requirement.title, rules.REQUIREMENT_TEXT, requirement.at("id")),
+        Fact("status", requirement.status, rules.REQUIREMENT_STATUS, requirement.at("status")),
+        Fact("aliases", ", ".join(requirement.aliases), rules.REQUIREMENT_STATUS, requirement.at("aliases")),
+        Fact("links", ", ".join(requirement.links), rules.REQUIREMENT_STATUS, requirement.place),
+    )
+    return Subject(
+        name=requirement.id,
+        says=requirement.title,
+        added=rules.REQUIREMENT_ADDED,
+        removed=rules.REQUIREMENT_REMOVED,
+        place=requirement.place,
+        facts=facts,
+        cited=(requirement.id,),
+    )
+
+
+def _criteria(old: Requirement, new: Requirement) -> Iterator[Change]:
+    before, after = ({each.number: each for each in side.criteria} for side in (old, new))
+    for number in sorted(before.keys() | after.keys()):
+        known, criterion = before.get(number), after.get(number)
+        places = known.place if known else None, criterion.place if criterion else None
+        texts = [side.text if side else None for side in (known, criterion)]
+        rule = rules.REQUIREMENT_TEXT
+        if known is None:
+            rule = rules.CRITERION_ADDED
+        elif criterion is None:
+            rule = rules.CRITERION_REMOVED
+        if texts[0] != texts[1]:
+            name = f"{new.id}.{number}"
+            yield changed(rule, name, texts[0], texts[1], places, cited=(name,))
+
+
+def _prose(old: Requirement, new: Requirement, before: System, after: System) -> Iterator[Change]:
+    """Whether a document differs in what the model does not hold: its rationale, its tables, its examples."""
+    hashes = [side.spec.files.get(each.place.file) for side, each in ((before, old), (after, new))]
+    if hashes[0] != hashes[1] and old == new and old.criteria == new.criteria:
+        yield changed(rules.DOCUMENT, new.id, None, "other text", (old.place, new.place), cited=(new.id,))
+
+
+def coverage_changes(
+    old: System, new: System, cited_before: Iterable[str], cited_after: Iterable[str]
+) -> Iterator[Change]:
+    """Criteria of both versions that lost everything that answered to them, or found something."""
+    known = [_criterion_places(side) for side in (old, new)]
+    before, after = set(cited_before), set(cited_after)
+    for name in known[1]:
+        places = known[0].get(name), known[1][name]
+        if name in known[0] and name in before - after:
+            yield changed(rules.UNCOVERED, name, "answered to", "answered to by nothing", places, cited=(name,))
+        if name in known[0] and name in after - before:
+            yield changed(rules.COVERED, name, "answered to by nothing", "answered to", places, cited=(name,))
+
+
+def _criterion_places(system: System) -> dict[str, Place]:
+    documents = {each.id: each for each in system.requirements.values()}
+    return {f"{each.id}.{one.number}": one.place for each in documents.values() for one in each.criteria}

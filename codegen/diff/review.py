@@ -1,0 +1,135 @@
+"""Everything that a report of a comparison says, whatever its format."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from codegen.diagnostics import Diagnostic, Severity
+from codegen.diff.bandwidth import Bandwidth
+from codegen.diff.change import Area, Change
+from codegen.diff.grouping import Group, counted, difference, grouped, notice_text
+from codegen.diff.system import Comparison
+from codegen.source import Place
+
+MOST_TESTS = 3
+
+
+class FailOn(StrEnum):
+    """What makes a comparison fail, beside areas and single rules."""
+
+    NEVER = "never"
+    ANY = "any"
+    BREAKING = "breaking"
+    SILENT = "silent"
+
+
+@dataclass(frozen=True, slots=True)
+class Review:
+    """A comparison of ``base`` and ``head`` (as people call them), its changes grouped, the gravest first.
+
+    ``notes`` say what may be missing; ``elsewhere`` counts changes of the dialect that do not concern the project.
+    """
+
+    base: str
+    head: str
+    groups: tuple[Group, ...]
+    bandwidth: tuple[tuple[str, Bandwidth], ...]
+    elsewhere: int
+    notes: tuple[str, ...]
+
+    @property
+    def counting(self) -> tuple[Group, ...]:
+        """The groups that are not waived."""
+        return tuple(group for group in self.groups if group.waived is None)
+
+    @property
+    def head_line(self) -> str:
+        """How much changed, and how bad it is."""
+        return counted(self.groups)
+
+    def of_area(self, area: Area) -> tuple[Group, ...]:
+        """The groups of one area."""
+        return tuple(group for group in self.groups if group.first.rule.area is area)
+
+
+def review(base: str, head: str, comparison: Comparison, notes: Sequence[str]) -> Review:
+    """The review of a comparison, nothing of it waived yet."""
+    groups = tuple(grouped(comparison.changes))
+    return Review(base, head, groups, comparison.bandwidth, len(comparison.elsewhere), tuple(notes))
+
+
+def with_waived(found: Review, judged: Sequence[Diagnostic]) -> Review:
+    """The review with what ``judged``, its findings after waivers were applied, have as waived."""
+    waived = {(finding.rule.id, finding.fingerprint): finding.waived for finding in judged}
+    groups = (replace(group, waived=waived.get((group.first.rule.id, group.fingerprint))) for group in found.groups)
+    return replace(found, groups=tuple(groups))
+
+
+def fails(found: Review, fail_on: Sequence[str]) -> bool:
+    """Whether something that counts is of a kind that ``fail_on`` names: FailOn, an area, or the id of a rule."""
+    for group in found.counting:
+        change = group.first
+        kinds = {FailOn.ANY.value, change.rule.area.value, change.rule.id}
+        if change.is_breaking:
+            kinds.add(FailOn.BREAKING.value)
+        if change.is_silent:
+            kinds.add(FailOn.SILENT.value)
+        if kinds.intersection(fail_on):
+            return True
+    return False
+
+
+def as_finding(group: Group) -> Diagnostic:
+    """A group as a finding: for terminals, annotations, SARIF and waivers."""
+    change = group.first
+    said = [what_changed(group), change.effect, notice_text(change)]
+    if change.breaks:
+        said.append(f"breaks {' and '.join(change.breaks)}")
+    related: list[tuple[Place, str]] = []
+    if change.has_moved and change.was_at is not None:
+        related.append((change.was_at, "before"))
+    related += [(other.place, other.subject) for other in group.changes[1:6]]
+    return Diagnostic(
+        place=change.place,
+        rule=replace(change.rule, severity=severity(change)),
+        message="; ".join(word for word in said if word),
+        hint=reach_text(group) or None,
+        related=tuple(related),
+        fingerprint=group.fingerprint,
+        waived=group.waived,
+    )
+
+
+def severity(change: Change) -> Severity:
+    """An error if somebody breaks, or by a rule of which that is not the question."""
+    is_grave = change.rule.severity is Severity.ERROR and not change.rule.breaks
+    return Severity.ERROR if change.is_breaking or is_grave else Severity.WARNING
+
+
+def what_changed(group: Group) -> str:
+    """``BATTERY_STATUS.temperature: cdegC -> degC``."""
+    old, new = difference(group.first.old, group.first.new)
+    if old is None:
+        return f"{group.subject}: now {new}" if new else group.subject
+    return f"{group.subject}: {old} -> {new}" if new is not None else f"{group.subject}: no longer {old}"
+
+
+def reach_text(group: Group) -> str:
+    """``reaches FR-00068.3; firmware/telemetry.py: build_battery_status; 4 tests in ...``; empty without any."""
+    reach = group.reach
+    told = [_listed(reach.requirements, 6), _listed(reach.symbols, 4), tests_text(reach.tests)]
+    words = [word for word in told if word]
+    return f"reaches {'; '.join(words)}" if words else ""
+
+
+def tests_text(tests: Sequence[str]) -> str:
+    """The tests by name if they are few, else how many of which files."""
+    if len(tests) <= MOST_TESTS:
+        return ", ".join(tests)
+    files = sorted({test.partition("::")[0] for test in tests})
+    return f"{len(tests)} tests in {_listed(files, MOST_TESTS)}"
+
+
+def _listed(names: Sequence[str], most: int) -> str:
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more

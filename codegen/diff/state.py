@@ -1,0 +1,186 @@
+"""What there is to say about the parameters and the state of a vehicle."""
+
+from collections.abc import Iterator
+
+from codegen.diff import behaviour_rules as rules
+from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.trace_rules import CITATION, DOC
+from codegen.model.system import System
+from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity
+
+
+def parameter_subjects(system: System) -> Iterator[Subject]:
+    """The parameters, by name."""
+    return (_parameter(parameter) for parameter in system.parameters.values())
+
+
+def _parameter(parameter: Parameter) -> Subject:
+    spec, unit = parameter.spec, parameter.unit.name
+
+    def shown(steps: int) -> str:
+        return amount(steps * parameter.step, unit)
+
+    choices = ", ".join(f"{shown(value)} {text}" for value, text in sorted(parameter.choices.items()))
+    facts = (
+        Fact("default", shown(parameter.default), rules.PARAMETER_DEFAULT, spec.at("default")),
+        Fact("minimum", shown(parameter.minimum), rules.PARAMETER_RANGE, spec.at("min")),
+        Fact("maximum", shown(parameter.maximum), rules.PARAMETER_RANGE, spec.at("max")),
+        Fact("unit", unit, rules.PARAMETER_UNIT, spec.at("unit")),
+        Fact("type", spec.type.value, rules.PARAMETER_TYPE, spec.at("type")),
+        Fact("step", amount(parameter.step, unit), rules.PARAMETER, spec.at("step")),
+        Fact("values", choices, rules.PARAMETER, spec.at("values")),
+        Fact("used", "after a restart" if spec.reboot else "at once", rules.PARAMETER, spec.at("reboot")),
+        Fact("belongs to", _owner(parameter), rules.PARAMETER, spec.at("for_each")),
+        Fact("default and limits are", "per cell" if spec.per_cell else "", rules.PARAMETER, spec.at("per_cell")),
+        Fact("answers to", str(parameter.citation or ""), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    says = f"default {shown(parameter.default)}, {shown(parameter.minimum)} to {shown(parameter.maximum)}"
+    return Subject(
+        name=parameter.name,
+        says=says,
+        added=rules.PARAMETER_ADDED,
+        removed=rules.PARAMETER_REMOVED,
+        place=spec.place,
+        facts=facts,
+        cited=cited(parameter.citation),
+    )
+
+
+def _owner(parameter: Parameter) -> str:
+    if parameter.component is None:
+        return ""
+    return f"{parameter.component} {parameter.instance + 1} of {', '.join(parameter.siblings)}"
+
+
+def state_subjects(system: System) -> Iterator[Subject]:
+    """The components of the state, each before its quantities."""
+    for component in system.components.values():
+        yield _component(component)
+        for quantity in component.quantities.values():
+            yield _quantity(quantity)
+
+
+def _component(component: Component) -> Subject:
+    spec = component.spec
+    parts = [
+        Fact(
+            f"instance {part.number + 1}:",
+            ", ".join(
+                [f"parameters {part.prefix or 'without a prefix'}", *(f"{k} {v}" for k, v in part.facts.items())]
+            ),
+            rules.INSTANCES,
+            spec.place,
+        )
+        for part in component.parts
+    ]
+    returns = component.returns
+    counted = ""
+    if returns is not None:
+        names = ", ".join(quantity.name for quantity in returns.restarting) or "nothing"
+        counted = f"{returns.count.name} when {returns.gone.name} ends; {names} begin anew"
+    first = component.first_number.name if component.first_number else ""
+    facts = (
+        *parts,
+        Fact("number of the first:", first, rules.INSTANCES, spec.at("first_number")),
+        Fact("updated every", amount(component.period_ms, "ms"), rules.UPDATE_RATE, spec.at("update_rate")),
+        Fact("counts", counted, rules.INSTANCES, spec.place),
+        Fact("answers to", _citations(component.citation, component.aspects), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    count = len(component.parts)
+    return Subject(
+        name=component.name,
+        says=f"{count} {'instance' if count == 1 else 'instances'}",
+        added=rules.COMPONENT_ADDED,
+        removed=rules.COMPONENT_REMOVED,
+        place=spec.place,
+        facts=facts,
+        cited=cited(component.citation, component.aspects),
+    )
+
+
+def _quantity(quantity: Quantity) -> Subject:
+    spec, stored = quantity.spec, quantity.stored.name
+    smallest, largest = _limit(quantity.minimum, stored), _limit(quantity.maximum, stored)
+    facts = (
+        Fact("unit", quantity.unit.name, rules.QUANTITY_UNIT, spec.at("unit")),
+        Fact("kept", f"as {quantity.attribute} in {stored}", rules.QUANTITY_UNIT, spec.at("stored")),
+        Fact(
+            "steps",
+            amount(quantity.steps, f"{stored} each {quantity.unit.name}"),
+            rules.QUANTITY_UNIT,
+            spec.at("stored"),
+        ),
+        Fact("kind", quantity.kind.value, rules.QUANTITY_SOURCE, spec.place),
+        Fact("enum", quantity.enum.name if quantity.enum else "", rules.QUANTITY_SOURCE, spec.at("enum")),
+        Fact("minimum", smallest, rules.QUANTITY_RANGE, spec.at("min")),
+        Fact("maximum", largest, rules.QUANTITY_RANGE, spec.at("max")),
+        Fact("values", _counts(quantity), rules.QUANTITY_RANGE, spec.at("elements")),
+        Fact("initially", amount(quantity.initial, stored) or "unknown", rules.QUANTITY_SOURCE, spec.at("initial")),
+        *(Fact(name, text, rules.QUANTITY_SOURCE, spec.at(key)) for name, key, text in _origins(quantity)),
+        Fact("warns above", _warning(quantity), rules.QUANTITY_AGE, spec.at("warn_above")),
+        Fact("warns every", amount(quantity.warn_every_ms, "ms"), rules.QUANTITY_AGE, spec.at("warn_every")),
+        Fact("unknown after", amount(quantity.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
+        Fact("failures until unknown:", str(spec.invalid_after or ""), rules.QUANTITY_AGE, spec.at("invalid_after")),
+        Fact("answers to", _citations(quantity.citation, quantity.aspects), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc, DOC, spec.at("doc")),
+    )
+    return Subject(
+        name=quantity.path,
+        says=f"{quantity.kind.value}{f' in {stored}' if stored else ''}",
+        added=rules.QUANTITY_ADDED,
+        removed=rules.QUANTITY_REMOVED,
+        place=spec.place,
+        facts=facts,
+        cited=cited(quantity.citation, quantity.aspects),
+    )
+
+
+def _limit(limit: int, stored: str) -> str:
+    """A limit; nothing where it is only that of the firmware's integers, whatever they count."""
+    return "" if abs(limit) == SMALL_INT_MAX else amount(limit, stored)
+
+
+def _counts(quantity: Quantity) -> str:
+    return ", ".join(str(count) for count in quantity.elements or ())
+
+
+def _origins(quantity: Quantity) -> Iterator[tuple[str, str, str]]:
+    """Where the value comes from: name, key of the table, text."""
+    conversion, spec = quantity.conversion, quantity.spec
+    if conversion is not None:
+        text = f"ADC {conversion.channel.name} * {conversion.multiplier.name} steps"
+        yield "measured", "adc", f"{text} * {conversion.numerator} / {conversion.denominator}"
+    if quantity.while_known:
+        yield "true while known:", "while_known", quantity.while_known
+    if quantity.enabled_by:
+        yield "enabled by", "enabled_by", quantity.enabled_by.name
+    if quantity.follows:
+        word = "below" if quantity.follows.is_below else "at least"
+        limits = ", ".join(str(limit) for limit in quantity.follows.limits)
+        yield "true while", "follows", f"{quantity.follows.quantity} is {word} {limits}"
+    if quantity.trend:
+        yield "trend of", "trend_of", f"{quantity.trend.quantity} over {quantity.trend.readings} readings"
+    if quantity.estimate:
+        for number, curve in enumerate(quantity.estimate.curves, 1):
+            points = ", ".join(f"{stored}: {percent}" for stored, percent in curve)
+            yield f"estimate of instance {number}:", "estimate_from", f"by {quantity.estimate.quantity}, {points}"
+    if spec.counts_returns_of:
+        yield "counts returns of", "counts_returns_of", spec.counts_returns_of
+    if spec.restarts_with:
+        yield "restarts with", "restarts_with", spec.restarts_with
+
+
+def _warning(quantity: Quantity) -> str:
+    if quantity.warn_above is None:
+        return ""
+    return ", ".join(amount(limit, quantity.stored.name) for limit in dict.fromkeys(quantity.warn_above))
+
+
+def _citations(citation: object, aspects: object) -> str:
+    """What is cited for the whole and for single aspects."""
+    words = [str(citation)] if citation else []
+    if isinstance(aspects, dict):
+        words += [f"{name} {aspect}" for name, aspect in sorted(aspects.items())]
+    return ", ".join(words)

@@ -1,0 +1,108 @@
+"""Changes between two versions of a specification, with those of the dialect that concern it."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from codegen.diff.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
+from codegen.diff.behaviour_rules import PROGRAM
+from codegen.diff.board import board_subjects
+from codegen.diff.change import Change, changed
+from codegen.diff.dialect import dialect_changes
+from codegen.diff.population import population_changes
+from codegen.diff.program import program_subjects
+from codegen.diff.requirements import coverage_changes, requirement_changes
+from codegen.diff.state import parameter_subjects, state_subjects
+from codegen.diff.subject import Subject, cited, subject_changes
+from codegen.diff.used import used_of
+from codegen.model.dialect import Dialect
+from codegen.model.system import System
+
+THRESHOLD = Fraction(5)
+"""The growth of the telemetry, in %, from which on it is a change of its own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Two versions compared.
+
+    ``changes`` concern what is compared; ``elsewhere`` are those of a project's dialect that touch nothing that the
+    project sends, receives or names. ``bandwidth`` has an entry for each program that both versions have, by its name,
+    which is "" for the project's own.
+    """
+
+    changes: tuple[Change, ...]
+    elsewhere: tuple[Change, ...] = ()
+    bandwidth: tuple[tuple[str, Bandwidth], ...] = ()
+
+
+def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
+    """Two dialects, each on its own."""
+    return Comparison(dialect_changes(old, new))
+
+
+def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fraction = THRESHOLD) -> Comparison:
+    """Two versions of a project with its further programs; the first system of each is the project's own."""
+    used = used_of((*old, *new))
+    of_dialect = dialect_changes(old[0].dialect, new[0].dialect)
+    found = [change for change in of_dialect if used.is_concerned(change)]
+    elsewhere = tuple(change for change in of_dialect if not used.is_concerned(change))
+    before = {system.spec.program: system for system in old}
+    after = {system.spec.program: system for system in new}
+    bandwidth = []
+    for name, system in after.items():
+        known = before.get(name)
+        if known is None:
+            found.append(changed(PROGRAM, name, None, "a further program", (None, system.spec.project.place)))
+            continue
+        compared = compare_bandwidth(known, system)
+        bandwidth.append((name, compared))
+        own = [*_own(known, system), *bandwidth_changes(compared, system, known, threshold)]
+        found += [_named(change, name) for change in own]
+    for name, system in before.items():
+        if name not in after:
+            found.append(changed(PROGRAM, name, "a further program", None, (system.spec.project.place, None)))
+    found += requirement_changes(old[0], new[0])
+    found += coverage_changes(old[0], new[0], _cited(old), _cited(new))
+    return Comparison(_once(found), elsewhere, tuple(bandwidth))
+
+
+def _named(change: Change, program: str) -> Change:
+    return replace(change, subject=f"{program}: {change.subject}") if program else change
+
+
+def _own(old: System, new: System) -> Iterator[Change]:
+    yield from population_changes(old, new)
+    yield from subject_changes(_subjects(old), _subjects(new))
+
+
+def _subjects(system: System) -> tuple[Subject, ...]:
+    return (
+        *parameter_subjects(system),
+        *state_subjects(system),
+        *board_subjects(system),
+        *program_subjects(system),
+    )
+
+
+def _cited(systems: Sequence[System]) -> set[str]:
+    """The names of every document and criterion that a part of the systems answers to."""
+    found: set[str] = set()
+    for system in systems:
+        for subject in _subjects(system):
+            found.update(subject.cited)
+        for message in system.messages:
+            found.update(cited(message.citation, *(binding.covers.citation for binding in message.bindings)))
+    return found
+
+
+def _once(changes: Sequence[Change]) -> tuple[Change, ...]:
+    """The changes, those of further programs left out that stand at the same place and say the same as one before."""
+    seen = set()
+    found = []
+    for change in changes:
+        key = change.rule.id, change.place, change.old, change.new, change.subject.rpartition(": ")[2]
+        if key not in seen:
+            seen.add(key)
+            found.append(change)
+    return tuple(found)

@@ -1,0 +1,46 @@
+"""What of a dialect a project uses, so that what changes elsewhere in it can be told apart."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from codegen.diff.change import Change
+from codegen.model.system import FixedBinding, FlagsBinding, PartBinding, System
+
+
+@dataclass(frozen=True, slots=True)
+class Used:
+    """The names of the messages that are sent, answered or read back, of enums of the state, and of single entries."""
+
+    messages: frozenset[str]
+    enums: frozenset[str]
+    entries: frozenset[str]
+
+    def is_concerned(self, change: Change) -> bool:
+        """Whether a change of the dialect touches the project: an entry of an enum only where it is used itself."""
+        if change.enum is None:
+            return not change.messages or bool(self.messages.intersection(change.messages))
+        if change.entry is None:
+            return change.enum in self.enums or bool(self.messages.intersection(change.messages))
+        return change.enum in self.enums or not self.entries.isdisjoint((change.entry, change.old))
+
+
+def used_of(systems: Iterable[System]) -> Used:
+    """What several versions and programs use together."""
+    messages: set[str] = set()
+    enums: set[str] = set()
+    entries: set[str] = set()
+    for system in systems:
+        messages.update(wire.name for wire in system.wires)
+        if system.program is not None:
+            entries.update(system.program.constants)
+        for component in system.components.values():
+            enums.update(quantity.enum.name for quantity in component.quantities.values() if quantity.enum)
+        for message in system.messages:
+            for binding in message.bindings:
+                if isinstance(binding, FlagsBinding):
+                    entries.update(binding.names)
+                    entries.update(name for name, _, _ in binding.conditional)
+                for fixed in binding.values if isinstance(binding, PartBinding) else (binding,):
+                    if isinstance(fixed, FixedBinding):
+                        entries.add(fixed.meaning)
+    return Used(frozenset(messages), frozenset(enums), frozenset(entries))

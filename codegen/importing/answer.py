@@ -1,0 +1,96 @@
+"""What a cell is read for, and what comes of it: an answer of a population table, or a proposal for people."""
+
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+
+from codegen.decode.record import decode_record
+from codegen.diagnostics import Report
+from codegen.load.yaml_tree import parse_yaml
+from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.unit import Unit
+from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """Where values can come from. ``quantities`` has the unit of each path, None without a project."""
+
+    dialect: Dialect
+    quantities: Mapping[str, Unit] | None = None
+    parameters: Collection[str] = field(default_factory=frozenset)
+    for_each: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """The elements that a row answers for: ``count`` of them from ``first`` on, all of them for a scalar."""
+
+    message: WireMessage
+    field: WireField
+    first: int
+    count: int
+
+    @property
+    def label(self) -> str:
+        """``voltages``, ``voltages[0]`` or ``voltages[1..9]``."""
+        if not self.field.is_array or self.count == self.field.count:
+            return self.field.name
+        last = self.first + self.count - 1
+        return f"{self.field.name}[{self.first}]" if last == self.first else f"{self.field.name}[{self.first}..{last}]"
+
+    @property
+    def name(self) -> str:
+        """``BATTERY_STATUS.voltages[0]``."""
+        return f"{self.message.name}.{self.label}"
+
+    @property
+    def sentinel(self) -> int | float | None:
+        """The number on the wire that means unknown in the first of these elements, if there is one."""
+        sentinel = self.field.sentinel
+        return None if sentinel is None else sentinel.values[self.first]
+
+    @property
+    def elements(self) -> range:
+        """The elements by number."""
+        return range(self.first, self.first + self.count)
+
+    def enum(self, dialect: Dialect) -> EnumDefinition | None:
+        """The enum of the field."""
+        return dialect.enums.get(self.field.definition.enum or "")
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What a cell says, as flow YAML: ``unknown`` or ``{state: battery.voltage}``.
+
+    Either an ``answer``, or, where it cannot be read without guessing, a ``proposal`` for people to take or to leave.
+    ``is_whole`` marks an answer that the document writes as the tables do, so that what it leaves out is left out.
+    """
+
+    answer: str | None = None
+    proposal: str | None = None
+    is_whole: bool = False
+
+
+UNREAD = Reading()
+"""Nothing can be said, and why has been reported."""
+
+
+def field_answer(written: str, place: Place, report: Report) -> FieldAnswer | None:
+    """The record that flow YAML of one line stands for; findings lie in the line of ``place``, from its column on."""
+    found = Report()
+    node = parse_yaml(written, place.file, found)
+    answer = None if node is None else decode_record(node, FieldAnswer, found)
+    for finding in found:
+        at = place._replace(column=place.column + finding.place.column - 1)
+        report.add(finding.rule, at, finding.message, finding.hint)
+    return answer
+
+
+def same_number(first: int | float | None, second: int | float | None) -> bool:
+    """Whether two numbers on the wire are the same; NaN is itself."""
+    if first is None or second is None:
+        return first is second
+    return first == second or (math.isnan(first) and math.isnan(second))

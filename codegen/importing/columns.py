@@ -1,0 +1,72 @@
+"""What the columns of a document's table are for, by their headings in any order and case."""
+
+import re
+from collections.abc import Mapping
+from enum import Enum
+
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.load.markdown_table import Row
+
+COLUMN_TWICE = Rule(
+    "column-twice",
+    "Two columns of a table have headings of one meaning, such as Value and Source, so that nobody can tell which one "
+    "holds the answer. Rename the one that does not.",
+)
+
+
+class Role(Enum):
+    """What a column tells about a field."""
+
+    FIELD = "field"
+    VALUE = "value"
+    TYPE = "type"
+    UNIT = "unit"
+    UNKNOWN = "unknown"
+    NOTES = "notes"
+
+
+_HEADINGS: Mapping[Role, tuple[str, ...]] = {
+    Role.FIELD: ("field", "field name", "message field", "mavlink field", "name", "member", "fields"),
+    Role.VALUE: (
+        *("value source", "source of value", "value", "source", "data source", "values", "field value", "content"),
+        *("populated from", "populated with", "filled from", "filled with", "comes from", "set to", "population"),
+    ),
+    Role.TYPE: ("type", "data type", "wire type", "field type", "mavlink type"),
+    Role.UNIT: ("unit", "units", "unit on the wire", "wire unit"),
+    Role.UNKNOWN: (
+        *("unknown", "if unknown", "when unknown", "unknown value", "value if unknown", "sentinel", "sentinel value"),
+        *("invalid", "invalid value", "not available"),
+    ),
+    Role.NOTES: ("notes", "note", "remark", "remarks", "comment", "comments", "description", "meaning", "rationale"),
+}
+"""The headings by their meaning, in small letters; of two in one table the one that comes first here counts more."""
+
+
+def column_roles(header: Row) -> tuple[dict[Role, int], tuple[Diagnostic, ...]]:
+    """The index of the column for each role, and the headings that cannot be told apart.
+
+    A more telling heading wins: "Value source" over "Value", "Field" over "Name".
+    """
+    named = [_plain(cell.text) for cell in header.cells]
+    roles: dict[Role, int] = {}
+    findings = []
+    for role, headings in _HEADINGS.items():
+        found = sorted((headings.index(name), index) for index, name in enumerate(named) if name in headings)
+        if not found:
+            continue
+        (rank, index), others = found[0], found[1:]
+        roles[role] = index
+        if others and others[0][0] == rank:
+            first, second = header.cells[index], header.cells[others[0][1]]
+            message = f"two columns are called {second.text!r}"
+            findings.append(
+                Diagnostic(
+                    second.place, COLUMN_TWICE, message, "rename one of them", ((first.place, "the first is here"),)
+                )
+            )
+    return roles, tuple(findings)
+
+
+def _plain(heading: str) -> str:
+    """The heading in small letters, without what stands in brackets and without marks at its ends."""
+    return " ".join(re.sub(r"\([^)]*\)|\[[^\]]*\]", " ", heading).casefold().strip(" :*?.").split())

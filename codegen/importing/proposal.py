@@ -1,0 +1,199 @@
+"""The answers that a document gives for one message, element by element, and the fields that it does not mention."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.importing.answer import UNREAD, Reading, Sources, Target
+from codegen.importing.columns import Role
+from codegen.importing.quantity import spills
+from codegen.importing.stated import FieldList, StatedField
+from codegen.importing.value import read_value
+from codegen.model.dialect import Kind, WireField, WireMessage
+from codegen.source import Place
+
+DOCUMENT_FIELD = Rule(
+    "document-field",
+    "A document answers for a field, or for an element of one, that the message does not have.",
+)
+DOCUMENT_TWICE = Rule("document-twice", "A document gives two different answers for one element of a field.")
+DOCUMENT_UNANSWERED = Rule(
+    "document-unanswered",
+    "A document does not mention a field of the message, often an extension. A population table answers for every "
+    "field: a field that nobody thought of is not the same as one that is unknown.",
+    Severity.WARNING,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class ReadAnswer:
+    """One answer: the elements, what the document says about them, and the lines (from 1) that say it."""
+
+    target: Target
+    reading: Reading
+    written: str
+    place: Place
+    lines: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Unmentioned:
+    """Elements that the document does not mention, and what may be meant: flow YAML, or None."""
+
+    target: Target
+    proposal: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """What a document says about a message; both lists are in the order of the dialect's XML."""
+
+    message: WireMessage
+    place: Place
+    answers: tuple[ReadAnswer, ...]
+    unmentioned: tuple[Unmentioned, ...]
+
+
+def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, report: Report) -> Proposal:
+    """Read every row of lists that are about ``message``."""
+    answers: list[ReadAnswer] = []
+    mentioned: set[str] = set()
+    for row in (row for fields in lists for row in fields.rows):
+        target = target_of(row, message, report)
+        if target is None:
+            continue
+        mentioned.add(target.field.name)
+        cell = row.cells.get(Role.VALUE)
+        found = Report()
+        reading = UNREAD if cell is None else read_value(cell, target, sources, found)
+        answer = ReadAnswer(target, reading, cell.text if cell else "", (cell or row).place, (row.place.line,))
+        if not _is_known(answer, answers, report):
+            report.extend(found)
+            answers.append(answer)
+    order = {field.name: index for index, field in enumerate(message.definition.fields)}
+    answers.sort(key=lambda answer: (order[answer.target.field.name], answer.target.first))
+    return Proposal(
+        message, lists[0].place, tuple(_joined(answers)), tuple(_unmentioned(message, answers, mentioned, sources))
+    )
+
+
+def not_answered_by(proposal: Proposal, targets: Iterable[Target]) -> tuple[Unmentioned, ...]:
+    """What the document does not mention and none of ``targets`` answers for."""
+    answered = {(target.field.name, element) for target in targets for element in target.elements}
+    return tuple(
+        missing
+        for missing in proposal.unmentioned
+        if not all((missing.target.field.name, element) in answered for element in missing.target.elements)
+    )
+
+
+def report_unmentioned(unmentioned: Iterable[Unmentioned], place: Place, report: Report) -> None:
+    """A finding at ``place`` for each field, or part of one, that a document does not mention."""
+    for missing in unmentioned:
+        definition = missing.target.field.definition
+        kind = "the extension " if definition.is_extension else ""
+        hint = "say where it comes from; the dialect has no value for unknown"
+        if missing.proposal is not None:
+            hint = f"if it is meant, `{missing.proposal}`"
+        report.add(DOCUMENT_UNANSWERED, place, f"{kind}{missing.target.name} is not mentioned", hint)
+
+
+def target_of(row: StatedField, message: WireMessage, report: Report) -> Target | None:
+    """The elements that a row names; None, after a finding, if the message does not have them."""
+    field = message.field(row.name) or message.field(row.name.rstrip("_"))
+    if field is None:
+        hint = did_you_mean(row.name, [field.name for field in message.fields])
+        report.add(DOCUMENT_FIELD, row.place, f"{message.name} has no field {row.name}", hint)
+        return None
+    if row.first is None or row.last is None:
+        return Target(message, field, 0, field.count)
+    related = [(field.definition.place, f"{field.name} is declared here")]
+    if not field.is_array or field.type.kind is Kind.CHAR:
+        text = f"{message.name}.{field.name} is no array of numbers, so it has no element {row.first}"
+        report.add(DOCUMENT_FIELD, row.place, text, f"write {field.name}", related)
+        return None
+    if not row.first <= row.last < field.count:
+        text = f"{message.name}.{field.name} has the elements 0 to {field.count - 1}, not {row.label[len(row.name) :]}"
+        report.add(DOCUMENT_FIELD, row.place, text, None, related)
+        return None
+    return Target(message, field, row.first, row.last - row.first + 1)
+
+
+def _is_known(answer: ReadAnswer, earlier: Iterable[ReadAnswer], report: Report) -> bool:
+    """Whether an earlier row answers for one of these elements; another answer is reported."""
+    for known in earlier:
+        target = known.target
+        if target.field is answer.target.field and set(target.elements) & set(answer.target.elements):
+            if known.reading != answer.reading:
+                message = (
+                    f"{answer.target.name} is {answer.written!r} here and {known.written!r} in line {known.lines[0]}"
+                )
+                related = [(known.place, "the first answer is here")]
+                report.add(DOCUMENT_TWICE, answer.place, message, "keep one of them", related)
+            return True
+    return False
+
+
+def _joined(answers: Sequence[ReadAnswer]) -> Iterator[ReadAnswer]:
+    """The answers; a quantity in element 0 and unknown ones behind it are one where the dialect lets it spill."""
+    position = 0
+    while position < len(answers):
+        first = answers[position]
+        parts = [one for one in answers if one.target.field is first.target.field]
+        joined = _split(first, parts[1:])
+        yield joined or first
+        position += len(parts) if joined else 1
+
+
+def _split(first: ReadAnswer, others: Sequence[ReadAnswer]) -> ReadAnswer | None:
+    field = first.target.field
+    answer = first.reading.answer
+    covered = first.target.count + sum(other.target.count for other in others)
+    if not others or covered != field.count or first.target.count != 1 or first.target.first:
+        return None
+    if answer is None or not answer.startswith("{state: ") or any(one.reading.answer != "unknown" for one in others):
+        return None
+    target = Target(first.target.message, field, 0, field.count)
+    if not spills(target):
+        return None
+    lines = tuple(sorted({line for one in (first, *others) for line in one.lines}))
+    return ReadAnswer(target, Reading(f"{answer[:-1]}, split: true}}"), first.written, first.place, lines)
+
+
+def _unmentioned(
+    message: WireMessage, answers: Sequence[ReadAnswer], mentioned: set[str], sources: Sources
+) -> Iterator[Unmentioned]:
+    for definition in message.definition.fields:
+        field = message.field(definition.name)
+        if field is None:
+            continue
+        taken = {element for answer in answers if answer.target.field is field for element in answer.target.elements}
+        if not taken and definition.name in mentioned:
+            continue  # what it says was reported
+        for first, count in _gaps(field, taken):
+            target = Target(message, field, first, count)
+            yield Unmentioned(target, likely_answer(target, sources))
+
+
+def _gaps(field: WireField, taken: set[int]) -> Iterator[tuple[int, int]]:
+    """The runs of elements that nothing answers for: first element and number."""
+    start = None
+    for element in range(field.count + 1):
+        is_free = element < field.count and element not in taken
+        if is_free and start is None:
+            start = element
+        elif not is_free and start is not None:
+            yield start, element - start
+            start = None
+
+
+def likely_answer(target: Target, sources: Sources) -> str | None:
+    """What is sent for a field that nobody thinks of: its sentinel, no flag, or the entry 0 of its enum."""
+    if target.sentinel is not None:
+        return "unknown"
+    enum = target.enum(sources.dialect)
+    if enum is None:
+        return None
+    if target.field.definition.is_bitmask:
+        return "{flags: []}"
+    return next((f"{{enum: {entry.name}}}" for entry in enum.entries if entry.value == 0), None)

@@ -1,0 +1,55 @@
+"""Which message a list of fields is about: the nearest text that names one whose fields these are."""
+
+import re
+from collections.abc import Iterable
+
+from codegen.importing.stated import FieldList
+from codegen.model.dialect import Dialect, WireMessage
+
+_NAME = re.compile(r"\b[A-Z][A-Z0-9_]{2,}\b")
+_NUMBER = re.compile(r"#(\d{1,8})\b")
+_ENOUGH = 3
+"""How many names of fields it takes to recognise a message that no text names."""
+
+
+def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
+    """The message, or several where the nearest text names more than one that fits equally; none if nothing does.
+
+    A message fits if half of the rows, or more, are fields of it.
+    """
+    for text in fields.context:
+        fitting = [message for message in _mentioned(text, dialect) if is_about(fields, message)]
+        if fitting:
+            best = max(coverage(fields, message) for message in fitting)
+            return tuple(message for message in fitting if coverage(fields, message) == best)
+    return ()
+
+
+def is_about(fields: FieldList, message: WireMessage) -> bool:
+    """Whether half of the rows, or more, name fields of the message."""
+    return 2 * coverage(fields, message) >= len(fields.rows)
+
+
+def coverage(fields: FieldList, message: WireMessage) -> int:
+    """How many rows name a field of the message."""
+    names = {field.name for field in message.fields}
+    return sum(row.name in names or row.name.rstrip("_") in names for row in fields.rows)
+
+
+def lookalikes(fields: FieldList, dialect: Dialect) -> tuple[str, ...]:
+    """The messages that have every field of the list, where no text names one."""
+    names = {row.name for row in fields.rows}
+    if len(names) < _ENOUGH:
+        return ()
+    return tuple(
+        message.name for message in dialect.messages.values() if names <= {field.name for field in message.fields}
+    )
+
+
+def _mentioned(text: str, dialect: Dialect) -> Iterable[WireMessage]:
+    """The messages that a text names, by name or as ``#147``, each once."""
+    numbers = {int(number) for number in _NUMBER.findall(text)}
+    found = {name: dialect.messages[name] for name in _NAME.findall(text) if name in dialect.messages}
+    if numbers:
+        found |= {name: message for name, message in dialect.messages.items() if message.id in numbers}
+    return found.values()

@@ -1,0 +1,129 @@
+"""A cell that says what goes into a field becomes an answer, or a finding with a proposal; never a guess."""
+
+import re
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.importing.answer import UNREAD, Reading, Sources, Target, field_answer
+from codegen.importing.expression import read_product
+from codegen.importing.number import read_entry, read_number, unknown_answer
+from codegen.importing.quantity import likely_quantity, read_quantity
+from codegen.load.markdown_table import Cell
+from codegen.model.dialect import Kind
+from codegen.model.unit import read_measure
+
+DOCUMENT_EMPTY = Rule("document-empty", "A document names a field and says nothing about its value.")
+DOCUMENT_AMBIGUOUS = Rule(
+    "document-ambiguous",
+    "A document leaves open what goes into a field ('-1 or estimate', 'optional', 'to be defined'). A table has one "
+    "answer; decide, and write it into the document.",
+)
+DOCUMENT_PROSE = Rule(
+    "document-prose",
+    "What goes into a field is said in words that could mean more than one thing. A cell that is read holds a number, "
+    "an entry of an enum, a limit such as UINT16_MAX, a quantity, a product of a quantity and numbers, or the answer "
+    "as the population tables write it, in code: `{state: battery.voltage}`.",
+)
+
+_OPEN = re.compile(
+    r"\b(?:or|either|optional(?:ly)?|tb[dca]|maybe|perhaps|possibly|undecided|to be (?:defined|decided))\b"
+)
+_QUESTION = re.compile(r"\?\s*$|^\?+$")
+_NUMBER = r"[-+\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,20}(?:\.\d{1,20})?(?:[eE][-+]?\d{1,2})?)"
+_ATOM = re.compile(
+    rf"(?P<head>{_NUMBER}(?![\w.])|[uif]\d{{1,2}}::(?:MAX|MIN|NAN)|[A-Za-z_]\w*(?![\w.\[(:]|->)|n/a)"
+    r"\s*(?:\((?P<inner>[^()]*(?:\([^()]*\)[^()]*)*)\)|(?:=|:|,|;|[-\u2013\u2014]\s)\s*(?P<after>.*))?",
+    re.DOTALL,
+)
+_UNKNOWN = re.compile(
+    r"\b(?:unknown|unavailable|unset|unused|invalid"
+    r"|(?:not|no) (?:provided|known|available|measured|used|supported|set))\b",
+    re.IGNORECASE,
+)
+_UNKNOWN_HEADS = ("unknown", "unavailable", "unset", "invalid", "n/a", "none")
+_REMARK = re.compile(r"\s*\([^()]*\)$")
+_RUST = re.compile(r"([uif])(\d{1,2})::(MAX|MIN|NAN)")
+
+
+def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> Reading:
+    """What ``cell`` says about ``target``; everything that keeps it from being an answer is reported at its place."""
+    text = cell.text.strip()
+    if not text or text in ("-", "\u2013", "\u2014"):
+        hint = _hint(_proposals(cell, target, sources))
+        report.add(DOCUMENT_EMPTY, cell.place, f"nothing is said about the value of {target.name}", hint)
+        return UNREAD
+    if cell.codes and text == cell.codes[0].strip() and text.startswith("{"):
+        place = cell.place._replace(column=cell.place.column + len(cell.written) - len(cell.written.lstrip("` ")))
+        return Reading(text, is_whole=True) if field_answer(text, place, report) else UNREAD
+    outside = re.sub(r"\([^()]*\)", " ", text).casefold()
+    if _OPEN.search(outside) or _QUESTION.search(text):
+        return _ambiguous(cell, target, sources, report)
+    reading = _read_atom(text, cell, target, sources, report) or _read_product(text, cell, target, sources, report)
+    return reading or _prose(cell, target, sources, report)
+
+
+def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: Report) -> Reading | None:
+    """A number, a limit, an entry or a word for unknown, with a remark behind it; None if the text is none of these."""
+    amount = _REMARK.sub("", text)
+    if target.field.definition.units and read_measure(amount) is not None:
+        return Reading(f"{{constant: {amount}}}")
+    match = _ATOM.fullmatch(text)
+    if match is None:
+        return None
+    head, remark = match["head"], match["inner"] or match["after"] or ""
+    head = _RUST.sub(_limit_of_rust, head).replace("\u2212", "-")
+    says_unknown = _UNKNOWN.search(remark) is not None
+    if head.casefold() in _UNKNOWN_HEADS:
+        return unknown_answer(remark, cell, target, sources, report)
+    if head in sources.parameters:
+        return Reading(f"{{parameter: {head}}}")
+    if target.field.type.kind is Kind.CHAR and cell.codes:
+        return Reading(f"{{constant: {_quoted(cell.codes[0])}}}")
+    return read_entry(head, remark, cell, target, sources, report) or read_number(
+        head, remark, says_unknown, cell, target, sources, report
+    )
+
+
+def _limit_of_rust(match: re.Match[str]) -> str:
+    letter, bits, end = match.groups()
+    return "NaN" if letter == "f" else f"{'U' if letter == 'u' else ''}INT{bits}_{end}"
+
+
+def _read_product(text: str, cell: Cell, target: Target, sources: Sources, report: Report) -> Reading | None:
+    """A quantity, perhaps multiplied and cast, with a remark in brackets or none."""
+    product = read_product(text) or read_product(_REMARK.sub("", text))
+    return None if product is None else read_quantity(product, cell, target, sources, report)
+
+
+def _ambiguous(cell: Cell, target: Target, sources: Sources, report: Report) -> Reading:
+    proposals = _proposals(cell, target, sources)
+    message = f"{cell.text!r} leaves open what goes into {target.name}"
+    report.add(DOCUMENT_AMBIGUOUS, cell.place, message, _hint(proposals))
+    return Reading(proposal=proposals[0] if proposals else None)
+
+
+def _prose(cell: Cell, target: Target, sources: Sources, report: Report) -> Reading:
+    quantity = likely_quantity(cell.text, target, sources)
+    hint = "name the quantity, `{state: component.quantity}`, or write the number"
+    if quantity is not None:
+        hint = f"if it is meant, `{quantity}`"
+    elif sources.quantities and len(cell.text.split()) == 1:
+        hint = did_you_mean(cell.text, sources.quantities) or hint
+    report.add(DOCUMENT_PROSE, cell.place, f"{cell.text!r} does not say what goes into {target.name}", hint)
+    return Reading(proposal=quantity)
+
+
+def _proposals(cell: Cell, target: Target, sources: Sources) -> list[str]:
+    """What people may choose from: unknown, if the dialect has a sentinel, and the quantity that the words suggest."""
+    found = [] if target.sentinel is None else ["unknown"]
+    quantity = likely_quantity(cell.text, target, sources)
+    return found if quantity is None else [*found, quantity]
+
+
+def _hint(proposals: list[str]) -> str | None:
+    if not proposals:
+        return None
+    return "answer with " + " or ".join(f"`{proposal}`" for proposal in proposals)
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -1,0 +1,67 @@
+"""The checks of behaviour.py in the generated suite: those of a system, and the criterion that asks for each."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from codegen.model.system import System
+from codegen.targets.firmware.board import ReaderView, board_view
+from codegen.targets.firmware.state import ComponentView, state_view
+from codegen.targets.firmware.streams import StreamView, stream_views
+
+
+class BehaviourCheck(NamedTuple):
+    """A function of behaviour.py; ``criterion`` is empty where nothing is cited."""
+
+    criterion: str
+    name: str
+
+    @property
+    def identifier(self) -> str:
+        """What the suite calls it: ``battery_mean-FR-00066.2``."""
+        return f"{self.name}-{self.criterion}" if self.criterion else self.name
+
+
+def behaviour_checks(
+    readers: Sequence[ReaderView], streams: Sequence[StreamView], components: Sequence[ComponentView]
+) -> tuple[BehaviourCheck, ...]:
+    """The checks in the order in which they run."""
+    measured = [component for component in components if component.measured]
+    checks = [check for pair in zip(readers, measured, strict=True) for check in _of_reading(*pair)]
+    checks += [BehaviourCheck(stream.citation, f"{stream.identifier}_stream_keeps_its_rate") for stream in streams]
+    checks.append(BehaviourCheck("", "every_value_allocates_nothing"))
+    for component in components:
+        for quantity in component.quantities:
+            if quantity.elements is not None:
+                name = f"{component.name}_{quantity.name}"
+                checks.append(BehaviourCheck("", f"{name}_allocate_nothing"))
+                checks.append(BehaviourCheck(quantity.citation, f"{name}_in_their_unit"))
+    general = ("late_pass_sends_no_burst", "parameters_start_with_their_defaults", "parameters_keep_their_limits")
+    return (*checks, *(BehaviourCheck("", name) for name in general))
+
+
+def _of_reading(reader: ReaderView, component: ComponentView) -> Iterator[BehaviourCheck]:
+    measured = component.measured
+    assert measured is not None
+    found = [
+        (reader.cited["samples"], "mean", True),
+        (reader.cited["reference"], "full_scale", True),
+        (reader.cited["failure"], "failed_reading_keeps_the_last_value", True),
+        (measured.cited["invalid_after"], "repeated_failures_make_it_unknown", bool(measured.invalid_after)),
+        (reader.cited["absence"], "absent_converter_is_no_reason_to_stop", True),
+        (component.cited["robustness"], "broken_board_does_not_raise", True),
+        (reader.cited["read_limit"], "late_reading_keeps_the_last_value", bool(reader.read_limit_us)),
+        (measured.cited["stale_after"], "old_reading_is_unknown", measured.stale_after_ms is not None),
+        (measured.cited["warn_above"], "high_value_warns_now_and_then", measured.warn_above is not None),
+        (measured.citation, "formula_of_people_agrees", True),
+        (measured.cited["calibration"], "calibration", True),
+        (component.cited["scenarios"], "scenarios", True),
+        (component.cited["steady"], "steady_cycle_allocates_nothing", True),
+    ]
+    for criterion, name, is_there in found:
+        if is_there:
+            yield BehaviourCheck(criterion, f"{reader.component}_{name}")
+
+
+def checks_of_behaviour(system: System) -> tuple[BehaviourCheck, ...]:
+    """The same for a system of which no view has been made."""
+    return behaviour_checks(board_view(system).readers, stream_views(system), state_view(system).components)

@@ -1,0 +1,86 @@
+"""What the telemetry costs: bytes per second of every message, and of all at once, against what links carry."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.price import Price, Range, default_rate, price_at, total
+from codegen.model.program import BoardLink, LinkKind
+from codegen.model.spec import Generation
+from codegen.model.system import PopulatedMessage, System
+
+BITS_OF_A_BYTE = 10
+"""Bits that a UART takes for a byte: a start bit, eight of data, a stop bit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """One message: rates in Hz, and what it costs at them; ``is_sent`` is false for a generation not chosen."""
+
+    message: PopulatedMessage
+    rate: Fraction
+    fastest_rate: Fraction
+    default: Price
+    fastest: Price
+    is_sent: bool
+
+
+def costs(system: System) -> tuple[Cost, ...]:
+    """Every message, in the order of streams.yaml; those on request come last."""
+    order = {name: index for index, name in enumerate(system.streams)}
+    messages = sorted(system.messages, key=lambda message: order[message.stream.name] if message.stream else len(order))
+    sent = {message.name for message in sent_messages(system)}
+    return tuple(_cost(message, system, is_sent=message.name in sent) for message in messages)
+
+
+def _cost(message: PopulatedMessage, system: System, *, is_sent: bool) -> Cost:
+    protocol = system.spec.project.protocol
+    rate, fastest = default_rate(message), fastest_rate(message, system)
+    return Cost(
+        message=message,
+        rate=rate,
+        fastest_rate=fastest,
+        default=price_at(rate, message, system, protocol),
+        fastest=price_at(fastest, message, system, protocol),
+        is_sent=is_sent,
+    )
+
+
+def fastest_rate(message: PopulatedMessage, system: System) -> Fraction:
+    """The highest rate in Hz that a parameter or a ground station can set."""
+    if message.stream is not None:
+        return message.stream.fastest
+    return system.program.fastest if system.program else Fraction(0)
+
+
+def sent_messages(system: System, choice: Generation | None = None) -> tuple[PopulatedMessage, ...]:
+    """The messages that are streamed with a choice of generations, or with the default of each."""
+    left_out = {
+        name
+        for generations in system.generations
+        for name in (*generations.old, *generations.new)
+        if name not in generations.names(choice or generations.default)
+    }
+    return tuple(message for message in system.messages if message.name not in left_out)
+
+
+def whole_at_default(system: System, choice: Generation | None = None, protocol: int | None = None) -> Range:
+    """Bytes per second of everything that is streamed; what MAVLink 1 has no room for in its id is left out of it."""
+    version = protocol or system.spec.project.protocol
+    return total(
+        price_at(default_rate(message), message, system, version).whole
+        for message in sent_messages(system, choice)
+        if version == 2 or message.wire.id <= 255
+    )
+
+
+def beyond_version_1(messages: Iterable[PopulatedMessage]) -> tuple[str, ...]:
+    """The names of streamed messages whose id does not fit the one byte that MAVLink 1 has for it."""
+    return tuple(message.name for message in messages if message.stream and message.wire.id > 255)
+
+
+def capacity(link: BoardLink) -> Fraction | None:
+    """Bytes per second that a link carries each way; None where none is known: UDP, USB."""
+    if link.kind is LinkKind.UART and link.spec.baud is not None:
+        return Fraction(link.spec.baud, BITS_OF_A_BYTE)
+    return None

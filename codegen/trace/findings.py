@@ -1,0 +1,151 @@
+"""What needs attention in a trace, as findings with a place: rules that a command counts or only tells."""
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
+from codegen.model.trace_lock_spec import ReviewedSpec
+from codegen.source import Place
+from codegen.trace.coverage import Coverage, Verdict
+from codegen.trace.graph import Trace
+from codegen.trace.lock import Review
+from codegen.trace.results import Counts
+
+UNCOVERED = Rule(
+    "trace-uncovered",
+    "Nothing shows a criterion: no test is marked with it, or, of the results that were given, none passed, or one "
+    "failed. Write a test with @pytest.mark.requirement(\"ID.number\"), or state under 'What a host cannot show' of "
+    "the document what the bench shows.",
+)
+ORPHANED = Rule(
+    "trace-orphaned",
+    "A test, or a line of the lock file, names a criterion that no document has any more. Name the one that took its "
+    "place, or remove the mark; codegen trace accept removes the line of the lock.",
+)
+SUSPECT = Rule(
+    "trace-suspect",
+    "The text of a criterion is not the one that was reviewed with its rows and tests, so that these may be about "
+    'something else. Look at them, then say so: codegen trace accept ID --reason "...".',
+)
+UNSPECIFIED = Rule(
+    "trace-unspecified",
+    "A criterion is cited by no row of the tables, nor is its document as a whole: what meets it does not follow from "
+    "the specification. Cite it where the tables decide it.",
+    Severity.WARNING,
+)
+PARTLY = Rule(
+    "trace-partly",
+    "Some cases of a criterion's tests have passed, and others were skipped, have no result, or one that is stale.",
+    Severity.WARNING,
+)
+UNRELATED_RESULTS = Rule(
+    "results-unrelated",
+    "A file of results says nothing about this project: it knows none of its tests, and names none of its criteria.",
+    Severity.WARNING,
+)
+
+KINDS: Mapping[str, Rule] = {
+    "uncovered": UNCOVERED,
+    "orphaned": ORPHANED,
+    "suspect": SUSPECT,
+    "unspecified": UNSPECIFIED,
+    "partly": PARTLY,
+}
+"""What can be asked to fail, by the name that the command line has for it."""
+
+COUNTED = ("uncovered", "orphaned", "suspect")
+"""What fails unless something else is asked for."""
+
+
+def trace_findings(
+    trace: Trace,
+    coverage: Iterable[Coverage],
+    gone: Mapping[str, ReviewedSpec],
+    counted: Collection[str] = COUNTED,
+    chosen: Collection[str] | None = None,
+    only: Collection[str] = KINDS.keys(),
+) -> Iterator[Diagnostic]:
+    """The findings: errors of the kinds ``counted``, warnings of others that ``COUNTED`` has, and no more.
+
+    ``only`` has the kinds that are told at all. ``gone`` are entries of the lock without a criterion. With ``chosen``
+    nothing is told that is not about these criteria.
+    """
+    kinds = [name for name in (*COUNTED, *counted) if name in only]
+    told = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in kinds}
+    for finding in _all(trace, coverage, gone, chosen):
+        severity = told.get(finding.rule.id)
+        if severity is not None:
+            yield replace(finding, rule=replace(finding.rule, severity=severity))
+
+
+def _all(
+    trace: Trace, coverage: Iterable[Coverage], gone: Mapping[str, ReviewedSpec], chosen: Collection[str] | None
+) -> Iterator[Diagnostic]:
+    for each in coverage:
+        if chosen is None or each.name in chosen:
+            yield from _of(each)
+    if chosen is None:
+        yield from _orphans(trace, gone)
+
+
+def _of(each: Coverage) -> Iterator[Diagnostic]:
+    place = each.criterion.place
+    if each.is_uncovered:
+        yield Diagnostic(place, UNCOVERED, f"{each.name} {_why(each)}", related=_not_passed(each))
+    elif each.verdict is Verdict.PARTLY and each.counts:
+        yield Diagnostic(place, PARTLY, f"{each.name}: {counted_text(each.counts)}", related=_not_passed(each))
+    if each.is_suspect:
+        hint = f'look at its rows and tests, then: codegen trace accept {each.name} --reason "..."'
+        changed = each.review is Review.CHANGED
+        message = "has another text than the one that was reviewed" if changed else "was never reviewed"
+        related = [(row.place, f"{row.label} cites it") for row in each.rows]
+        yield Diagnostic(place, SUSPECT, f"{each.name} {message}", hint, tuple(related))
+    if each.is_unspecified:
+        yield Diagnostic(place, UNSPECIFIED, f"{each.name} is cited by no row of the tables")
+
+
+def _why(each: Coverage) -> str:
+    if each.verdict is Verdict.NO_TEST:
+        return f"has no test{_of_the_whole(each)}"
+    return f"is shown by no test: {counted_text(each.counts or Counts())}"
+
+
+def _of_the_whole(each: Coverage) -> str:
+    """Tests that name the document leave open which criterion they show."""
+    whole = each.requirement.id
+    return (
+        f"; {each.whole_tests} of {whole} as a whole do not say which criterion they show" if each.whole_tests else ""
+    )
+
+
+def _not_passed(each: Coverage) -> tuple[tuple[Place, str], ...]:
+    """Tests written by hand that did not pass; those of a suite have no place in the specification."""
+    return tuple(
+        (tested.test.place, f"{tested.test.name}: {counted_text(tested.counts)}")
+        for tested in each.tests
+        if tested.test.place and tested.counts and tested.counts.passed < tested.counts.cases
+    )
+
+
+def counted_text(counts: Counts) -> str:
+    """``12 passed, 2 skipped, 1 without a result``; without what there is none of."""
+    parts = [
+        (counts.passed, "passed"),
+        (counts.failed, "failed"),
+        (counts.skipped, "skipped"),
+        (counts.stale, "of another specification"),
+        (counts.missing, "without a result"),
+    ]
+    return ", ".join(f"{number} {what}" for number, what in parts if number) or "no case"
+
+
+def _orphans(trace: Trace, gone: Mapping[str, ReviewedSpec]) -> Iterator[Diagnostic]:
+    known = [*trace.names, *trace.criteria]
+    for test in trace.tests:
+        if test.place is not None and trace.called(test.criterion) is None:
+            written = test.written or test.criterion
+            message = f"{test.name} shows {written}, which no document has"
+            yield Diagnostic(test.place, ORPHANED, message, did_you_mean(written, known))
+    for name, kept in gone.items():
+        hint = f'codegen trace accept {name} --reason "..." removes the line'
+        yield Diagnostic(kept.place, ORPHANED, f"the lock has {name}, which no document has", hint)

@@ -1,0 +1,104 @@
+"""The tests of the generated suites: which there are for a system, by pytest's names, and what each shows."""
+
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from codegen.model.system import System
+from codegen.targets.behaviour_checks import checks_of_behaviour
+from codegen.targets.cases import conversion_cases, message_cases
+from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
+from codegen.targets.program_suite import documents_of_topics
+from codegen.targets.receiver.suite import shown_by_receiver_tests
+from codegen.targets.suite import suite_origin
+from codegen.trace.graph import Test
+
+INTERPRETERS = ("cpython", "micropython")
+HEAP_NUMBER = 4
+"""The criterion of the document on the main loop that test_small_heap shows."""
+
+
+def generated_tests(systems: Iterable[System]) -> tuple[Test, ...]:
+    """The tests of a project's suite and of those of its further programs, one for each criterion that they show."""
+    return tuple(
+        replace(test, inputs=inputs)
+        for system in systems
+        for inputs in [suite_origin(system).digest]
+        for test in _tests(system)
+    )
+
+
+def suite_folder(system: System) -> str:
+    """The folder of a system's suite below that of the project, with slashes: ``generated/tests``."""
+    spec = system.spec
+    output = os.path.join(os.path.basename(spec.folder), spec.project.output, "tests")
+    return os.path.normpath(output).replace(os.sep, "/")
+
+
+def _tests(system: System) -> Iterator[Test]:
+    folder = suite_folder(system)
+    frames: dict[tuple[str, str], list[str]] = {}
+    for case in message_cases(system):
+        identifier = f"{case.name}-{case.requirement}"
+        for criterion in (case.requirement, *case.also):
+            frames.setdefault((criterion, case.message), []).extend(_under_each(identifier))
+    for (criterion, message), cases in frames.items():
+        yield Test(f"{folder}/test_frames.py", "test_frames", criterion, tuple(cases), message)
+    yield from _grouped(
+        f"{folder}/test_frames.py",
+        "test_conversion",
+        ((case.requirement, f"{case.name}-{case.requirement}") for case in conversion_cases(system)),
+    )
+    checks = ((check.criterion, check.identifier) for check in checks_of_behaviour(system))
+    yield from _grouped(f"{folder}/test_behaviour.py", "test_behaviour", checks)
+    yield from _of_program(system, folder)
+    yield from _of_receiver(system, folder)
+
+
+def _of_program(system: System, folder: str) -> Iterator[Test]:
+    """The checks of the program; one whose criterion a document does not have shows the document as a whole."""
+    if system.program is None:
+        return
+    found: dict[str, list[str]] = {}
+    for check in program_checks(system, system.program):
+        criterion = _criterion(system, check.document, check.number)
+        for interpreter in INTERPRETERS:
+            if criterion and (interpreter == "micropython" or check.script not in ONLY_MICROPYTHON):
+                found.setdefault(criterion, []).append(f"{interpreter}-{check.script}-{check.identifier}")
+    for criterion, cases in found.items():
+        yield Test(f"{folder}/test_program.py", "test_program", criterion, tuple(cases))
+    loop = _criterion(system, documents_of_topics(system, system.program)["loop"], HEAP_NUMBER)
+    if loop:
+        yield Test(f"{folder}/test_program.py", "test_small_heap", loop)
+
+
+def _of_receiver(system: System, folder: str) -> Iterator[Test]:
+    receiver = system.receiver
+    if receiver is None or receiver.citation is None:
+        return
+    for function, numbers in shown_by_receiver_tests().items():
+        for number in numbers:
+            criterion = _criterion(system, receiver.citation.requirement.id, number)
+            yield Test(f"{folder}/test_receiver.py", function, criterion)
+
+
+def _criterion(system: System, document: str, number: int) -> str:
+    """``FR-00020.3``, or ``FR-00020`` where that has no such criterion: suites count as the shipped documents do."""
+    requirement = system.requirements.get(document)
+    if requirement is None:
+        return ""
+    has = any(criterion.number == number for criterion in requirement.criteria)
+    return f"{requirement.id}.{number}" if has else requirement.id
+
+
+def _grouped(file: str, function: str, cases: Iterable[tuple[str, str]]) -> Iterator[Test]:
+    found: dict[str, list[str]] = {}
+    for criterion, identifier in cases:
+        if criterion:
+            found.setdefault(criterion, []).extend(_under_each(identifier))
+    for criterion, listed in found.items():
+        yield Test(file, function, criterion, tuple(listed))
+
+
+def _under_each(identifier: str) -> Iterator[str]:
+    return (f"{interpreter}-{identifier}" for interpreter in INTERPRETERS)

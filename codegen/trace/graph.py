@@ -1,0 +1,197 @@
+"""The graph of a project: criteria, the rows of the tables that cite them, symbols made of these, and tests.
+
+Criteria are named as tables cite them: ``FR-00068.3``, or ``FR-00068`` for a document as a whole.
+"""
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import ClassVar
+
+from codegen.model.spec import Criterion, Requirement
+from codegen.model.test_record import MarkedTest
+from codegen.source import Place
+
+DECISION = "ADR"
+"""Front of the ids of documents that decide rather than ask: their decisions are carried out by requirements."""
+
+
+class Kind(StrEnum):
+    """What a row of the specification is about."""
+
+    MESSAGE = "message"
+    FIELD = "field"
+    PARAMETER = "parameter"
+    STREAM = "stream"
+    GENERATIONS = "generations"
+    LINK = "link"
+    ADC = "ADC channel"
+    COMPONENT = "component"
+    QUANTITY = "quantity"
+    FAILSAFE = "failsafe"
+    PROGRAM = "program"
+    RECEIVER = "receiver"
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Symbol:
+    """A name in a generated file: ``firmware/state.py`` below the output folder, ``BatteryState.voltage``."""
+
+    file: str
+    name: str
+
+    def __str__(self) -> str:
+        """``firmware/state.py: BatteryState.voltage``."""
+        return f"{self.file}: {self.name}"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """What one record of the specification states, or one aspect of it, and the criterion that it cites.
+
+    ``name`` is ``BATTERY_STATUS``, ``BATTERY_STATUS.voltages``, ``battery.voltage``, ``BATT_LOW_VOLT``...; ``part`` is
+    what of it: ``[1..9]`` of a field's elements, the aspect ``stale_after``, or nothing.
+    """
+
+    kind: Kind
+    name: str
+    part: str
+    criterion: str
+    place: Place
+    symbols: tuple[Symbol, ...]
+
+    @property
+    def label(self) -> str:
+        """``BATTERY_STATUS.voltages[1..9]``, ``battery.voltage (stale_after)``."""
+        if not self.part:
+            return self.name
+        return f"{self.name}{self.part}" if self.kind is Kind.FIELD else f"{self.name} ({self.part})"
+
+
+@dataclass(frozen=True, slots=True)
+class Test:
+    """A test function and the criterion that it shows.
+
+    ``file`` is a path below the project's folder. ``cases`` are the parameters in brackets that pytest adds, each of
+    which has to pass; a test without any has one case, or, written by hand, as many as the results say. ``about`` is
+    the message that it is about, if it is about a single one. ``inputs`` is the hash of the specification that a
+    generated test was made of. ``place`` is where a test that is written by hand says what it shows, and ``written`` is
+    what is written there, which may be an alias.
+    """
+
+    __test__: ClassVar[bool] = False  # pytest takes classes of such names for tests
+
+    file: str
+    function: str
+    criterion: str
+    cases: tuple[str, ...] = ()
+    about: str = ""
+    inputs: str = ""
+    place: Place | None = None
+    written: str = ""
+
+    @property
+    def name(self) -> str:
+        """As pytest calls it, without its parameters: ``generated/tests/test_frames.py::test_frames``."""
+        return f"{self.file}::{self.function}"
+
+
+@dataclass(frozen=True, slots=True)
+class Trace:
+    """A project: its documents in the order of their ids, the rows, and the tests.
+
+    ``names`` has the id of each document by its id and each of its aliases, ``criteria`` every criterion by its name,
+    in the order of the documents. ``rows_of`` and ``tests_of`` have, by name of a criterion or of a whole document, the
+    rows that cite it and the tests that show it.
+    """
+
+    requirements: tuple[Requirement, ...]
+    rows: tuple[Row, ...]
+    tests: tuple[Test, ...]
+    names: Mapping[str, str]
+    criteria: Mapping[str, tuple[Requirement, Criterion]]
+    rows_of: Mapping[str, tuple[Row, ...]]
+    tests_of: Mapping[str, tuple[Test, ...]]
+
+    def called(self, name: str) -> str | None:
+        """The criterion or document that a name means, which may be an alias; None if there is none."""
+        document, dot, number = name.partition(".")
+        known = self.names.get(document)
+        if known is None or not dot:
+            return known
+        return f"{known}.{number}" if f"{known}.{number}" in self.criteria else None
+
+
+def linked(requirements: Iterable[Requirement], rows: Iterable[Row], tests: Iterable[Test]) -> Trace:
+    """The graph of documents, rows and tests, which know one another by the names of criteria."""
+    requirements = tuple(sorted(requirements, key=lambda each: each.id))
+    names = {name: each.id for each in requirements for name in (each.id, *each.aliases)}
+    rows, tests = tuple(rows), tuple(_by_id(test, names) for test in tests)
+    rows_of: dict[str, list[Row]] = {}
+    for row in rows:
+        rows_of.setdefault(row.criterion, []).append(row)
+    tests_of: dict[str, list[Test]] = {}
+    for test in tests:
+        tests_of.setdefault(test.criterion, []).append(test)
+    return Trace(
+        requirements=requirements,
+        rows=rows,
+        tests=tests,
+        names=names,
+        criteria={f"{each.id}.{one.number}": (each, one) for each in requirements for one in each.criteria},
+        rows_of={criterion: tuple(found) for criterion, found in rows_of.items()},
+        tests_of={criterion: tuple(found) for criterion, found in tests_of.items()},
+    )
+
+
+def _by_id(test: Test, names: Mapping[str, str]) -> Test:
+    """The test with the id of its document where it names an alias."""
+    document, dot, number = test.criterion.partition(".")
+    known = names.get(document, document)
+    return test if known == document else replace(test, criterion=f"{known}{dot}{number}", written=test.criterion)
+
+
+def hand_written(marked: Iterable[MarkedTest], folder: str) -> tuple[Test, ...]:
+    """Tests that say what they show, once for each criterion; ``folder`` is that of the project."""
+    tests: dict[tuple[str, str, str], Test] = {}
+    for one in marked:
+        file = os.path.relpath(one.place.file, folder).replace(os.sep, "/")
+        tests.setdefault((file, one.function, one.shows), Test(file, one.function, one.shows, place=one.place))
+    return tuple(tests.values())
+
+
+def is_decision(requirement: Requirement) -> bool:
+    """Whether a document decides, and asks for nothing itself: then nothing of it is uncovered."""
+    return requirement.id.partition("-")[0] == DECISION
+
+
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """What hangs on a part of the specification: names of criteria, symbols, and tests."""
+
+    criteria: tuple[str, ...]
+    symbols: tuple[Symbol, ...]
+    tests: tuple[Test, ...]
+
+
+def reached(trace: Trace, name: str) -> Reached:
+    """What a row reaches: ``name`` is that of a message, a field (``BATTERY_STATUS.voltages``), a parameter...
+
+    A message reaches what its fields do. Of tests about a single message only those about this one count.
+    """
+    rows = [row for row in trace.rows if row.name == name or _is_field_of(row, name)]
+    criteria = sorted({row.criterion for row in rows})
+    message = name.partition(".")[0]
+    fields = any(row.kind in (Kind.MESSAGE, Kind.FIELD) for row in rows)
+    tests = [
+        test
+        for criterion in criteria
+        for test in trace.tests_of.get(criterion, ())
+        if not fields or test.about in ("", message)
+    ]
+    return Reached(tuple(criteria), tuple(sorted({symbol for row in rows for symbol in row.symbols})), tuple(tests))
+
+
+def _is_field_of(row: Row, message: str) -> bool:
+    return row.kind is Kind.FIELD and row.name.startswith(f"{message}.")

@@ -1,0 +1,138 @@
+"""Results of tests meet the graph: how often each test passed, and what is too old to show anything.
+
+A test of a generated suite says of which specification it was made; a result of another one is stale. Of one test in
+several files all results count: one that failed is not made good by another.
+"""
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from codegen.model.test_record import Outcome, TestResult
+from codegen.trace.graph import Test, Trace, linked
+
+
+@dataclass(frozen=True, slots=True)
+class Counts:
+    """How the cases of a test went; ``missing`` are those without a result."""
+
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+    stale: int = 0
+    missing: int = 0
+
+    def __add__(self, other: "Counts") -> "Counts":
+        """The sum."""
+        return Counts(
+            self.passed + other.passed,
+            self.failed + other.failed,
+            self.skipped + other.skipped,
+            self.stale + other.stale,
+            self.missing + other.missing,
+        )
+
+    @property
+    def cases(self) -> int:
+        """How many there are."""
+        return self.passed + self.failed + self.skipped + self.stale + self.missing
+
+
+@dataclass(frozen=True, slots=True)
+class Results:
+    """The results of one or several files, by module and by the name of the test without its parameters.
+
+    ``current`` are the hashes of the suites as they are generated now.
+    """
+
+    modules: Mapping[str, Mapping[str, Sequence[TestResult]]]
+    current: Collection[str]
+
+
+def results_of(found: Iterable[TestResult], tests: Iterable[Test]) -> Results:
+    """The results in order to be looked up for tests."""
+    modules: dict[str, dict[str, list[TestResult]]] = defaultdict(lambda: defaultdict(list))
+    for result in found:
+        modules[result.module][result.name.partition("[")[0]].append(result)
+    return Results(modules, {test.inputs for test in tests if test.inputs})
+
+
+def counts_of(test: Test, results: Results) -> Counts:
+    """How the cases of a test went."""
+    by_case: dict[str, list[TestResult]] = {}
+    for result in _about(test, results):
+        by_case.setdefault(_case(result), []).append(result)
+    if not test.cases:
+        return (
+            sum((_judged(listed, results) for listed in by_case.values()), Counts()) if by_case else Counts(missing=1)
+        )
+    return sum((_judged(by_case.get(case, ()), results) for case in test.cases), Counts())
+
+
+def with_links_of(trace: Trace, results: Results) -> Trace:
+    """The graph with the links that only results tell: of tests whose marks are computed, or that lie elsewhere."""
+    known: dict[tuple[str, str], list[Test]] = defaultdict(list)
+    for test in trace.tests:
+        known[test.function.rpartition("::")[2], test.criterion].append(test)
+    found: dict[tuple[str, str, str], Test] = {}
+    for module, functions in results.modules.items():
+        for function, listed in functions.items():
+            for result in listed:
+                for name in result.shows if result.inputs is None else ():
+                    criterion = trace.called(name) or name
+                    if not any(_is_in(module, test) for test in known[function, criterion]):
+                        file = f"{module.replace('.', '/')}.py"
+                        further = Test(file, function, criterion, place=result.place, written=name)
+                        found.setdefault((module, function, criterion), further)
+    return linked(trace.requirements, trace.rows, (*trace.tests, *found.values())) if found else trace
+
+
+def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
+    """Whether results say nothing about a project: none is of a test that is known, none names a criterion."""
+    known: dict[str, list[Test]] = defaultdict(list)
+    for test in trace.tests:
+        known[test.function.rpartition("::")[2]].append(test)
+    for result in found:
+        if result.inputs is None and any(trace.called(name) for name in result.shows):
+            return False
+        for test in known[result.name.partition("[")[0]]:
+            if _is_in(result.module, test) and (not test.cases or _case(result) in test.cases):
+                return False
+    return True
+
+
+def _about(test: Test, results: Results) -> Iterator[TestResult]:
+    """The results of a test; where results tell what they show, only those that show its criterion."""
+    function = test.function.rpartition("::")[2]
+    for module, functions in results.modules.items():
+        if function in functions and _is_in(module, test):
+            listed = functions[function]
+            says = not test.inputs and any(result.shows for result in listed)
+            for result in listed:
+                if test.inputs and result.inputs in results.current and result.inputs != test.inputs:
+                    continue  # of the suite of another program
+                if not says or test.criterion in result.shows or test.written in result.shows:
+                    yield result
+
+
+def _judged(listed: Sequence[TestResult], results: Results) -> Counts:
+    """One case: what failed once has failed, and what is of another specification shows nothing."""
+    if not listed:
+        return Counts(missing=1)
+    if any(result.inputs is not None and result.inputs not in results.current for result in listed):
+        return Counts(stale=1)
+    outcomes = {result.outcome for result in listed}
+    if Outcome.FAILED in outcomes:
+        return Counts(failed=1)
+    return Counts(passed=1) if Outcome.PASSED in outcomes else Counts(skipped=1)
+
+
+def _case(result: TestResult) -> str:
+    return result.name.partition("[")[2].removesuffix("]")
+
+
+def _is_in(module: str, test: Test) -> bool:
+    """Whether a dotted name is that of a test's module: pytest counts from the folder of its settings, not of ours."""
+    owner, _, _ = test.function.rpartition("::")
+    own = test.file.removesuffix(".py").replace("/", ".") + (f".{owner.replace('::', '.')}" if owner else "")
+    return module == own or (bool(module) and (own.endswith(f".{module}") or module.endswith(f".{own}")))

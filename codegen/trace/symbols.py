@@ -1,0 +1,165 @@
+"""What is generated from each part of the specification, by the names that the targets give it.
+
+A constant of a message is written where its payload is prefilled, a live value where it is built; a quantity is an
+attribute of the state and, with a unit, a property for people.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from codegen.model.program import BoardLink, LinkKind
+from codegen.model.system import (
+    Binding,
+    EachBinding,
+    FlagsBinding,
+    InstanceBinding,
+    LiveBinding,
+    PageBinding,
+    PopulatedMessage,
+    SplitBinding,
+    System,
+    read_quantities,
+)
+from codegen.model.vehicle import Component, Parameter, Quantity, Stream
+from codegen.targets.naming import (
+    builder_name,
+    class_names,
+    failsafe_class,
+    parameter_attribute,
+    prefill_name,
+    state_class,
+)
+from codegen.targets.receiver.view import ReceiverView, receiver_view
+from codegen.trace.graph import Symbol
+
+BOARD = "firmware/board.py"
+FAILSAFE = "firmware/failsafe.py"
+MESSAGES = "firmware/messages.py"
+PARAMETERS = "firmware/parameters.py"
+STATE = "firmware/state.py"
+STREAMS = "firmware/streams.py"
+TELEMETRY = "firmware/telemetry.py"
+VEHICLE = "firmware/vehicle.py"
+
+PROGRAM = {
+    "control": ((VEHICLE, "Vehicle.run_pass"), ("firmware/scheduler.py", "Scheduler")),
+    "storage": ((VEHICLE, "Vehicle._save_step"), ("firmware/storage.py", "Storage")),
+    "arming": ((VEHICLE, "Vehicle.arm"), (VEHICLE, "Vehicle.arming_problem")),
+    "services": (
+        ("firmware/services.py", "Services"),
+        ("firmware/commands.py", "Commands"),
+        ("firmware/parameter_service.py", "ParameterService"),
+    ),
+    "measure": ((VEHICLE, "Vehicle.measure"),),
+}
+"""The parts of the program by their keys in vehicle.yaml: their modules are copied or rendered as a whole."""
+
+_PORTS = {
+    LinkKind.UART: ("firmware/serial_port.py", "open_uart"),
+    LinkKind.USB: ("firmware/serial_port.py", "open_usb"),
+    LinkKind.UDP: ("firmware/udp_port.py", "UdpPort"),
+}
+_BUILT = (LiveBinding, SplitBinding, EachBinding, PageBinding)
+
+
+@dataclass(frozen=True, slots=True)
+class Symbols:
+    """The symbols of one system; files lie below the output folder, those of a further program below its name."""
+
+    system: System
+    classes: dict[str, str]
+    receiver: ReceiverView | None
+
+    def message(self, message: PopulatedMessage) -> tuple[Symbol, ...]:
+        """Its class, its builder, and the function of the receiver that reads it."""
+        found = [(MESSAGES, self.classes[message.name]), (TELEMETRY, builder_name(message))]
+        return self._all([*found, *self._read_by_receiver(message)])
+
+    def field(self, message: PopulatedMessage, binding: Binding) -> tuple[Symbol, ...]:
+        """Where its value is written, and the quantities of the state or the parameter that it reads."""
+        found = []
+        is_flagged = isinstance(binding, FlagsBinding)
+        is_numbered = isinstance(binding, InstanceBinding) and binding.first is not None
+        if not isinstance(binding, _BUILT) and not is_numbered:
+            found.append((TELEMETRY, prefill_name(message)))
+        if isinstance(binding, _BUILT) or is_numbered or (is_flagged and read_quantities(binding)):
+            found.append((TELEMETRY, builder_name(message)))
+        for quantity in read_quantities(binding):
+            found += self._quantity(quantity)
+        source = binding.first if isinstance(binding, InstanceBinding) else getattr(binding, "source", None)
+        if isinstance(source, Parameter):
+            found += self._parameter(source)
+        return self._all([*found, *self._read_by_receiver(message)])
+
+    def parameter(self, parameter: Parameter) -> tuple[Symbol, ...]:
+        """Its attribute, and those of its family."""
+        return self._all(self._parameter(parameter))
+
+    def stream(self, stream: Stream) -> tuple[Symbol, ...]:
+        """What sends its messages."""
+        sent = [message for message in self.system.messages if message.stream is stream]
+        return self._all([(STREAMS, "Streams"), *((STREAMS, f"_send_{message.name.lower()}") for message in sent)])
+
+    def generations(self) -> tuple[Symbol, ...]:
+        """What knows which generation is chosen."""
+        return self._all([(STREAMS, "_GENERATIONS"), (STREAMS, "Streams._is_chosen")])
+
+    def link(self, link: BoardLink) -> tuple[Symbol, ...]:
+        """What opens it."""
+        return self._all([(BOARD, "Board.open_ports"), _PORTS[link.kind]])
+
+    def readings(self, components: Iterable[Component]) -> tuple[Symbol, ...]:
+        """What reads components from the ADC."""
+        return self._all((BOARD, f"Board.read_{component.name}_adc") for component in components)
+
+    def component(self, component: Component) -> tuple[Symbol, ...]:
+        """Its class, and its update where it is measured."""
+        found = [(STATE, state_class(component.name))]
+        if any(quantity.conversion for quantity in component.quantities.values()):
+            found.append((STATE, f"SystemState.update_{component.name}"))
+        return self._all(found)
+
+    def quantity(self, quantity: Quantity) -> tuple[Symbol, ...]:
+        """Its attribute and its property; of a measured one also what converts counts."""
+        return self._all(self._quantity(quantity))
+
+    def failsafe(self, component: Component) -> tuple[Symbol, ...]:
+        """Its class."""
+        return self._all([(FAILSAFE, failsafe_class(component.name))])
+
+    def part_of_program(self, name: str) -> tuple[Symbol, ...]:
+        """The modules of one part of the program, by its key in vehicle.yaml."""
+        return self._all(PROGRAM.get(name, ()))
+
+    def whole_receiver(self) -> tuple[Symbol, ...]:
+        """The class of the receiver."""
+        view = self.receiver
+        return self._all([(f"receiver/{view.module}.py", view.views_class)] if view else [])
+
+    def _read_by_receiver(self, message: PopulatedMessage) -> Iterator[tuple[str, str]]:
+        for reader in self.receiver.readers if self.receiver else ():
+            if self.receiver and reader.name == message.name:
+                yield f"receiver/{self.receiver.module}.py", reader.function
+
+    def _parameter(self, parameter: Parameter) -> list[tuple[str, str]]:
+        names = parameter.siblings or (parameter.name,)
+        return [(PARAMETERS, f"Parameters.{parameter_attribute(name)}") for name in names]
+
+    def _quantity(self, quantity: Quantity) -> list[tuple[str, str]]:
+        owner = state_class(quantity.component)
+        stored = quantity.name if quantity.followed else quantity.attribute
+        found = [(STATE, f"{owner}.{name}") for name in dict.fromkeys((stored, quantity.name))]
+        if quantity.conversion is not None:
+            found += [(STATE, f"{owner}.{quantity.name}_from_adc"), (STATE, f"{owner}.set_count")]
+        return found
+
+    def _all(self, found: Iterable[tuple[str, str]]) -> tuple[Symbol, ...]:
+        program = self.system.spec.program
+        below = f"{program}/" if program else ""
+        return tuple(dict.fromkeys(Symbol(f"{below}{file}", name) for file, name in found))
+
+
+def symbols_of(system: System) -> Symbols:
+    """The symbols of a system."""
+    receiver = receiver_view(system, system.receiver) if system.receiver else None
+    return Symbols(system, class_names(wire.name for wire in system.wires), receiver)

@@ -1,0 +1,210 @@
+"""Nothing that changes in a specification is missed: each attribute of the resolved system is changed in turn."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass, replace
+from enum import Enum
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.diff.system import compare_systems
+from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
+from codegen.model.price import Price
+from codegen.model.system import PopulatedMessage, System
+from codegen.model.unit import UNITS, Unit
+from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
+from codegen.pipeline import read_systems
+from codegen.source import Written
+
+ROOT = Path(__file__).resolve().parents[2]
+
+WHOLE = (Dialect, EnumDefinition, WireField, WireMessage, Price)
+"""Records of which another test changes the attributes; here they are only exchanged for one another."""
+
+LINKED = (Parameter, Quantity, Component, Stream, Citation, PopulatedMessage, Unit)
+"""Records that others point at: there they are exchanged, and changed where they belong."""
+
+HOME = {
+    "parameters": Parameter,
+    "components": Component,
+    "quantities": Quantity,
+    "streams": Stream,
+    "messages": PopulatedMessage,
+}
+"""Where such records belong, by the attribute that holds them."""
+
+UNSEEN = {
+    "System.spec": "what was written; what it resolves to is compared, and single texts of it",
+    "System.dialect": "has a test of its own",
+    "System.requirements": "the next tests",
+    "System.system_id": "compared, but its parameter says it too",
+    "PopulatedMessage.population": "what was written",
+    "PopulatedMessage.wire": "of the dialect",
+    "Elements.field": "of the dialect",
+    "Elements.answer": "what was written; its note is compared",
+    "Elements.first": "which elements: every one of them is compared",
+    "Elements.count": "which elements: every one of them is compared",
+    "Quantity.component": "part of the name by which it is found",
+    "Quantity.name": "the name by which it is found",
+    "Component.name": "the name by which it is found",
+    "Parameter.name": "the name by which it is found",
+    "Stream.name": "the name by which it is found",
+    "AdcChannel.name": "the name by which it is found",
+    "BoardLink.name": "the name by which it is found",
+    "Representation.component": "the name by which it is found",
+    "Instance.number": "the place in the list",
+    "Receiver.messages": "named by their own tables",
+    "Conversion.channel": "has its own attributes",
+    "Parameter.instance": "part of the family, compared with the component",
+    "FixedBinding.meaning": "words for the value that is compared",
+}
+"""Attributes that are not changed here, and why."""
+
+
+def other(value: Any, siblings: Mapping[type, list[Any]]) -> Any:
+    """Another value of the same kind, or None where there is no other."""
+    if isinstance(value, (tuple, dict, frozenset)):
+        return _other_collection(value, siblings)
+    match value:
+        case bool():
+            return not value
+        case Enum():
+            return next((one for one in type(value) if one is not value), None)
+        case int() | Fraction():
+            return value + 1
+        case float():
+            return 1.25
+        case str():
+            return f"{value}x"
+        case Unit():
+            return UNITS["kg"] if value.name != "kg" else UNITS["g"]
+    return next((one for one in siblings.get(type(value), []) if one != value), None)
+
+
+def _other_collection(value: Any, siblings: Mapping[type, list[Any]]) -> Any:
+    """Without its last member, or of plain values with another one in its place."""
+    if not value:
+        return None
+    if isinstance(value, dict):
+        return dict(list(value.items())[:-1])
+    last = value[-1]
+    if isinstance(last, (str, int, float)):
+        return (*value[:-1], other(last, siblings))
+    return value[:-1]
+
+
+def mutants(record: Any, siblings: Mapping[type, list[Any]], seen: set[int]) -> Iterator[tuple[str, Any]]:
+    """The name of each attribute below a record, and the record with that attribute changed."""
+    if id(record) in seen:
+        return
+    seen.add(id(record))
+    for field in fields(record):
+        name, value = f"{type(record).__name__}.{field.name}", getattr(record, field.name)
+        if name in UNSEEN or isinstance(value, Written) or value is None:
+            continue
+        if not (is_dataclass(value) and not isinstance(value, (*LINKED, *WHOLE))):
+            changed = other(value, siblings)
+            if changed is not None:
+                yield name, replace(record, **{field.name: changed})
+        belongs = HOME.get(field.name)
+        for key, part in _parts(value):
+            if isinstance(part, (*LINKED, *WHOLE)) and not (belongs and isinstance(part, belongs)):
+                continue
+            for inner, changed in mutants(part, siblings, seen):
+                yield inner, replace(record, **{field.name: _put(value, key, changed)})
+
+
+def _parts(value: Any) -> list[tuple[Any, Any]]:
+    """The records directly in a value, each with what it is found by."""
+    if isinstance(value, Mapping):
+        return [(key, part) for key, part in value.items() if is_dataclass(part) and not isinstance(part, Written)]
+    if isinstance(value, tuple):
+        return [(i, part) for i, part in enumerate(value) if is_dataclass(part) and not isinstance(part, Written)]
+    return [(None, value)] if is_dataclass(value) and not isinstance(value, Written) else []
+
+
+def _put(value: Any, key: Any, part: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {**value, key: part}
+    if isinstance(value, tuple):
+        return (*value[:key], part, *value[key + 1 :])
+    return part
+
+
+@pytest.fixture(scope="module")
+def systems() -> tuple[System, ...]:
+    return read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
+
+
+def siblings_of(system: System) -> dict[type, list[Any]]:
+    """Records of each kind that others can be exchanged for."""
+    quantities = [quantity for component in system.components.values() for quantity in component.quantities.values()]
+    citations = [binding.covers.citation for message in system.messages for binding in message.bindings]
+    wires = list(system.dialect.messages.values())
+    found: dict[type, list[Any]] = {
+        Parameter: sorted(system.parameters.values(), key=lambda each: each.default),  # some choose by it
+        Quantity: quantities,
+        Component: list(system.components.values()),
+        Stream: list(system.streams.values()),
+        Citation: citations,
+        PopulatedMessage: list(system.messages),
+        WireMessage: wires,
+        EnumDefinition: list(system.dialect.enums.values()),
+    }
+    return found
+
+
+def test_each_attribute_that_changes_is_told(systems: tuple[System, ...]) -> None:
+    """Of every record of the shipped system: an attribute that is missed would be a change that nobody reviews."""
+    main = systems[0]
+    missed, told = [], {}
+    tried: dict[str, int] = {}
+    for name, system in mutants(main, siblings_of(main), set()):
+        tried[name] = tried.get(name, 0) + 1
+        if tried[name] > 2:
+            continue
+        changes = compare_systems((main,), (system,)).changes
+        if not changes:
+            missed.append(name)
+        told.setdefault(name, set()).update(change.rule.id for change in changes)
+        for change in changes:
+            assert change.old != change.new, (name, change.rule.id)
+    assert len(tried) > 100, "the walk finds the records"
+    assert not missed, missed
+    for name, rules in EXPECTED.items():
+        assert name in told, f"{name} is not in the shipped system"
+        assert rules <= told[name], f"{name}: {told[name]}"
+
+
+EXPECTED = {
+    "LiveBinding.source": {"population-source-changed"},
+    "LiveBinding.factor": {"population-conversion-changed"},
+    "LiveBinding.rounding": {"population-conversion-changed"},
+    "LiveBinding.low": {"population-limits-changed"},
+    "LiveBinding.high": {"population-limits-changed"},
+    "LiveBinding.unknown": {"population-unknown-changed"},
+    "EachBinding.first": {"population-source-changed"},
+    "FlagsBinding.mask": {"population-flags-changed"},
+    "FlagsBinding.names": {"population-flags-changed"},
+    "FixedBinding.values": {"population-constant-changed"},
+    "Elements.citation": {"citation-changed"},
+    "PopulatedMessage.stream": {"message-schedule-changed"},
+    "PopulatedMessage.component": {"message-instances-changed"},
+    "Parameter.default": {"parameter-default-changed"},
+    "Parameter.minimum": {"parameter-range-changed"},
+    "Parameter.unit": {"parameter-unit-changed"},
+    "Quantity.stored": {"quantity-unit-changed"},
+    "Quantity.maximum": {"quantity-range-changed"},
+    "Quantity.initial": {"quantity-source-changed"},
+    "Quantity.stale_after_ms": {"quantity-trust-changed"},
+    "Stream.fastest": {"stream-rate-changed"},
+    "AdcChannel.samples": {"adc-channel-changed"},
+    "Failsafe.after": {"failsafe-changed"},
+    "Program.control_us": {"program-changed"},
+    "Receiver.stale_after_ms": {"receiver-changed"},
+    "Generations.new": {"generations-changed"},
+}
+"""Of attributes whose rule matters, the rule."""

@@ -1,0 +1,208 @@
+"""Whole documents: which message they are about, what becomes of their rows, what they leave out."""
+
+from pathlib import Path
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.importing.answer import Sources
+from codegen.importing.comparison import Verdict, compare
+from codegen.importing.document import document_id, find_fields
+from codegen.importing.of_system import answers_of, sources_of
+from codegen.importing.proposal import Proposal, not_answered_by, propose, report_unmentioned
+from codegen.importing.table_text import Heading, table_text
+from codegen.model.system import System
+
+ROOT = Path(__file__).parents[2]
+
+REQUIREMENT = r"""# FR-9 | Pack telemetry
+
+The rover sends BATTERY_STATUS (#147).
+
+## Fields
+
+**Where the values come from:**
+
+| Remarks            | Field             | Source                              |
+| ------------------ | ----------------- | ----------------------------------- |
+| a single pack      | id                | 0 (first pack)                      |
+| all motors         | battery_function  | 1 (MAV_BATTERY_FUNCTION_ALL)        |
+|                    | type              | 1 (MAV_BATTERY_TYPE_LIPO)           |
+| nothing measures   | temperature       | INT16_MAX                           |
+| sum of all cells   | voltages\[0]      | (BatteryState.voltage \* 1000) as u16 |
+|                    | voltages\[1-9]    | UINT16_MAX                          |
+| see the note       | current_battery   | -1 or a guess                       |
+|                    | current_consumed, energy_consumed | -1                  |
+"""
+
+DECISION = """# ADR-x1 Telemetry of the pack
+
+## Notes
+
+**BATTERY_STATUS message:**
+
+- One builder makes it.
+- Fields:
+  - `id`: 0 (first pack)
+  - `battery_function`: MAV_BATTERY_FUNCTION_ALL (1)
+  - `type` = MAV_BATTERY_TYPE_LIPO (1)
+  - **temperature**: INT16_MAX (unknown)
+  - `voltages[0]`: what the pack has
+  - `voltages[1..9]`: UINT16_MAX (unknown)
+
+**Other things:**
+
+- `id`: something else
+"""
+
+
+def proposal(text: str, sources: Sources, wanted: str | None = None) -> tuple[Proposal | None, list[tuple[str, int]]]:
+    report = Report()
+    found = find_fields(text, "/doc.md", wanted, sources.dialect, report)
+    made = None if found is None else propose(found.lists, found.message, sources, report)
+    if made is not None:
+        report_unmentioned(not_answered_by(made, []), made.place, report)
+    return made, [(finding.rule.id, finding.place.line) for finding in report]
+
+
+def test_a_table_becomes_a_population_table(sources: Sources) -> None:
+    made, findings = proposal(REQUIREMENT, sources)
+    assert made is not None
+    assert table_text(made, Heading("FR-9", "FR-9", "battery", "EXTRA1", "../s.json")) == (
+        """# yaml-language-server: $schema=../s.json
+message: BATTERY_STATUS
+requirement: FR-9
+for_each: battery
+stream: EXTRA1
+fields:
+  id: {state: battery.instance}  # FR-9 line 11
+  battery_function: {enum: MAV_BATTERY_FUNCTION_ALL}  # FR-9 line 12
+  type: {enum: MAV_BATTERY_TYPE_LIPO}  # FR-9 line 13
+  temperature: unknown  # FR-9 line 14
+  voltages: {state: battery.voltage, split: true}  # FR-9 lines 15, 16
+  # current_battery: unknown  # FR-9 line 17: -1 or a guess
+  current_consumed: unknown  # FR-9 line 18
+  energy_consumed: unknown  # FR-9 line 18
+  # battery_remaining: unknown  # FR-9 does not mention it
+  # time_remaining: unknown  # FR-9 does not mention it
+  # charge_state: {enum: MAV_BATTERY_CHARGE_STATE_UNDEFINED}  # FR-9 does not mention it
+  # voltages_ext: unknown  # FR-9 does not mention it
+  # mode: {enum: MAV_BATTERY_MODE_UNKNOWN}  # FR-9 does not mention it
+  # fault_bitmask: {flags: []}  # FR-9 does not mention it
+"""
+    )
+    assert findings == [("document-unanswered", 9)] * 6 + [("document-cast", 15), ("document-ambiguous", 17)]
+
+
+def test_a_list_is_read_like_a_table(sources: Sources) -> None:
+    made, findings = proposal(DECISION, sources)
+    assert made is not None
+    assert [(answer.target.label, answer.reading.answer, answer.lines) for answer in made.answers] == [
+        ("id", "{state: battery.instance}", (9,)),
+        ("battery_function", "{enum: MAV_BATTERY_FUNCTION_ALL}", (10,)),
+        ("type", "{enum: MAV_BATTERY_TYPE_LIPO}", (11,)),
+        ("temperature", "unknown", (12,)),
+        ("voltages[0]", None, (13,)),
+        ("voltages[1..9]", "unknown", (14,)),
+    ]
+    assert ("document-prose", 13) in findings
+
+
+@pytest.mark.parametrize(
+    ("label", "expected"),
+    [("voltages[1..9]", (1, 9)), ("voltages\\[1:9]", (1, 9)), ("voltages[1 - 9]", (1, 9)), ("`voltages[1..9]`", (1, 9)),
+     ("BATTERY_STATUS.voltages[2]", (2, 1)), ("voltages", (0, 10)), ("type_", (0, 1))],
+)  # fmt: skip
+def test_elements_are_written_in_many_ways(plain: Sources, label: str, expected: tuple[int, int]) -> None:
+    made, _ = proposal(f"BATTERY_STATUS\n\n|Name|Value|\n|-|-|\n|{label}|unknown|\n", plain, "BATTERY_STATUS")
+    assert made is not None
+    assert [(answer.target.first, answer.target.count) for answer in made.answers] == [expected]
+
+
+@pytest.mark.parametrize(
+    ("row", "finding"),
+    [("| voltage | 1 |", "document-field"), ("| voltages[10] | 1 |", "document-field"),
+     ("| voltages[3..2] | 1 |", "document-field"), ("| temperature[0] | 1 |", "document-field"),
+     ("| the rest | unknown |", "document-field"), ("| id | 1 |", "document-twice"), ("| id | 0 |", "")],
+)  # fmt: skip
+def test_rows_that_no_field_has_are_findings(plain: Sources, row: str, finding: str) -> None:
+    text = f"BATTERY_STATUS:\n\n| Field | Value |\n| - | - |\n| id | 0 |\n| type | 1 |\n{row}\n"
+    _, findings = proposal(text, plain)
+    assert [rule for rule, line in findings if line == 7] == ([finding] if finding else [])
+
+
+def test_several_messages_are_a_question(plain: Sources) -> None:
+    text = "## SYS_STATUS\n\n- `load`: 0\n- `errors_comm`: 0\n\n## BATTERY_STATUS\n\n- `id`: 0\n- `type`: 1\n"
+    made, findings = proposal(text, plain)
+    assert (made, findings) == (None, [("document-message", 3)])
+    for name, count in (("SYS_STATUS", 2), ("BATTERY_STATUS", 2)):
+        made, _ = proposal(text, plain, name)
+        assert made is not None
+        assert made.message.name == name
+        assert len(made.answers) == count
+
+
+def test_a_message_that_nobody_names_is_a_question(plain: Sources) -> None:
+    text = "- `voltages`: 0\n- `current_consumed`: -1\n- `energy_consumed`: -1\n"
+    assert proposal(text, plain) == (None, [("document-message", 1)])
+    assert proposal("Nothing at all.\n", plain) == (None, [("document-without-fields", 1)])
+    assert proposal(text, plain, "NO_SUCH")[1] == [("document-message", 1)]
+
+
+def test_the_nearest_text_that_fits_names_the_message(plain: Sources) -> None:
+    """A text that names a message of other fields is passed over."""
+    text = "# BATTERY_STATUS\n\nAs in HEARTBEAT:\n\n- `id`: 0\n- `voltages`: unknown\n"
+    made, _ = proposal(text, plain)
+    assert made is not None
+    assert made.message.name == "BATTERY_STATUS"
+
+
+def test_a_document_is_compared_with_the_table_that_there_is(system: System, sources: Sources) -> None:
+    made, _ = proposal(REQUIREMENT, sources)
+    assert made is not None
+    message = next(one for one in system.messages if one.name == "BATTERY_STATUS")
+    rows = {row.target.label: row.verdict for row in compare(made, answers_of(message), sources)}
+    assert rows == {
+        "id": Verdict.SAME,
+        "battery_function": Verdict.SAME,
+        "type": Verdict.EQUAL,  # a fact of the board that is LIPO
+        "temperature": Verdict.DIFFERENT,
+        "voltages": Verdict.DIFFERENT,
+        "current_battery": Verdict.UNREAD,
+        "current_consumed": Verdict.DIFFERENT,
+        "energy_consumed": Verdict.DIFFERENT,
+        "battery_remaining": Verdict.ONLY_TABLE,
+        "time_remaining": Verdict.ONLY_TABLE,
+        "charge_state": Verdict.ONLY_TABLE,
+        "voltages_ext": Verdict.ONLY_TABLE,
+        "mode": Verdict.ONLY_TABLE,
+        "fault_bitmask": Verdict.ONLY_TABLE,
+    }
+
+
+def test_the_shipped_document_says_what_its_table_says(system: System) -> None:
+    """The real thing: every row of the requirement, in inline YAML, is the same as in the population table."""
+    path = ROOT / "specs" / "requirements" / "FR-00068-battery-status-telemetry.md"
+    for message in system.messages:
+        report = Report()
+        found = find_fields(path.read_text(), str(path), message.name, system.dialect, report)
+        if found is not None:
+            mine = sources_of(system.dialect, system, message.component.name if message.component else None)
+            rows = compare(propose(found.lists, found.message, mine, report), answers_of(message), mine)
+            assert {row.verdict for row in rows} <= {Verdict.SAME, Verdict.ONLY_TABLE}
+            assert sum(row.verdict is Verdict.SAME for row in rows) >= 6
+
+
+def test_the_id_is_that_of_the_first_heading() -> None:
+    assert document_id("# FR-00068 | Title\n", "x") == "FR-00068"
+    assert document_id("text\n\n# ADR-97ebh Title\n", "x") == "ADR-97ebh"
+    assert document_id("# Battery\n", "x") is None
+    assert document_id("", "x") is None
+
+
+def test_a_large_document_is_read_in_time(plain: Sources) -> None:
+    """A thousand lists and a thousand tables, each with headings and text above it."""
+    part = "## BATTERY_STATUS\n\ntext\n\n- `id`: 0\n- `type`: 1\n\n| Field | Value |\n| - | - |\n| id | 0 |\n\n"
+    made, _ = proposal(part * 1000, plain)
+    assert made is not None
+    assert len(made.answers) == 2

@@ -1,0 +1,121 @@
+"""What a cell of a document is taken for: an answer where it says one thing, a finding where it does not."""
+
+from collections.abc import Callable
+
+import pytest
+
+from codegen.importing.answer import Reading, Sources
+
+Read = Callable[[str, str, Sources], tuple[Reading, list[str]]]
+
+
+@pytest.mark.parametrize(
+    ("text", "field", "answer"),
+    [
+        ("0 (the only pack)", "id", "{state: battery.instance}"),
+        ("2", "id", "{constant: 2}"),
+        ("1 (MAV_BATTERY_FUNCTION_ALL)", "battery_function", "{enum: MAV_BATTERY_FUNCTION_ALL}"),
+        ("MAV_BATTERY_FUNCTION_ALL (1)", "battery_function", "{enum: MAV_BATTERY_FUNCTION_ALL}"),
+        ("`MAV_BATTERY_FUNCTION_ALL`", "battery_function", "{enum: MAV_BATTERY_FUNCTION_ALL}"),
+        ("MAV_BATTERY_FUNCTION_ALL = 1", "battery_function", "{enum: MAV_BATTERY_FUNCTION_ALL}"),
+        ("1", "battery_function", "{enum: MAV_BATTERY_FUNCTION_ALL}"),
+        ("0", "fault_bitmask", "{flags: []}"),
+        ("3", "fault_bitmask", "{flags: [MAV_BATTERY_FAULT_DEEP_DISCHARGE, MAV_BATTERY_FAULT_SPIKES]}"),
+        ("INT16_MAX", "temperature", "unknown"),
+        ("`INT16_MAX` (no sensor)", "temperature", "unknown"),
+        ("32767", "temperature", "unknown"),
+        ("0x7FFF", "temperature", "unknown"),
+        ("i16::MAX", "temperature", "unknown"),
+        ("unknown", "temperature", "unknown"),
+        ("unknown (INT16_MAX)", "temperature", "unknown"),
+        ("n/a", "temperature", "unknown"),
+        ("-1 (unknown)", "energy_consumed", "unknown"),
+        ("\u22121", "energy_consumed", "unknown"),
+        ("UINT16_MAX", "voltages[1]", "unknown"),
+        ("25 degC", "temperature", "{constant: 25 degC}"),
+        ("2500", "temperature", "{constant: 2500}"),
+        ("0 degC (frozen)", "temperature", "{constant: 0 degC}"),
+        (r"(BatteryState.voltage \* 1000) as u16", "voltages[0]", "{state: battery.voltage}"),
+        ("`state.battery.voltage * 1000`", "voltages", "{state: battery.voltage, split: true}"),
+        ("battery.voltage", "voltages[0]", "{state: battery.voltage}"),
+        ("`(int16_t)(battery.current * 100)`", "current_battery", "{state: battery.current}"),
+        ("round(100 * battery.temperature) (from the pack)", "temperature", "{state: battery.temperature}"),
+        ("BATT_CAPACITY", "current_consumed", "{parameter: BATT_CAPACITY}"),
+        ("`{state: battery.remaining, min: 0, max: 100}`", "battery_remaining", None),
+        (r"`{flags: [A if x.y]}`", "fault_bitmask", None),
+    ],
+)
+def test_what_says_one_thing_is_an_answer(read: Read, sources: Sources, text: str, field: str, answer: str) -> None:
+    reading, findings = read(text, f"BATTERY_STATUS.{field}", sources)
+    assert reading.answer == (answer or text.strip("`"))
+    assert [finding for finding in findings if not finding.startswith("document-cast")] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "field", "finding"),
+    [
+        ("2 (MAV_BATTERY_FUNCTION_ALL)", "battery_function", "document-entry: 2 stands beside MAV_BATTERY_FUNCTION_ALL, which is 1"),
+        ("MAV_BATTERY_FUNCTION_ALL (2)", "battery_function", "document-entry: 2 stands beside MAV_BATTERY_FUNCTION_ALL, which is 1"),
+        ("1 (MAV_BATTERY_TYPE_LIPO)", "battery_function", "document-entry: MAV_BATTERY_TYPE_LIPO is an entry of MAV_BATTERY_TYPE, but the enum of BATTERY_STATUS.battery_function is MAV_BATTERY_FUNCTION"),
+        ("MAV_BATTERY_TYPE_LIPOO", "type", "document-entry: MAV_BATTERY_TYPE has no entry MAV_BATTERY_TYPE_LIPOO"),
+        ("99", "type", "document-entry: MAV_BATTERY_TYPE has no entry 99 for BATTERY_STATUS.type"),
+        ("-1 (unknown)", "temperature", "document-sentinel: BATTERY_STATUS.temperature is unknown when it is INT16_MAX, not -1"),
+        ("-1", "temperature", "document-sentinel: BATTERY_STATUS.temperature is unknown when it is INT16_MAX, not -1"),
+        ("UINT32_MAX", "energy_consumed", "document-sentinel: BATTERY_STATUS.energy_consumed is unknown when it is -1, not UINT32_MAX"),
+        ("unknown (32767)", "energy_consumed", "document-sentinel: BATTERY_STATUS.energy_consumed is unknown when it is -1, not 32767"),
+        ("unknown", "mode", "document-sentinel: BATTERY_STATUS.mode has no value for unknown in the dialect; the document says unknown"),
+        ("70000", "voltages[1]", "document-range: 70000 is nothing that BATTERY_STATUS.voltages[1] can carry (uint16_t)"),
+        ("12.5", "battery_remaining", "document-range: 12.5 is nothing that BATTERY_STATUS.battery_remaining can carry (int8_t)"),
+        ("battery.volts * 1000", "voltages[0]", "document-quantity: the state has no quantity battery.volts"),
+        ("battery.voltage * 100", "voltages[0]", "document-factor: battery.voltage (V) times 100 is not in mV"),
+        ("battery.current * 1000", "voltages[0]", "document-factor: battery.current (A) times 1000 is not in mV"),
+        ("-1 or estimate", "current_battery", "document-ambiguous: '-1 or estimate' leaves open what goes into BATTERY_STATUS.current_battery"),
+        ("TBD", "current_battery", "document-ambiguous: 'TBD' leaves open what goes into BATTERY_STATUS.current_battery"),
+        ("?", "current_battery", "document-ambiguous: '?' leaves open what goes into BATTERY_STATUS.current_battery"),
+        ("what the pack has", "voltages[0]", "document-prose: 'what the pack has' does not say what goes into BATTERY_STATUS.voltages[0]"),
+        ("", "voltages[0]", "document-empty: nothing is said about the value of BATTERY_STATUS.voltages[0]"),
+        ("`{sate: battery.voltage}`", "voltages[0]", "unknown-key: unknown key 'sate'"),
+        ("`{state: battery.voltage`", "voltages[0]", "yaml-syntax"),
+    ],
+)  # fmt: skip
+def test_what_does_not_is_a_finding(read: Read, sources: Sources, text: str, field: str, finding: str) -> None:
+    reading, findings = read(text, f"BATTERY_STATUS.{field}", sources)
+    assert reading.answer is None
+    assert any(found.startswith(finding) for found in findings), findings
+
+
+def test_a_proposal_names_the_quantity_that_the_words_suggest(read: Read, sources: Sources) -> None:
+    assert read("pack voltage in mV", "BATTERY_STATUS.voltages[0]", sources)[0].proposal == "{state: battery.voltage}"
+    assert read("estimate, or -1", "BATTERY_STATUS.battery_remaining", sources)[0].proposal == "unknown"
+    assert read("the weather", "BATTERY_STATUS.type", sources)[0].proposal is None
+
+
+def test_a_cast_that_ends_at_the_sentinel_is_told(read: Read, plain: Sources) -> None:
+    reading, findings = read("(Pack.voltage * 1000) as u16", "BATTERY_STATUS.voltages[0]", plain)
+    assert reading.answer == "{state: pack.voltage}"
+    assert findings == [
+        "document-cast: a cast to uint16_t ends at 65535 (UINT16_MAX), which means unknown in voltages[0]"
+    ]
+    _, findings = read("(Pack.charge * 1000) as u16", "BATTERY_STATUS.current_consumed", plain)
+    assert findings == ["document-cast: the document casts to uint16_t, but BATTERY_STATUS.current_consumed is int32_t"]
+
+
+def test_without_a_project_the_factor_has_to_be_that_of_some_unit(read: Read, plain: Sources) -> None:
+    assert read("pack.voltage * 1000", "BATTERY_STATUS.voltages[0]", plain)[0].answer == "{state: pack.voltage}"
+    reading, findings = read("pack.voltage * 999", "BATTERY_STATUS.voltages[0]", plain)
+    assert reading.answer is None
+    assert findings[0].startswith("document-factor: pack.voltage times 999 is in mV for no unit")
+
+
+@pytest.mark.parametrize("text", ["NaN", "nan (not measured)", "unknown"])
+def test_nan_is_a_sentinel_like_any_other(read: Read, sources: Sources, text: str) -> None:
+    assert read(text, "BATTERY_STATUS_V2.voltage", sources)[0].answer == "unknown"
+
+
+@pytest.mark.parametrize(
+    "text", ["(" * 500, "a." * 300, "1" * 400, "`" * 99, "((a.b" + ")" * 60, "-" * 200, "(1 (2 (3"]
+)
+def test_nonsense_is_a_finding_and_no_fault(read: Read, sources: Sources, text: str) -> None:
+    reading, findings = read(text, "BATTERY_STATUS.voltages[0]", sources)
+    assert reading.answer is None
+    assert findings
