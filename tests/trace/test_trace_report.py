@@ -8,7 +8,7 @@ from pathlib import Path
 
 import lxml.html
 import pytest
-from conftest import Project
+from trace_project import Project
 
 from codegen import pipeline
 from codegen.cli import main
