@@ -7,9 +7,9 @@ from pathlib import Path
 import measure
 from measure import Figure
 
-COMPARES = """codegen diff as a process of its own, from an older wheel to the installed pymavlink, each dialect with all
-that it includes, against a process that only parses the same XML files of both with pymavlink's parser: it compares nothing,
-keeps no places and prints no report."""
+COMPARES = """codegen diff as a process of its own, from an older wheel to the installed pymavlink, each dialect with
+all that it includes, against a process that only parses the same XML files of both with pymavlink's parser: it
+compares nothing, keeps no places and prints no report."""
 
 DIALECTS = ("common", "all")
 ROUNDS = 7
