@@ -6,20 +6,24 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
 RELEASES := $(VENV)/.releases
+RESULTS := build/results
+BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 
-.PHONY: build test lint clean benchmarks conformance
+.PHONY: build test browser lint clean benchmarks conformance
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-test: $(STATIONS) $(RELEASES)
-	@failed=""; \
+test: $(STATIONS) $(RELEASES) browser
+	@failed=""; rm -rf $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
 	step "mypy" $(BIN)/mypy; \
-	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal; \
-	for tests in $(wildcard generated/*/tests); do step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal "$$tests"; done; \
+	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/pytest.xml; \
+	for tests in $(wildcard generated/*/tests); do name="$$(basename "$$(dirname "$$tests")")"; \
+		step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/$$name.xml "$$tests"; done; \
+	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
 	step "codegen build --check" $(BIN)/codegen build --check; \
 	step "codegen check" $(BIN)/codegen check; \
 	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \
@@ -70,3 +74,14 @@ $(RELEASES): $(INSTALLED)
 	$(BIN)/python -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: --python-version 3.11 \
 		--implementation py --abi none --platform any --dest $(VENV)/releases 'pymavlink==2.4.37'
 	@touch $@
+
+# The tests of the pages drive a real browser, any of these. Debian's is installed where that is possible; else the tests
+# that need one fail, and say so.
+browser:
+	@for name in $(BROWSERS); do command -v "$$name" >/dev/null && exit 0; done; \
+	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+		echo "installing Chromium for the tests of the pages"; \
+		{ apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends chromium; } \
+			>/dev/null && exit 0; \
+	fi; \
+	echo "there is no Chromium for the tests of the pages: install one ($(BROWSERS))" >&2

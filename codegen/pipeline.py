@@ -13,11 +13,11 @@ from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.importing.drift import drift
 from codegen.importing.stated import stated_fields
-from codegen.load.marked_tests import read_marked_tests, test_files
+from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.shipped import dialect_path
 from codegen.load.text import decode_text, read_bytes
 from codegen.load.trees import exists
-from codegen.model.dialect import Dialect
+from codegen.model.dialect import Dialect, KnownMessage
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Spec
 from codegen.model.system import System
@@ -30,9 +30,14 @@ from codegen.rules import RULES
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.trace.coverage import coverage_of
+from codegen.trace.findings import trace_findings
 from codegen.trace.generated_tests import generated_tests
 from codegen.trace.graph import Trace, hand_written, linked
+from codegen.trace.lock import gone, reviews
+from codegen.trace.page import render_trace
 from codegen.trace.rows import rows_of
+from codegen.trace.view import trace_view
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -153,15 +158,19 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
         return None
     name = os.path.splitext(os.path.basename(path))[0]
     dialect = resolve_dialect(name, files, spec.corrections, report)
-    listed = [
-        message
-        for index, known in enumerate(project.known)
-        for message in decode_known_file(
-            os.path.normpath(os.path.join(spec.folder, known)), report, project.at(f"known[{index}]")
-        )
-    ]
     added = (message.definition for message in dialect.added_messages())
-    return replace(dialect, known=taken_elsewhere(added, files, listed))
+    return replace(dialect, known=taken_elsewhere(added, dialect.files, listed_messages(spec, report)))
+
+
+def listed_messages(spec: Spec, report: Report) -> tuple[KnownMessage, ...]:
+    """The messages of the dialects that a project names under known."""
+    return tuple(
+        message
+        for index, known in enumerate(spec.project.known)
+        for message in decode_known_file(
+            os.path.normpath(os.path.join(spec.folder, known)), report, spec.project.at(f"known[{index}]")
+        )
+    )
 
 
 def read_trace(systems: Sequence[System], report: Report) -> Trace:
@@ -170,7 +179,7 @@ def read_trace(systems: Sequence[System], report: Report) -> Trace:
     A finding is about a file of tests that says nothing.
     """
     documents = {each.place: each for system in systems for each in system.requirements.values()}
-    marked = [test for path in test_files(test_folders(systems)) for test in read_marked_tests(path, report)]
+    marked = [test for path in files_of_tests(folders_of_tests(systems)) for test in read_marked_tests(path, report)]
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents.values(), rows_of(systems), tests)
 
@@ -192,7 +201,7 @@ def project_folder(systems: Sequence[System]) -> str:
     return os.path.dirname(systems[0].spec.folder) if systems else os.getcwd()
 
 
-def test_folders(systems: Iterable[System]) -> list[str]:
+def folders_of_tests(systems: Iterable[System]) -> list[str]:
     """The absolute paths of the folders with tests that are written by hand."""
     specs = [system.spec for system in systems]
     return sorted({os.path.normpath(os.path.join(spec.folder, name)) for spec in specs for name in spec.project.tests})
@@ -206,13 +215,25 @@ def render_system(system: System) -> dict[str, str]:
     return files
 
 
-def render_systems(systems: Iterable[System]) -> dict[str, str]:
+def render_systems(systems: Sequence[System]) -> dict[str, str]:
     """Every output file of a project: those of a further program lie below the folder of its name."""
-    return {
+    files = {
         os.path.join(system.spec.program, path): text
         for system in systems
         for path, text in render_system(system).items()
     }
+    return files if not systems or systems[0].spec.program else files | _trace_page(systems)
+
+
+def _trace_page(systems: Sequence[System]) -> dict[str, str]:
+    """The page of the requirements; what is wrong with tests or with the lock, codegen trace tells."""
+    trace = read_trace(systems, Report())
+    lock = read_trace_lock(systems[0].spec.project.place.file, Report())
+    coverage = coverage_of(trace, reviews(trace, lock), None)
+    findings = Report()
+    findings.extend(trace_findings(trace, coverage, gone(trace, lock)))
+    name = systems[0].spec.project.project
+    return render_trace(systems, trace_view(name, project_folder(systems), trace, coverage, findings))
 
 
 def stale_firmware(system: System) -> list[str]:
@@ -249,16 +270,18 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def files_read(systems: Iterable[System]) -> set[str]:
-    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios."""
+    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios, tests."""
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
-    scenarios = {os.path.join(system.spec.folder, SCENARIOS) for system in systems}
-    return read | {path for path in scenarios if exists(path)}
+    beside = {os.path.join(system.spec.folder, name) for system in systems for name in (SCENARIOS, TRACE_LOCK)}
+    return read | {path for path in beside if exists(path)} | set(files_of_tests(folders_of_tests(systems)))
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:
-    """The absolute paths of the folders of the specifications, that of the project first."""
-    return [system.spec.own_folder for system in systems]
+    """The absolute paths of the folders of the specifications, that of the project first, and of the tests."""
+    systems = tuple(systems)
+    tests = {os.path.dirname(path) for path in files_of_tests(folders_of_tests(systems))}
+    return [*(system.spec.own_folder for system in systems), *sorted({*folders_of_tests(systems), *tests})]
 
 
 def output_folder(system: System) -> str:

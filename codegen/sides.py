@@ -72,13 +72,16 @@ class Around:
 def opened(text: str | None, around: Around) -> Iterator[Side | Unreadable]:
     """The side that ``text`` names, None for the project as it is. What it was read from is gone afterwards."""
     with ExitStack() as stack:
-        if around.pymavlink is not None:
+        if around.pymavlink is None:
+            side = _side(text, around, stack)
+        else:
             folder = _release(around.pymavlink, stack)
             if isinstance(folder, Unreadable):
-                yield folder
-                return
-            stack.enter_context(shipped_in(folder))
-        yield _side(text, around, stack)
+                side = folder
+            else:
+                with shipped_in(folder):
+                    side = _side(text, around, stack)
+        yield side
 
 
 def _side(text: str | None, around: Around, stack: ExitStack) -> Side | Unreadable:

@@ -1,8 +1,16 @@
-"""Settings of the whole suite."""
+"""Settings of the whole suite, and a project that is built once for many tests."""
 
+import os
+import shutil
 import signal
+import subprocess
+import sys
+from pathlib import Path
 
+import pytest
 from hypothesis import settings
+
+ROOT = Path(__file__).resolve().parents[1]
 
 # No timed assertions: a busy machine is no fault of the code, and a failure must be the same for everybody.
 settings.register_profile("codegen", deadline=None, derandomize=True, database=None)
@@ -11,3 +19,23 @@ settings.load_profile("codegen")
 # What a shell runs in the background ignores Ctrl-C, and so would every program that a test starts and interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture(scope="session")
+def first_build(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """The folder of the project below, and a copy of it as the build left it."""
+    folder = tmp_path_factory.mktemp("built") / "project"
+    shutil.copytree(ROOT / "specs", folder / "specs")
+    for path in (folder / "specs").rglob("*"):
+        os.utime(path, (1, 1))  # long before the build
+    subprocess.run([sys.executable, "-m", "codegen", "build"], cwd=folder, check=True, capture_output=True)
+    return folder, Path(shutil.copytree(folder, folder.with_name("as_built")))
+
+
+@pytest.fixture
+def built(first_build: tuple[Path, Path]) -> Path:
+    """The shipped specification, older than what was built from it: files and times are those of one build."""
+    folder, as_built = first_build
+    shutil.rmtree(folder)
+    shutil.copytree(as_built, folder)
+    return folder

@@ -1,7 +1,12 @@
-"""``codegen check``: what is wrong with the specification."""
+"""``codegen check``: what is wrong with the specification, and with what documents claim."""
 
 import argparse
-from typing import Any
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from codegen.claims.reading import Reference
+    from codegen.diagnostics import Report
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -9,8 +14,17 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "check",
         parents=[common],
-        help="check the specification against the dialect and the documents",
-        description="Check the specification against the dialect and the requirement documents.",
+        help="check the specification against the dialect, and what documents claim",
+        description="Check the specification against the dialect, and recompute what the requirement documents claim: "
+        "sizes, rates, ids, worked examples, structs, XML, sentinels. With DOC only the claims of these documents are "
+        "checked, Markdown whatever they end in, against the project if there is one.",
+    )
+    parser.add_argument("documents", metavar="DOC", nargs="*", help="a document whose claims are checked")
+    parser.add_argument(
+        "--dialect",
+        metavar="NAME|FILE",
+        help="compare DOC with this dialect: one that pymavlink ships, or an XML file (default: the project's; common "
+        "without a project)",
     )
     parser.add_argument(
         "--format",
@@ -23,20 +37,73 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print what was found, and return the exit code."""
-    from codegen.cli.findings import print_findings
     from codegen.cli.project import project_file, report_no_project
-    from codegen.diagnostics import Report
 
     project = project_file(arguments)
-    if project is None:
+    if arguments.dialect is not None and not arguments.documents:
+        print("codegen check: --dialect goes with documents; a project names its own", file=sys.stderr)
+        return 2
+    if project is None and not arguments.documents:
         return report_no_project()
-    from codegen import pipeline
-    from codegen.cli.waived import waivers_of, with_waivers
+    from codegen.cli.findings import print_findings
+    from codegen.diagnostics import Report
 
     report = Report()
+    if arguments.documents:
+        files = _check_documents(arguments, project, report)
+    else:
+        assert project is not None
+        files = _check_project(project, report)
+    if project is not None:
+        from codegen.cli.waived import waivers_of, with_waivers
+
+        waivers = waivers_of(project)
+        report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
+    print_findings(report, arguments.format)
+    return report.exit_code
+
+
+def _check_project(project: str, report: "Report") -> list[str]:
+    """Report on the specification and on its own documents, which are returned."""
+    from codegen import pipeline
+
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
     pipeline.check_documents(systems, report)
-    report = with_waivers(report, waivers_of(project), (), ())
-    print_findings(report, arguments.format)
-    return report.exit_code
+    if report.has_errors:
+        return []  # what documents say could not be compared with what is meant
+    from codegen import documents
+
+    reference = documents.project_reference(systems)
+    if reference is None:
+        return []
+    return documents.check_documents(documents.project_documents(systems), reference, report)
+
+
+def _check_documents(arguments: argparse.Namespace, project: str | None, report: "Report") -> list[str]:
+    """Report on the claims of the documents that the arguments name; returns those that could be read."""
+    from codegen import documents
+
+    reference = _reference(arguments.dialect, project, report)
+    return [] if reference is None else documents.check_documents(arguments.documents, reference, report)
+
+
+def _reference(dialect: str | None, project: str | None, report: "Report") -> "Reference | None":
+    """What documents are compared with. What is wrong with a project is told only where it cannot be used."""
+    from codegen import documents, pipeline
+    from codegen.diagnostics import Report
+
+    if dialect is not None or project is None:
+        return documents.dialect_reference(dialect or "common", report)
+    found = Report()
+    reference = documents.project_reference(pipeline.read_systems(project, found))
+    if reference is None:
+        report.extend(found)
+    return reference
+
+
+def _claim_rules() -> list[str]:
+    """The ids of the rules about claims."""
+    from codegen.catalogue import rule_catalogue
+
+    return [rule for rule in rule_catalogue() if rule.startswith("claim-")]

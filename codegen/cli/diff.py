@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from codegen.diff.review import Review
     from codegen.sides import Around, Side, Unreadable
+    from codegen.trace.graph import Trace
 
 FORMATS = ("text", "markdown", "json", "github", "sarif", "html")
 KINDS = ("never", "any", "breaking", "silent", "wire", "behaviour", "trace", "documentation")
@@ -95,7 +96,8 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
             found = _review(base, head, threshold, is_all=arguments.all)
             found, code = _waived(found, project, head)
             print_review(found, arguments.format)
-            return 1 if fails(found, kinds) or head.findings else code
+            is_broken = head.is_project and bool(head.findings)
+            return 1 if fails(found, kinds) or is_broken else code
 
 
 def _around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":
@@ -117,8 +119,6 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     """The review of both sides: of two projects with what changes reach, else of their dialects."""
     from dataclasses import replace
 
-    from codegen import pipeline
-    from codegen.diagnostics import Report
     from codegen.diff.reach import traces, with_reach
     from codegen.diff.review import review
     from codegen.diff.system import compare_dialects, compare_systems
@@ -133,13 +133,21 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
         compared = compare_systems(base.systems, head.systems, threshold)
         if is_all:
             compared = replace(compared, changes=(*compared.changes, *compared.elsewhere), elsewhere=())
-        both = [pipeline.read_trace(side.systems, Report()) for side in (base, head)] if compared.changes else []
-        if both:
-            found = traces(both[0], both[1], (*base.systems, *head.systems))
+        if compared.changes:
+            found = traces(_trace(base), _trace(head), (*base.systems, *head.systems))
             compared = replace(compared, changes=with_reach(compared.changes, found))
     else:
         compared = compare_dialects(base.dialect, head.dialect)
     return review(base.label, head.label, compared, notes)
+
+
+def _trace(side: "Side") -> "Trace":
+    """What hangs together on one side; of a specification with errors nothing is known."""
+    from codegen import pipeline
+    from codegen.diagnostics import Report
+    from codegen.trace.graph import linked
+
+    return linked((), (), ()) if side.findings else pipeline.read_trace(side.systems, Report())
 
 
 def _errors(count: int) -> str:

@@ -17,7 +17,7 @@ from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
 from codegen.trace.graph import Trace
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
-from codegen.trace.page import trace_markdown, trace_page
+from codegen.trace.page import trace_markdown, trace_report
 from codegen.trace.results import Results, results_of, unrelated, with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
@@ -29,6 +29,9 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     trace = pipeline.read_trace(systems, report)
     lock = pipeline.read_trace_lock(project, report)
     results = _results(arguments.results, trace, report)
+    if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
+        print_findings(report)
+        return report.exit_code
     if results is not None:
         trace = with_links_of(trace, results)
     chosen = chosen_names(arguments.names, trace)
@@ -57,7 +60,7 @@ def _text(form: str, view: TraceView, *, is_tree: bool) -> str:
     if form == "needs":
         return needs_json(view)
     if form == "html":
-        return trace_page(view)
+        return trace_report(view)
     if form == "markdown":
         return trace_markdown(view)
     return tree_text(view) if is_tree else summary_text(view)

@@ -2,11 +2,13 @@
 
 import os
 from dataclasses import replace
+from functools import lru_cache
 
 from codegen.decode.dialect import decode_dialect_file
-from codegen.diagnostics import Report
+from codegen.diagnostics import Diagnostic, Report
 from codegen.load.shipped import is_shipped
-from codegen.load.xml_tree import read_xml
+from codegen.load.text import read_bytes
+from codegen.load.xml_tree import parse_xml_bytes
 from codegen.model.dialect import DialectFile
 from codegen.source import Place
 
@@ -31,9 +33,11 @@ def decode_dialect_files(
         if identity in seen:
             return
         seen.add(identity)
-        root = read_xml(path, report, asked_at)
-        if root is not None:
-            open_files.append((decode_dialect_file(root, path, report), 0))
+        data = read_bytes(path, report, asked_at)
+        file, findings = (None, ()) if data is None else _decoded(data, path)
+        report.extend(findings)
+        if file is not None:
+            open_files.append((file, 0))
 
     open_file(os.path.abspath(path), asked_at)
     while open_files:
@@ -56,6 +60,18 @@ def decode_overlay(
     """
     files = decode_dialect_files(path, report, asked_at, known)
     return tuple(replace(file, is_overlay=not is_shipped(file.path)) for file in files)
+
+
+@lru_cache(maxsize=64)
+def _decoded(data: bytes, path: str) -> tuple[DialectFile | None, tuple[Diagnostic, ...]]:
+    """What the content of a file defines, and what is wrong with it.
+
+    Kept: whoever reads several specifications mostly finds the same dialect files in them.
+    """
+    found = Report()
+    root = parse_xml_bytes(data, path, found)
+    file = None if root is None else decode_dialect_file(root, path, found)
+    return file, tuple(found)
 
 
 def _identity(path: str) -> str:

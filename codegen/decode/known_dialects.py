@@ -2,14 +2,14 @@
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from functools import cache
 
 from codegen.diagnostics import Report, Rule
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 from codegen.load.text import read_bytes
 from codegen.load.xml_tree import place_of, read_xml
-from codegen.model.dialect import MAX_MESSAGE_ID, DialectFile, KnownMessage, MessageDefinition
+from codegen.model.dialect import MAX_MESSAGE_ID, KnownMessage, MessageDefinition
 from codegen.model.literals import bounded_number, is_identifier
 from codegen.source import Place
 
@@ -43,16 +43,15 @@ def decode_known_file(path: str, report: Report, asked_at: Place) -> tuple[Known
 
 
 def taken_elsewhere(
-    messages: Iterable[MessageDefinition], files: Iterable[DialectFile], listed: Iterable[KnownMessage]
+    messages: Iterable[MessageDefinition], read: Collection[str], listed: Iterable[KnownMessage]
 ) -> tuple[KnownMessage, ...]:
-    """Which messages of shipped dialects outside ``files``, and of ``listed``, have the name or the id of one of
-    ``messages``."""
+    """Which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have the name
+    or the id of one of ``messages``."""
     messages = tuple(messages)
     names = {message.name for message in messages}
     ids = {message.id for message in messages}
     if not messages:
         return ()
-    read = {file.path for file in files}
     paths = [path for name in shipped_dialect_names() if (path := shipped_dialect_path(name)) and path not in read]
     candidates = [*(message for path in paths for message in _scanned(path, names, ids)), *listed]
     return tuple(message for message in candidates if message.name in names or message.id in ids)

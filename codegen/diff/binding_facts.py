@@ -41,7 +41,7 @@ def _fixed(binding: FixedBinding, position: int) -> Iterator[BindingFact]:
     value = binding.values[position] if position < len(binding.values) else binding.values[-1]
     shown = _number(value)
     if binding.is_unknown:
-        yield BindingFact("source", binding.meaning or "unknown", rules.SOURCE)
+        yield BindingFact("source", "unknown", rules.SOURCE)
         yield BindingFact("unknown", shown, rules.UNKNOWN)
         return
     yield BindingFact("source", "constant", rules.SOURCE)

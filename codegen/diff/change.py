@@ -57,6 +57,11 @@ class Reach:
 NOWHERE = Reach()
 
 
+def builders_first(symbols: Iterable[str]) -> tuple[str, ...]:
+    """The symbols, first what puts values into messages."""
+    return tuple(sorted(symbols, key=lambda symbol: (": build_" not in symbol, symbol)))
+
+
 @dataclass(frozen=True, slots=True)
 class Change:
     """One change. ``subject`` is what changed: MESSAGE, MESSAGE.field, ENUM.ENTRY, component.quantity, PARAMETER, id.

@@ -109,7 +109,7 @@ def _within(old: WireMessage, new: WireMessage) -> Iterator[Change]:
     places = old.definition.place, new.definition.place
     names = tuple(dict.fromkeys((old.name, new.name)))
     if old.name != new.name:
-        yield changed(rules.MESSAGE_RENAMED, new.name, old.name, new.name, places, "CRC_EXTRA tells", messages=names)
+        yield changed(rules.MESSAGE_RENAMED, new.name, old.name, new.name, places, messages=names)
     if old.id != new.id:
         effect = "receivers of the other version pass over it"
         yield changed(rules.MESSAGE_ID, new.name, str(old.id), str(new.id), places, effect, messages=names)

@@ -9,6 +9,8 @@ from codegen.diff.lifecycle import lifecycle_changes
 from codegen.model.dialect import CommandParameter, EnumDefinition, EnumEntry
 from codegen.source import Place
 
+_MEANING = ("units", "enum", "multiplier", "reserved")
+
 Users = Mapping[str, Sequence[str]]
 """The fields, as MESSAGE.field, that have the numbers of an enum, by its name."""
 
@@ -92,10 +94,19 @@ def _parameter(
     words = [_written(side.attributes) if side else None for side in (old, new)]
     if old is None or new is None or sorted(old.attributes) != sorted(new.attributes):
         shown = [word if side is None else word or "a parameter" for word, side in zip(words, (old, new), strict=True)]
-        yield _enum(rules.COMMAND_PARAMETER, subject, shown[0], shown[1], places, fields)
+        change = _enum(rules.COMMAND_PARAMETER, subject, shown[0], shown[1], places, fields)
+        yield change if _is_other(old, new) else replace(change, breaks=())
     texts = [side.description if side else "" for side in (old, new)]
     if texts[0] != texts[1]:
         yield _enum(rules.DESCRIPTION, subject, texts[0] or None, texts[1] or None, places, fields)
+
+
+def _is_other(old: CommandParameter | None, new: CommandParameter | None) -> bool:
+    """Whether a number means something else than before: it is not enough that more is said of it."""
+    if old is None:
+        return False
+    before, after = dict(old.attributes), dict(new.attributes) if new else {}
+    return new is None or any(name in before and before[name] != after.get(name) for name in _MEANING)
 
 
 def _written(attributes: Sequence[tuple[str, str]]) -> str | None:

@@ -49,7 +49,7 @@ def _removed(field: WireField, old: WireMessage, new: WireMessage, moved: Sequen
     subject = f"{new.name}.{field.name}"
     sizes = f"the payload goes from {old.length} to {new.length} bytes"
     if not field.definition.is_extension:
-        effect, notice = f"CRC_EXTRA tells; {sizes}", Notice.NOTICED
+        effect, notice = sizes, Notice.NOTICED
     else:
         shifted = f", and {_listed(moved)} from the wrong bytes" if moved else ""
         effect = f"old receivers read zeros there{shifted}; {sizes}"
@@ -66,7 +66,7 @@ def _added(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence
     places = None, field.definition.place
     names = _both(old, new)
     if not field.definition.is_extension:
-        effect = f"CRC_EXTRA tells; {sizes}"
+        effect = sizes
         return changed(rules.FIELD_ADDED, subject, None, said, places, effect, messages=names)
     breaks: tuple[Victim, ...] = ()
     effect = f"old receivers pass over it; from an old sender it reads as 0{_meaning_of_zero(field)}; {sizes}"
@@ -87,13 +87,13 @@ def _meaning_of_zero(field: WireField) -> str:
 
 
 def _renamed_effect(field: WireField) -> str:
-    return "the bytes are the same" if field.definition.is_extension else "CRC_EXTRA tells"
+    return "the bytes are the same" if field.definition.is_extension else ""
 
 
 def _retyped_effect(pair: Pair) -> str:
     if pair.new.definition.is_extension and pair.old.definition.is_extension:
         return "the other version reads other numbers, there and in what follows"
-    return "CRC_EXTRA tells"
+    return ""
 
 
 def _side(field: WireField) -> str:
@@ -109,7 +109,7 @@ def _order(kept: Sequence[Pair], old: WireMessage, new: WireMessage, *, is_exten
         return
     first = next(pair for pair, name in zip(sorted(same, key=_offset), before, strict=True) if pair.new.name != name)
     notice = Notice.SILENT if is_extension else Notice.NOTICED
-    effect = "the other version reads them from each other's bytes" if is_extension else "CRC_EXTRA tells"
+    effect = "the other version reads them from each other's bytes" if is_extension else ""
     places = first.old.definition.place, first.new.definition.place
     yield changed(
         rules.FIELD_ORDER,

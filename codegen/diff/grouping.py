@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from codegen.diff.change import Area, Change, Notice, Reach
+from codegen.diff.change import Area, Change, Notice, Reach, builders_first
 from codegen.fingerprint import fingerprint
 
 AREAS = tuple(Area)
@@ -43,7 +43,7 @@ class Group:
         reaches = [change.reach for change in self.changes]
         return Reach(
             requirements=_all(reach.requirements for reach in reaches),
-            symbols=_all(reach.symbols for reach in reaches),
+            symbols=builders_first(_all(reach.symbols for reach in reaches)),
             tests=_all(reach.tests for reach in reaches),
         )
 

@@ -146,7 +146,8 @@ def _facts(message: PopulatedMessage) -> dict[tuple[str, int], Subject]:
         note = covers.answer.note or ""
         for index in range(covers.first, covers.first + covers.count):
             facts = [Fact(fact.attribute, fact.text, fact.rule, place) for fact in binding_facts(binding, index)]
-            facts.append(Fact("answers to", str(covers.citation), CITATION, covers.answer.at("requirement")))
+            own = "" if covers.citation == message.citation else str(covers.citation)
+            facts.append(Fact("answers to", own, CITATION, covers.answer.at("requirement")))
             facts.append(Fact("note", note, DOC, covers.answer.at("note")))
             found[covers.field.name, index] = Subject(
                 name=f"{message.name}.{covers.field.name}",

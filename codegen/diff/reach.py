@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from codegen.diff.change import Area, Change, Reach
+from codegen.diff.change import Area, Change, Reach, builders_first
 from codegen.model.system import LiveBinding, System, read_quantities
 from codegen.model.vehicle import Parameter
 from codegen.trace.graph import Trace, reached
@@ -49,14 +49,9 @@ def _reach(change: Change, found: Traces, known: dict[str, Reach]) -> Reach:
     symbols = _sorted(*(part.symbols for part in parts))
     return Reach(
         requirements=_sorted(change.cited, *(part.requirements for part in parts)),
-        symbols=tuple(sorted(symbols, key=_is_beside)),
+        symbols=builders_first(symbols),
         tests=_sorted(*(part.tests for part in parts)),
     )
-
-
-def _is_beside(symbol: str) -> bool:
-    """Whether a symbol is not what puts values into a message: that comes first."""
-    return ": build_" not in symbol
 
 
 def _sorted(*several: Sequence[str]) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from codegen.diff import behaviour_rules as rules
 from codegen.diff.subject import Fact, Subject, amount, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Parameter, Quantity
+from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity
 
 
 def parameter_subjects(system: System) -> Iterator[Subject]:
@@ -102,7 +102,7 @@ def _component(component: Component) -> Subject:
 
 def _quantity(quantity: Quantity) -> Subject:
     spec, stored = quantity.spec, quantity.stored.name
-    smallest, largest = (amount(limit, stored) for limit in (quantity.minimum, quantity.maximum))
+    smallest, largest = _limit(quantity.minimum, stored), _limit(quantity.maximum, stored)
     facts = (
         Fact("unit", quantity.unit.name, rules.QUANTITY_UNIT, spec.at("unit")),
         Fact("kept", f"as {quantity.attribute} in {stored}", rules.QUANTITY_UNIT, spec.at("stored")),
@@ -135,6 +135,11 @@ def _quantity(quantity: Quantity) -> Subject:
         facts=facts,
         cited=cited(quantity.citation, quantity.aspects),
     )
+
+
+def _limit(limit: int, stored: str) -> str:
+    """A limit; nothing where it is only that of the firmware's integers, whatever they count."""
+    return "" if abs(limit) == SMALL_INT_MAX else amount(limit, stored)
 
 
 def _counts(quantity: Quantity) -> str:

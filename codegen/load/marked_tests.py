@@ -24,7 +24,7 @@ TEST_SYNTAX = Rule(
 _Function = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
-def test_files(folders: Iterable[str]) -> list[str]:
+def files_of_tests(folders: Iterable[str]) -> list[str]:
     """The absolute paths of the Python files in folders and below, by name; what begins with a dot is left out."""
     found = []
     for folder in folders:

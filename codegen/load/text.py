@@ -37,12 +37,13 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
-def read_bytes(path: str, report: Report, asked_at: Place | None = None, most: int = MAX_BYTES) -> bytes | None:
-    """The content of a regular file of at most ``most`` bytes, or None after a diagnostic.
+def read_bytes(path: str, report: Report, asked_at: Place | None = None, most: int | None = None) -> bytes | None:
+    """The content of a regular file of at most ``most`` bytes (default: ``MAX_BYTES``), or None after a diagnostic.
 
     ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
     itself where nothing names it.
     """
+    most = MAX_BYTES if most is None else most
     place = asked_at or Place(os.path.abspath(path))
     shown = shown_path(path)
     if is_in_tree(path):

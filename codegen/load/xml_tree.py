@@ -14,7 +14,7 @@ from typing import NamedTuple
 from lxml import etree
 
 from codegen.diagnostics import Report, Rule
-from codegen.load.text import MAX_BYTES, decode_text, read_bytes
+from codegen.load.text import decode_text, read_bytes
 from codegen.source import Place
 
 XML_DOCTYPE = Rule(
@@ -63,16 +63,19 @@ def place_of(element: XmlElement, path: str) -> Place:
     return Place(path, element.line, element.column)
 
 
-def read_xml(path: str, report: Report, asked_at: Place | None = None, most: int = MAX_BYTES) -> XmlElement | None:
+def read_xml(path: str, report: Report, asked_at: Place | None = None, most: int | None = None) -> XmlElement | None:
     """The root element of an XML file, or None after a diagnostic.
 
     ``asked_at`` is the place that names the file; a missing or unreadable file is reported there. Comments and
-    processing instructions are left out; line ends are normalised as XML says. A file of more bytes than ``most`` is
-    a mistake.
+    processing instructions are left out; line ends are normalised as XML says. A file of more bytes than
+    ``most`` counts as a mistake.
     """
     data = read_bytes(path, report, asked_at, most)
-    if data is None:
-        return None
+    return None if data is None else parse_xml_bytes(data, path, report)
+
+
+def parse_xml_bytes(data: bytes, path: str, report: Report) -> XmlElement | None:
+    """The root element of what the file ``path`` holds, or None after a diagnostic."""
     text = _decoded(data, path, report)
     return None if text is None else parse_xml(text, path, report)
 

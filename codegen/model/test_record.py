@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from codegen.source import Place
 
@@ -31,6 +31,8 @@ class TestResult:
     parameters in brackets. ``shows`` are the criteria that it was marked with, ``inputs`` the hash of the specification
     that a generated test was made of.
     """
+
+    __test__: ClassVar[bool] = False  # pytest takes classes of such names for tests
 
     module: str
     name: str

@@ -33,7 +33,7 @@ class Tested:
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
-    """One criterion. ``by_document`` are the rows that cite its document as a whole.
+    """One criterion; ``by_document`` are rows that cite its document as a whole, ``whole_tests`` the cases that do.
 
     ``host_limit`` is what its document says that tests on a host cannot show of it. A decision asks for nothing, and
     its ``review`` is None.
@@ -45,6 +45,7 @@ class Coverage:
     rows: tuple[Row, ...]
     by_document: tuple[Row, ...]
     tests: tuple[Tested, ...]
+    whole_tests: int
     verdict: Verdict
     review: Review | None
     host_limit: HostLimit | None
@@ -102,6 +103,7 @@ def _coverage(
         rows=trace.rows_of.get(name, ()),
         by_document=trace.rows_of.get(requirement.id, ()),
         tests=tested,
+        whole_tests=sum(max(1, len(test.cases)) for test in trace.tests_of.get(requirement.id, ())),
         verdict=_verdict(tested, bool(limits)),
         review=review,
         host_limit=limits[0] if limits else None,

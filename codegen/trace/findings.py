@@ -103,8 +103,16 @@ def _of(each: Coverage) -> Iterator[Diagnostic]:
 
 def _why(each: Coverage) -> str:
     if each.verdict is Verdict.NO_TEST:
-        return "has no test"
+        return f"has no test{_of_the_whole(each)}"
     return f"is shown by no test: {counted_text(each.counts or Counts())}"
+
+
+def _of_the_whole(each: Coverage) -> str:
+    """Tests that name the document leave open which criterion they show."""
+    whole = each.requirement.id
+    return (
+        f"; {each.whole_tests} of {whole} as a whole do not say which criterion they show" if each.whole_tests else ""
+    )
 
 
 def _not_passed(each: Coverage) -> tuple[tuple[Place, str], ...]:

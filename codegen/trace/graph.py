@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import ClassVar
 
 from codegen.model.spec import Criterion, Requirement
 from codegen.model.test_record import MarkedTest
@@ -78,6 +79,8 @@ class Test:
     generated test was made of. ``place`` is where a test that is written by hand says what it shows, and ``written`` is
     what is written there, which may be an alias.
     """
+
+    __test__: ClassVar[bool] = False  # pytest takes classes of such names for tests
 
     file: str
     function: str

@@ -85,7 +85,10 @@ def accepted(written: str | None, lines: Mapping[str, str], dropped: Collection[
         if name in {other for other, _ in kept}:
             continue
         later = [place for place, (other, _) in enumerate(kept) if other and _order(other) > _order(name)]
-        kept.insert(later[0] if later else _end(kept), (name, line))
+        place = later[0] if later else _end(kept)
+        while later and kept[place - 1][1].lstrip().startswith("#") and place > _begin(kept):
+            place -= 1  # what is said about an entry stays above it
+        kept.insert(place, (name, line))
     return "".join(text for _, text in kept)
 
 
@@ -102,6 +105,11 @@ def _blocks(text: str) -> list[tuple[str | None, str]]:
         else:
             blocks.append((None, whole.replace("criteria: {}", "criteria:")))
     return blocks
+
+
+def _begin(blocks: Iterable[tuple[str | None, str]]) -> int:
+    """Behind the line that begins the entries."""
+    return next(place + 1 for place, (name, text) in enumerate(blocks) if not name and text.startswith("criteria:"))
 
 
 def _end(blocks: Iterable[tuple[str | None, str]]) -> int:

@@ -13,6 +13,8 @@ from codegen.trace.view import CriterionView, DocumentView, TraceView
 
 _Need = dict[str, Any]
 
+_MARKS = re.compile(r"[\\*`|_]")
+_STATUS = {"good": "passed", "warn": "partly passed", "bad": "not passed", "": "linked"}
 _TYPES = {"req": "Requirement", "spec": "Specification", "impl": "Implementation", "test": "Test Case"}
 
 
@@ -44,7 +46,7 @@ def _add_document(needs: dict[str, _Need], document: DocumentView) -> None:
 
 def _add_criterion(needs: dict[str, _Need], one: CriterionView, document: str) -> None:
     own = _need("req", one.name, one.name, one.status, one.place, [*one.tags])
-    own["content"] = one.text
+    own["content"] = f"{_prose(one.text)}\n\n{_prose(one.place)}"
     own["links"] = [document]
     needs[own["id"]] = own
     for row in one.rows:
@@ -52,16 +54,16 @@ def _add_criterion(needs: dict[str, _Need], one: CriterionView, document: str) -
         _link(needs, need, own["id"])
     for symbols in one.symbols:
         need = _need("impl", f"FILE {symbols.file}", symbols.file, "", symbols.file, [])
-        need["content"] = ", ".join(symbols.names)
         known = needs.get(need["id"])
-        if known is not None:
-            names = [*filter(None, known["content"].split(", ")), *symbols.names]
-            known["content"] = ", ".join(dict.fromkeys(names))
+        before = known["content"].split(", ") if known else []
+        need["content"] = ", ".join(dict.fromkeys([*before, *map(_prose, symbols.names)]))
+        if known:
+            known["content"] = need["content"]
         _link(needs, need, own["id"])
     for test in one.tests:
-        status = test.result or ("linked" if not test.mood else test.mood)
-        need = _need("test", f"TEST {test.name} {one.name}", f"{test.name} shows {one.name}", status, test.name, [])
-        need["content"] = test.cases
+        status = _STATUS[test.mood]
+        need = _need("test", f"TEST {test.name} {one.name}", f"{test.name} shows {one.name}", status, "", [])
+        need["content"] = _prose("; ".join(filter(None, (test.cases, test.result))))
         _link(needs, need, own["id"])
 
 
@@ -72,8 +74,6 @@ def _link(needs: dict[str, _Need], need: _Need, target: str) -> None:
 
 
 def _need(kind: str, name: str, title: str, status: str, place: str, tags: list[str]) -> _Need:
-    file, _, line = place.partition(":")
-    number = int(line) if line.isdigit() else None
     return {
         "id": _short(need_id(name)),
         "type": kind,
@@ -82,11 +82,15 @@ def _need(kind: str, name: str, title: str, status: str, place: str, tags: list[
         "status": status or None,
         "docname": None,
         "lineno": None,
-        "content": "",
+        "content": _prose(place),
         "tags": tags,
         "links": [],
-        "source": file if number is None else f"{file}:{number}",
     }
+
+
+def _prose(text: str) -> str:
+    """Text for reStructuredText, in which sphinx-needs reads contents: its marks are text here."""
+    return _MARKS.sub(r"\\\g<0>", text)
 
 
 def _short(identifier: str) -> str:

@@ -1,14 +1,36 @@
 """The trace as a page of HTML and as Markdown."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from codegen.model.system import System
 from codegen.render import render_page, render_template
+from codegen.targets.origin import Origin, origin_of
+from codegen.targets.pages.navigation import TRACE_PAGE, Navigation, navigation
 from codegen.trace.view import TraceView
 
 
-def trace_page(view: TraceView) -> str:
+@dataclass(frozen=True, slots=True)
+class TracePage:
+    """The page: one among others of a project, or a report that stands alone."""
+
+    trace: TraceView
+    navigation: Navigation | None
+    origin: Origin | None
+
+
+def trace_report(view: TraceView) -> str:
     """One file of HTML with the matrix of all criteria, to be filtered; it needs nothing beside it."""
-    return render_page("trace/trace.html.j2", view)
+    return render_page("trace/trace.html.j2", TracePage(view, None, None))
 
 
 def trace_markdown(view: TraceView) -> str:
     """The same as Markdown, for a pull request or a review."""
     return render_template("trace/trace.md.j2", view)
+
+
+def render_trace(systems: Sequence[System], view: TraceView) -> dict[str, str]:
+    """The page below ``docs/`` of a project, which has what all of its programs do."""
+    origin = origin_of(systems[0], systems[0].spec.files)
+    page = TracePage(view, navigation(systems[0], TRACE_PAGE), origin)
+    return {f"docs/{TRACE_PAGE}": render_page("trace/trace.html.j2", page)}

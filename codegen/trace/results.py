@@ -89,11 +89,15 @@ def with_links_of(trace: Trace, results: Results) -> Trace:
 
 def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
     """Whether results say nothing about a project: none is of a test that is known, none names a criterion."""
-    functions = {test.function.rpartition("::")[2]: test for test in trace.tests}
+    known: dict[str, list[Test]] = defaultdict(list)
+    for test in trace.tests:
+        known[test.function.rpartition("::")[2]].append(test)
     for result in found:
-        test = functions.get(result.name.partition("[")[0])
-        if test is not None or any(trace.called(name) for name in result.shows):
+        if result.inputs is None and any(trace.called(name) for name in result.shows):
             return False
+        for test in known[result.name.partition("[")[0]]:
+            if _is_in(result.module, test) and (not test.cases or _case(result) in test.cases):
+                return False
     return True
 
 

@@ -11,19 +11,18 @@ WIDTH = 100
 
 def summary_text(view: TraceView) -> str:
     """What there is, and how the tests of the criteria went."""
-    lines = [f"{view.project}:"]
-    lines += wrap(
-        ", ".join(f"{number} {what}" for number, what in view.totals),
-        WIDTH,
-        initial_indent="  ",
-        subsequent_indent="  ",
-    )
+    totals = ", ".join(f"{number} {what}" for number, what in view.totals)
+    lines = [f"{view.project}:", *wrap(totals, WIDTH, initial_indent="  ", subsequent_indent="  ")]
     width = max((len(status) for status, _, _ in view.verdicts), default=0)
     lines += [f"  {status:<{width}} {number:>4}" for status, number, _ in view.verdicts]
     if view.has_results:
         lines.append(f"Results: {', '.join(view.results)}")
     else:
         lines.append("No results were given: --results FILE takes what pytest --junit-xml=FILE writes.")
+    if not view.is_locked:
+        lines.append(
+            'Nothing was reviewed yet: codegen trace accept --all --reason "..." notes the texts as they are now.'
+        )
     return "\n".join(lines) + "\n"
 
 

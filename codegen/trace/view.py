@@ -1,7 +1,7 @@
 """The trace as views that are ready to print, for the terminal, Markdown and HTML alike."""
 
 import os
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence, Sized
 from dataclasses import dataclass, replace
 
 from codegen.diagnostics import Diagnostic, Severity
@@ -15,14 +15,24 @@ from codegen.trace.lock import Review
 
 _MOODS = {
     Verdict.PASSED: "good",
+    Verdict.NO_RESULT: "",
     Verdict.PARTLY: "warn",
-    Verdict.FAILED: "bad",
+    Verdict.BENCH: "warn",
     Verdict.SKIPPED: "bad",
     Verdict.STALE: "bad",
+    Verdict.FAILED: "bad",
     Verdict.NO_TEST: "bad",
-    Verdict.BENCH: "warn",
-    Verdict.NO_RESULT: "",
 }
+_TAGS = {
+    "uncovered": "uncovered",
+    "suspect": "suspect",
+    "partly": "partly passed",
+    "unspecified": "cited by no row",
+    "bench": "needs the bench",
+    "by-hand": "tests by hand",
+    "decision": "decisions",
+}
+"""What criteria can be filtered by, and how people call it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +57,8 @@ class TestView:
     """A test: its name, how many cases it has (empty for one that has no parameters), and how they went."""
 
     name: str
+    file: str
+    function: str
     cases: str
     result: str
     mood: str
@@ -105,12 +117,15 @@ class AttentionView:
 class TraceView:
     """The whole trace. ``totals`` are pairs of a number and what there are so many of.
 
-    ``verdicts`` are a status, the number of its criteria and its mood.
+    ``verdicts`` are a status, the number of its criteria and its mood; ``tags`` are those that occur, with their names.
+    ``is_locked`` is whether there is a lock file.
     """
 
     project: str
     totals: tuple[tuple[int, str], ...]
     verdicts: tuple[tuple[str, int, str], ...]
+    tags: tuple[tuple[str, str], ...]
+    is_locked: bool
     has_results: bool
     results: tuple[str, ...]
     attention: tuple[AttentionView, ...]
@@ -131,24 +146,30 @@ def trace_view(
     views = {each.name: _criterion(each, folder, has_results) for each in coverage}
     asked = [each for each in coverage if not each.is_decision]
     documents = [_document(requirement, views, folder) for requirement in trace.requirements]
-    generated = [test for test in trace.tests if test.place is None]
+    generated = {(test.name, case) for test in trace.tests if not test.place for case in test.cases or ("",)}
     return TraceView(
         project=project,
         totals=(
-            (len({each.requirement.id for each in asked}), "requirement documents"),
-            (len(asked), "criteria"),
-            (len(trace.rows), "rows that cite them"),
-            (len({symbol for row in trace.rows for symbol in row.symbols}), "generated symbols"),
-            (sum(max(1, len(test.cases)) for test in generated), "generated test cases"),
-            (len({test.name for test in trace.tests if test.place}), "tests written by hand"),
+            _counted({each.requirement.id for each in asked}, "requirement document", "requirement documents"),
+            _counted(asked, "criterion", "criteria"),
+            _counted(trace.rows, "row that cites one", "rows that cite them"),
+            _counted({symbol for row in trace.rows for symbol in row.symbols}, "symbol", "generated symbols"),
+            _counted(generated, "generated test case", "generated test cases"),
+            _counted({test.name for test in trace.tests if test.place}, "test by hand", "tests written by hand"),
         ),
         verdicts=tuple(_verdicts(asked, has_results)),
+        tags=tuple((tag, name) for tag, name in _TAGS.items() if any(tag in view.tags for view in views.values())),
+        is_locked=any(each.review is not Review.NO_LOCK for each in asked),
         has_results=has_results,
         results=tuple(results or ()),
         attention=tuple(_attention(finding, folder) for finding in findings),
         documents=tuple(each for each in documents if not each.is_decision),
         decisions=tuple(each for each in documents if each.is_decision),
     )
+
+
+def _counted(found: Sized, one: str, several: str) -> tuple[int, str]:
+    return len(found), one if len(found) == 1 else several
 
 
 def only(view: TraceView, chosen: Collection[str]) -> TraceView:
@@ -259,7 +280,8 @@ def _test(tested: Tested) -> TestView:
         mood = "bad" if counts.failed or not counts.passed else "good" if counts.passed == counts.cases else "warn"
     about = f", {tested.test.about}" if tested.test.about else ""
     cases = f"{number} {'case' if number == 1 else 'cases'}{about}" if number else ""
-    return TestView(tested.test.name, cases, counted_text(counts) if counts else "", mood)
+    test = tested.test
+    return TestView(test.name, test.file, test.function, cases, counted_text(counts) if counts else "", mood)
 
 
 def _shown(place: Place, folder: str) -> str:

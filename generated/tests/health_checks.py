@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: d8506a223210f3f7
+# Inputs: 768812be70f18987
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -349,6 +349,7 @@ CHECKS = (
     ("reading", 3, read_often_enough),
     ("reading", 5, first_value_is_told_once),
     ("reading", 5, runs_without_a_converter),
+    ("update", 1, read_often_enough),
     ("update", 3, sensor_loss_is_noticed),
     ("conversion", 5, high_value_is_warned_about_at_intervals),
     ("steady", 2, late_reading_is_refused_in_the_program),

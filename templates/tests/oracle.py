@@ -2,6 +2,7 @@
 
 The dialect that pymavlink ships is used as it is. Where a message is not in it, but in the project's own XML,
 pymavlink's generator makes a dialect of both, with what the project's corrections change of ids, types and entries.
+Of the shipped XML only the messages that are asked for are taken: the hundreds of others would take most of the time.
 """
 
 import contextlib
@@ -30,7 +31,7 @@ def dialects(about, messages, here):
             return shipped
     files = [DIALECTS / f"{about['shipped']}.xml"] if about["shipped"] else []
     files += [(here / path).resolve() for path in about["files"]]
-    return [_generated(files, about.get("corrections", ()), wire) for wire in WIRES]
+    return [_generated(files, about.get("corrections", ()), messages, wire) for wire in WIRES]
 
 
 def message_class(dialect, name):
@@ -38,11 +39,11 @@ def message_class(dialect, name):
     return getattr(dialect, f"MAVLink_{name.lower()}_message", None)
 
 
-def _generated(files, corrections, wire):
+def _generated(files, corrections, messages, wire):
     with tempfile.TemporaryDirectory() as folder:
         source, output = Path(folder) / "project.xml", Path(folder) / f"project_{wire}.py"
         copies = [Path(folder) / f"{number}.xml" for number in range(len(files))]
-        plain = [_plain(file, copy, corrections) for file, copy in zip(files, copies, strict=True)]
+        plain = [_plain(file, copy, corrections, messages) for file, copy in zip(files, copies, strict=True)]
         includes = "".join(f"<include>{file}</include>" for file in plain)
         source.write_text(f'<?xml version="1.0"?><mavlink>{includes}<messages></messages></mavlink>')
         options = mavgen.Opts(str(output), wire_protocol=WIRES[wire], language="Python3", validate=False)
@@ -54,9 +55,17 @@ def _generated(files, corrections, wire):
         return module
 
 
-def _plain(file, copy, corrections):
-    """Return a corrected copy of an XML file, without descriptions: pymavlink's generator stumbles over quotes."""
+def _plain(file, copy, corrections, messages):
+    """Return a corrected copy of an XML file, without descriptions: pymavlink's generator stumbles over quotes.
+
+    Of a shipped file, it has only `messages`, and no enums, which are not on the wire.
+    """
     tree = ElementTree.parse(file)
+    if file.parent == DIALECTS:
+        for group in tree.iter("enums"):
+            group.clear()
+        for group in tree.iter("messages"):
+            group[:] = [message for message in group if message.get("name") in messages]
     for correction in corrections:
         _correct(tree, correction)
     for element in tree.iter():

@@ -76,6 +76,7 @@ def test_only_a_program_announces(tmp_path, monkeypatch, capsys):
         assert any("smart_battery_info.yaml" in line and key in line for line in lines), out
 
 
+@pytest.mark.requirement("FR-00072.8")
 @pytest.mark.parametrize(
     ("file", "old", "new", "place"),
     [

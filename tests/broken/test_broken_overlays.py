@@ -69,6 +69,7 @@ TWO_SENTINELS = (place(DRAFT, "UINT32_MAX"), "text-contradicts-invalid")
 NO_NUMBER = (place(FAULTS, "???"), "message-id")
 
 
+@pytest.mark.requirement("FR-00076.9")
 def test_the_drafts_without_corrections(check: Check) -> None:
     """Exactly what does not work is found, each at the line of the XML that states it."""
     assert check(DRAFT, CELLS, is_corrected=False) == [TOO_LONG, TAKEN, ALL_BITS, TWO_SENTINELS]
@@ -79,6 +80,7 @@ def test_the_alternative_without_corrections(check: Check) -> None:
     assert check(DRAFT, FAULTS, is_corrected=False) == [NO_NUMBER, ALL_BITS, TWO_SENTINELS]
 
 
+@pytest.mark.requirement("FR-00072.9")
 @pytest.mark.parametrize(
     "overlays", [(UPSTREAM, CELLS), (DRAFT, CELLS), (DRAFT, FAULTS), (UPSTREAM, INFO), (INFO,), (DRAFT,), ()]
 )
@@ -87,6 +89,7 @@ def test_corrected_overlays_have_no_findings(overlays: tuple[str, ...], check: C
     assert check(*overlays) == []
 
 
+@pytest.mark.requirement("FR-00072.9", "FR-00076.9")
 @pytest.mark.parametrize(
     ("entry", "finding"),
     [("id", TAKEN), ("type", TOO_LONG), ("value", ALL_BITS), ("text", TWO_SENTINELS)],

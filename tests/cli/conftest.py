@@ -68,6 +68,9 @@ def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Pipeline:
     fake = Pipeline(project / "generated")
     monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
     monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
+    documents = SimpleNamespace(project_reference=lambda _systems: None)  # nothing is claimed
+    monkeypatch.setitem(sys.modules, "codegen.documents", documents)
+    monkeypatch.setattr(codegen, "documents", documents, raising=False)
     monkeypatch.setattr("codegen.stamp.keep", lambda *_: None)  # what is rendered changes here without a file
     return fake
 

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from generated_suite import suite_is_green
 
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report
@@ -42,6 +43,7 @@ def system(folder: Path, *overlays: str) -> System:
     return found
 
 
+@pytest.mark.requirement("FR-00072.9")
 @pytest.mark.parametrize(
     ("overlays", "messages"),
     [
@@ -87,9 +89,7 @@ def test_the_firmware_sends_the_chosen_layout(overlays: tuple[str, ...], tmp_pat
     command = [sys.executable, "-m", "codegen", "build"]
     built = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert built.returncode == 0, built.stdout + built.stderr
-    suite = ["-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "generated/tests"]
-    done = subprocess.run([sys.executable, *suite], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout[-3000:]
+    suite_is_green(tmp_path, "generated/tests")
     assert "BATTERY_CELL_VOLTAGES" in (tmp_path / "generated" / "tests" / "cases.json").read_text()
 
 
@@ -112,8 +112,6 @@ def shipped_with_the_draft(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_shipped_specification_takes_the_draft(program: str, shipped_with_the_draft: Path) -> None:
     """One line of codegen.yaml: both programs build without a finding, and send the draft's 24 bytes."""
     generated = shipped_with_the_draft / "generated" / program
-    suite = ["-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "tests/test_frames.py"]
-    done = subprocess.run([sys.executable, *suite], cwd=generated, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout[-3000:]
+    suite_is_green(generated, "tests/test_frames.py")
     table = (generated / "docs" / "telemetry.md").read_text().partition("## BATTERY_STATUS_V2 (369)")[2]
     assert "Payload 24 bytes, CRC_EXTRA 151." in table.partition("## ")[0]

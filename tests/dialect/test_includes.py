@@ -146,3 +146,11 @@ def test_every_place_in_a_shipped_dialect_is_its_opening_tag(name: str) -> None:
             opened = lines[definition.place.line - 1][definition.place.column - 1 :]
             assert opened.startswith(f"<{tag} "), definition.place
             assert f'name="{definition.name}"' in opened, definition.place
+
+
+def test_a_file_that_is_read_again(write: Write) -> None:
+    """It is reported again, with its place; and what changed in it counts, though it is as long as before."""
+    path = write("<mavlink>\n  <version>x</version>\n</mavlink>")
+    assert read(path) == read(path) == (["d.xml"], ["d.xml:2:3 dialect-version"])
+    write("<mavlink>\n  <version>3</version>\n</mavlink>")
+    assert read(path) == (["d.xml"], [])

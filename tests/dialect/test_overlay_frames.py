@@ -44,6 +44,7 @@ def made(choice: str) -> tuple[Dialect, Any]:
     return dialect, oracle(*overlays, is_corrected=is_corrected)
 
 
+@pytest.mark.requirement("FR-00072.1")
 @pytest.mark.parametrize(("choice", "name", "number", "crc_extra", "length"), MESSAGES)
 def test_layout(choice: str, name: str, number: int, crc_extra: int | None, length: int) -> None:
     """Id, CRC_EXTRA and length are those that the documents state, and those of mavgen after the corrections."""

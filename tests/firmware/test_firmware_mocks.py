@@ -115,6 +115,7 @@ def test_source_is_number_list_or_function(firmware: SimpleNamespace) -> None:
         adc.read_u16()
 
 
+@pytest.mark.requirement("NFR-00062.3")
 def test_faults_are_scripted(firmware: SimpleNamespace) -> None:
     """The next n readings fail, one reading in a list fails, the ADC is not there; a reset heals all of it."""
     machine, script = firmware.machine, firmware.machine.analog(26)

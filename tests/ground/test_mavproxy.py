@@ -35,15 +35,17 @@ def station(start_shared: Any, tmp_path_factory: pytest.TempPathFactory) -> Iter
         yield program
 
 
+@pytest.mark.requirement("FR-00068.8")
 def test_rover_is_online(station: Program) -> None:
-    """FR-00068.8: its HEARTBEAT makes it a vehicle, and a rover, whose mode 0 is called MANUAL."""
+    """Its HEARTBEAT makes it a vehicle, and a rover, whose mode 0 is called MANUAL."""
     station.wait_for("Detected vehicle 1:1")
     station.wait_for("online system 1")
     station.wait_for("Mode MANUAL")
 
 
+@pytest.mark.requirement("NFR-00061.6", "FR-00070")
 def test_all_parameters_are_fetched_though_there_are_no_files(station: Program) -> None:
-    """NFR-00061.6, FR-00070: FTP is refused at once, and the parameter messages bring all of them."""
+    """FTP is refused at once, and the parameter messages bring all of them."""
     assert station.wait_for(r"Received (\d+) parameters")[1] == "26"
     assert "(ftp)" not in station.written
     position = station.say("param status")
@@ -53,8 +55,9 @@ def test_all_parameters_are_fetched_though_there_are_no_files(station: Program) 
         station.wait_for(rf"{name} +{value}", position)
 
 
+@pytest.mark.requirement("FR-00068.3", "FR-00068.5")
 def test_voltage_is_shown_and_charge_is_unknown(station: Program) -> None:
-    """FR-00068.3 and 5: what the user watches says 12.000 V in cell 0; the battery module's charge is -1, unknown."""
+    """What the user watches says 12.000 V in cell 0; the battery module's charge is -1, unknown."""
     position = station.say("watch BATTERY_STATUS")
     battery = station.wait_for(r"< BATTERY_STATUS \{.*\}", position)[0]
     station.say("watch")
@@ -65,8 +68,9 @@ def test_voltage_is_shown_and_charge_is_unknown(station: Program) -> None:
     station.wait_for(r"Flight battery: +-1%", position)
 
 
+@pytest.mark.requirement("FR-00068.3")
 def test_voltage_in_the_battery_module(station: Program) -> None:
-    """FR-00068.3: the module adds the cells up, and the unknown ones are none."""
+    """The module adds the cells up, and the unknown ones are none."""
     station.say("set numcells 0")
     position = station.say("bat")
     line = station.wait_for(r"Flight battery: .*\n(?:.*\n)?", position)[0]
@@ -76,8 +80,9 @@ def test_voltage_in_the_battery_module(station: Program) -> None:
     station.wait_for(r"BATTERY_STATUS \{.*voltages : \[12000, 65535,", position)
 
 
+@pytest.mark.requirement("NFR-00061.5")
 def test_parameter_is_set(station: Program) -> None:
-    """NFR-00061.5: MAVProxy takes the value as set, and reads it back from the vehicle."""
+    """MAVProxy takes the value as set, and reads it back from the vehicle."""
     for value in ("10.8", "10.5"):
         station.say(f"param set BATT_LOW_VOLT {value}")
         station.repeat("param fetch BATT_LOW_VOLT", rf"BATT_LOW_VOLT = {value}0")
@@ -85,16 +90,18 @@ def test_parameter_is_set(station: Program) -> None:
     assert "Failed to set BATT_LOW_VOLT to 10." not in station.written
 
 
+@pytest.mark.requirement("NFR-00061.5")
 def test_parameter_out_of_range_is_refused(station: Program) -> None:
-    """NFR-00061.5: the user reads why, MAVProxy sees that it was not set, and the old value is in force."""
+    """The user reads why, MAVProxy sees that it was not set, and the old value is in force."""
     position = station.say("param set BATT_CRT_VOLT 1000")
     station.wait_for(r"AP: BATT_CRT_VOLT: 1000 is not 0 to 100", position)
     station.wait_for(r"Failed to set BATT_CRT_VOLT to 1000 \(invalid returned value 9\.89", position)
     station.repeat("param fetch BATT_CRT_VOLT", r"BATT_CRT_VOLT = 9\.8999")
 
 
+@pytest.mark.requirement("FR-00070.5")
 def test_arming(station: Program) -> None:
-    """FR-00070.5: accepted while the pack is good, and the rover says so."""
+    """Accepted while the pack is good, and the rover says so."""
     position = station.say("arm throttle")
     station.wait_for("COMPONENT_ARM_DISARM: ACCEPTED", position)
     station.wait_for("AP: Armed", position)
@@ -104,16 +111,18 @@ def test_arming(station: Program) -> None:
     station.wait_for("DISARMED", position)
 
 
+@pytest.mark.requirement("FR-00070.10")
 def test_link_loses_nothing(station: Program) -> None:
-    """FR-00070.10: the sequence numbers have no gaps, whatever was asked for."""
+    """The sequence numbers have no gaps, whatever was asked for."""
     position = station.say("link")
     found = station.wait_for(r"link 1 OK \((\d+) packets, .* (\d+) lost,", position)
     assert int(found[1]) > 10
     assert found[2] == "0"
 
 
+@pytest.mark.requirement("FR-00020.10", "FR-00070.5")
 def test_arming_with_a_low_pack_is_refused(start: Any, tmp_path: Path) -> None:
-    """FR-00020.10, FR-00070.5: refused, and the user reads which check failed."""
+    """Refused, and the user reads which check failed."""
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "low")
@@ -124,8 +133,9 @@ def test_arming_with_a_low_pack_is_refused(start: Any, tmp_path: Path) -> None:
         assert not re.search(r"\bARMED\b", station.written)
 
 
+@pytest.mark.requirement("FR-00068.5", "FR-00021.5")
 def test_remaining_charge(start: Any, tmp_path: Path, estimating: Path) -> None:
-    """FR-00068.5, FR-00021.5: with the estimate switched on, 12 V are 77 %, in the message and in the module."""
+    """With the estimate switched on, 12 V are 77 %, in the message and in the module."""
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "steady", project=estimating)
@@ -136,8 +146,9 @@ def test_remaining_charge(start: Any, tmp_path: Path, estimating: Path) -> None:
         station.wait_for(r"Flight battery: +77%", position)
 
 
+@pytest.mark.requirement("FR-00068.8")
 def test_what_a_newcomer_types(tmp_path: Path) -> None:
-    """FR-00068.8: `codegen sim` and `mavproxy.py --master=...`, with nothing but the port changed, find each other."""
+    """`codegen sim` and `mavproxy.py --master=...`, with nothing but the port changed, find each other."""
     port = free_port()
     sim = [str(BIN / "codegen"), "sim", "--out", f"udp:127.0.0.1:{port}"]
     station = [str(BIN / "mavproxy.py"), f"--master=udp:127.0.0.1:{port}"]

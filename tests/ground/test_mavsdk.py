@@ -71,16 +71,18 @@ def station(start_shared: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
         yield connected(start_shared, program, port, "steady")
 
 
+@pytest.mark.requirement("FR-00068.8")
 def test_system_is_found(station: Station) -> None:
-    """FR-00068.8: its HEARTBEAT makes it a system, and an ArduPilot rover."""
+    """Its HEARTBEAT makes it a system, and an ArduPilot rover."""
     found = json.loads(station.program.wait_for(r"=system= (\{.*\})\n")[1])
     assert (found["number"], found["components"]) == (1, [1])
     assert found["vehicle"] in (common.MAV_TYPE_GROUND_ROVER, 4)
     assert found["autopilot"] == 2, "Autopilot.ARDUPILOT"
 
 
+@pytest.mark.requirement("FR-00068.3", "FR-00068.4", "FR-00068.5", "FR-00068.6", "FR-00068.8")
 def test_battery(station: Station) -> None:
-    """FR-00068.3 to 6 and 8: the voltage, and nothing that is not measured."""
+    """The voltage, and nothing that is not measured."""
     # Until the first BATTERY_STATUS is heard, MAVSDK makes a battery of SYS_STATUS, which has no function.
     battery = station.sees("battery", rf'.*"battery_function": {common.MAV_BATTERY_FUNCTION_ALL}.*')
     assert battery["id"] == 0
@@ -90,8 +92,9 @@ def test_battery(station: Station) -> None:
         assert battery[name] != battery[name], f"{name} is NaN, unknown"
 
 
+@pytest.mark.requirement("FR-00068.2", "FR-00070.3")
 def test_rate_of_the_battery(station: Station) -> None:
-    """FR-00068.2, FR-00070.3: 2 Hz, 10 Hz when it is asked for, and 2 Hz again."""
+    """2 Hz, 10 Hz when it is asked for, and 2 Hz again."""
     assert abs(station.batteries_per_second() - 2) <= 0.4
     station.do("telemetry.set_rate_battery", 10.0)
     assert abs(station.batteries_per_second() - 10) <= 1
@@ -99,8 +102,9 @@ def test_rate_of_the_battery(station: Station) -> None:
     assert abs(station.batteries_per_second() - 2) <= 0.4
 
 
+@pytest.mark.requirement("NFR-00061.5", "NFR-00061.6")
 def test_parameters_are_written_and_read(station: Station) -> None:
-    """NFR-00061.5 and 6: floats, and integers of every size, which travel as MAVSDK expects them from an ArduPilot."""
+    """Floats, and integers of every size, which travel as MAVSDK expects them from an ArduPilot."""
     for name, value, usual in (("BATT_LOW_VOLT", 10.8, 10.5), ("BATT_VOLT_MULT", 4.0158, 3.95)):
         assert station.do("param.get_param_float", name) == pytest.approx(usual)
         station.do("param.set_param_float", name, value)
@@ -114,8 +118,9 @@ def test_parameters_are_written_and_read(station: Station) -> None:
         assert station.do("param.get_param_int", name) == usual
 
 
+@pytest.mark.requirement("NFR-00061.5")
 def test_parameters_that_are_refused(station: Station) -> None:
-    """NFR-00061.5: MAVSDK learns why, and the value stays."""
+    """MAVSDK learns why, and the value stays."""
     assert station.outcome("param.set_param_float", "BATT_LOW_VOLT", 1000.0)[1] == "VALUE_OUT_OF_RANGE"
     assert station.do("param.get_param_float", "BATT_LOW_VOLT") == 10.5
     assert station.outcome("param.set_param_int", "BATT_LOW_TIMER", 121)[1] == "VALUE_OUT_OF_RANGE"
@@ -123,8 +128,9 @@ def test_parameters_that_are_refused(station: Station) -> None:
     assert station.outcome("param.get_param_int", "NO_SUCH_PARAM")[1] == "DOES_NOT_EXIST"
 
 
+@pytest.mark.requirement("NFR-00061.6")
 def test_all_parameters(station: Station) -> None:
-    """NFR-00061.6: the whole list, each with its kind."""
+    """The whole list, each with its kind."""
     everything = station.do("param.get_all_params")
     floats = {one["name"]: one["value"] for one in everything["float_params"]}
     integers = {one["name"]: one["value"] for one in everything["int_params"]}
@@ -135,8 +141,9 @@ def test_all_parameters(station: Station) -> None:
     assert integers["BATT_CAPACITY"] == 3300
 
 
+@pytest.mark.requirement("FR-00070.5", "FR-00068.9")
 def test_arming(station: Station) -> None:
-    """FR-00070.5, FR-00068.9: armable, armed, disarmed; with a reason where it is refused."""
+    """Armable, armed, disarmed; with a reason where it is refused."""
     assert station.sees("health")["is_armable"] is True
     station.do("action.arm")
     station.sees("armed", "true")
@@ -152,15 +159,17 @@ def test_arming(station: Station) -> None:
     station.sees("health", '.*"is_armable": true.*')
 
 
+@pytest.mark.requirement("FR-00070.2")
 def test_version(station: Station) -> None:
-    """FR-00070.2: AUTOPILOT_VERSION, which MAVSDK asks for, answers its questions."""
+    """AUTOPILOT_VERSION, which MAVSDK asks for, answers its questions."""
     assert station.do("info.get_version")["flight_sw_major"] is not None
     station.do("info.get_product")
     station.do("info.get_identification")
 
 
+@pytest.mark.requirement("FR-00070.6", "FR-00069.6")
 def test_reboot(station: Station) -> None:
-    """FR-00070.6, FR-00069.6: the calibration is in force after MAVSDK has restarted the rover."""
+    """The calibration is in force after MAVSDK has restarted the rover."""
     station.do("param.set_param_float", "BATT_VOLT_MULT", 4.0158)
     station.do("action.reboot")
     station.sees("battery", r'.*"voltage_v": 12\.[12].*')
@@ -170,8 +179,9 @@ def test_reboot(station: Station) -> None:
     station.sees("battery", r'.*"voltage_v": (12\.00|12\.0\b|11\.99).*')
 
 
+@pytest.mark.requirement("FR-00020.10")
 def test_low_pack_is_not_armable(start: Any, tmp_path: Path) -> None:
-    """FR-00020.10: MAVSDK says so before anybody tries."""
+    """MAVSDK says so before anybody tries."""
     port = free_port()
     with station_on(port, tmp_path) as program:
         station = connected(start, program, port, "low")
@@ -180,8 +190,9 @@ def test_low_pack_is_not_armable(start: Any, tmp_path: Path) -> None:
         program.wait_for("PreArm: Battery 1 low voltage failsafe")
 
 
+@pytest.mark.requirement("FR-00068.5", "FR-00021.5")
 def test_remaining_charge(start: Any, tmp_path: Path, estimating: Path) -> None:
-    """FR-00068.5, FR-00021.5: with the estimate switched on, 12 V are 77 %."""
+    """With the estimate switched on, 12 V are 77 %."""
     port = free_port()
     with station_on(port, tmp_path) as program:
         program.wait_for("=ready=")

@@ -24,8 +24,9 @@ def millivolts(link: GroundLink) -> int:
     return voltage
 
 
+@pytest.mark.requirement("FR-00069.6", "NFR-00061.7", "NFR-00061.8", "FR-00070.6")
 def test_calibration_is_in_force_after_a_restart(start: Any, link: GroundLink, tmp_path: Path) -> None:
-    """FR-00069.6, NFR-00061.7 and 8, FR-00070.6: stored at once, used after the restart, kept when the power goes."""
+    """Stored at once, used after the restart, kept when the power goes."""
     flash = ("--speed", "4", "--flash", str(tmp_path / "flash"))
     first = start(link.port, "steady", *flash)
     assert millivolts(link) == 12_000
@@ -45,8 +46,9 @@ def test_calibration_is_in_force_after_a_restart(start: Any, link: GroundLink, t
     assert link.parameter("BATT_VOLT_MULT").param_value == pytest.approx(NEW)
 
 
+@pytest.mark.requirement("FR-00070.6")
 def test_a_restart_while_it_is_armed_is_refused(start: Any, link: GroundLink) -> None:
-    """FR-00070.6: not while the motors may turn, unless it is forced."""
+    """Not while the motors may turn, unless it is forced."""
     program = start(link.port, "steady", "--speed", "4")
     link.wait_for("HEARTBEAT")
     assert link.command(common.MAV_CMD_COMPONENT_ARM_DISARM, 1).result == common.MAV_RESULT_ACCEPTED
@@ -79,9 +81,10 @@ def files(folder: Path) -> dict[str, tuple[int, int]]:
     return found
 
 
+@pytest.mark.requirement("NFR-00061.3")
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds the firmware's process in /proc")
 def test_a_power_cut_leaves_the_old_or_the_new_value(start: Any, link: GroundLink, tmp_path: Path) -> None:
-    """NFR-00061.3: the firmware is killed at different moments of a save; each next start has one of the two values.
+    """The firmware is killed at different moments of a save; each next start has one of the two values.
 
     A sample of moments, with real files and processes: the suites of the storage cut a save at every byte.
     """

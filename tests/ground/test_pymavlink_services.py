@@ -35,8 +35,9 @@ def rover(running: Program, link_shared: GroundLink) -> GroundLink:
     return link_shared
 
 
+@pytest.mark.requirement("FR-00068.1", "FR-00068.8")
 def test_heartbeat_and_battery_say_what_the_pack_is(rover: GroundLink) -> None:
-    """FR-00068.1 and 8: a rover with one battery of 12 V, and nothing that it does not measure."""
+    """A rover with one battery of 12 V, and nothing that it does not measure."""
     heartbeat = rover.wait_for("HEARTBEAT")
     assert (heartbeat.type, heartbeat.autopilot) == (common.MAV_TYPE_GROUND_ROVER, common.MAV_AUTOPILOT_ARDUPILOTMEGA)
     assert (heartbeat.get_srcSystem(), heartbeat.get_srcComponent()) == VEHICLE
@@ -47,8 +48,9 @@ def test_heartbeat_and_battery_say_what_the_pack_is(rover: GroundLink) -> None:
     assert (status.voltage_battery, status.battery_remaining) == (12_000, -1)
 
 
+@pytest.mark.requirement("FR-00070.3", "FR-00068.2")
 def test_message_interval_is_set_and_told(rover: GroundLink) -> None:
-    """FR-00070.3, FR-00068.2: the rate of BATTERY_STATUS is set, and counted; 50 Hz is the end."""
+    """The rate of BATTERY_STATUS is set, and counted; 50 Hz is the end."""
     number = common.MAVLINK_MSG_ID_BATTERY_STATUS
     for asked, told, rate in ((100_000, 100_000, 10), (5_000, 20_000, 50), (-1, -1, 0), (0, 500_000, STANDARD_RATE)):
         assert rover.command(common.MAV_CMD_SET_MESSAGE_INTERVAL, number, asked).result == 0
@@ -59,16 +61,18 @@ def test_message_interval_is_set_and_told(rover: GroundLink) -> None:
         assert abs(rover.per_heartbeat("BATTERY_STATUS") - rate) <= 0.2 + rate / 50, asked
 
 
+@pytest.mark.requirement("FR-00070.3")
 def test_interval_of_a_message_that_there_is_not(rover: GroundLink) -> None:
-    """FR-00070.3: it is refused, and told as not available."""
+    """It is refused, and told as not available."""
     assert rover.command(common.MAV_CMD_SET_MESSAGE_INTERVAL, 30, 100_000).result == common.MAV_RESULT_DENIED
     position = rover.take_in()
     assert rover.command(common.MAV_CMD_GET_MESSAGE_INTERVAL, 30).result == common.MAV_RESULT_ACCEPTED
     assert rover.wait_for("MESSAGE_INTERVAL", position).interval_us == 0
 
 
+@pytest.mark.requirement("FR-00070.4")
 def test_request_data_stream(rover: GroundLink) -> None:
-    """FR-00070.4: the rate of a stream, on and off, and no other stream changes with it."""
+    """The rate of a stream, on and off, and no other stream changes with it."""
     stream = common.MAV_DATA_STREAM_EXTRA1
     for rate, is_on, expected in ((8, 1, 8.0), (8, 0, 0.0), (2, 1, 2.0)):
         rover.send.request_data_stream_send(*VEHICLE, stream, rate, is_on)
@@ -87,8 +91,9 @@ def test_request_data_stream(rover: GroundLink) -> None:
         (242, None),
     ],
 )
+@pytest.mark.requirement("FR-00070.2")
 def test_request_message(rover: GroundLink, number: int, name: str | None) -> None:
-    """FR-00070.2: COMMAND_ACK first, then the message; what the rover does not have is denied."""
+    """COMMAND_ACK first, then the message; what the rover does not have is denied."""
     for streamed in (common.MAVLINK_MSG_ID_BATTERY_STATUS, common.MAVLINK_MSG_ID_SYS_STATUS):
         rover.command(common.MAV_CMD_SET_MESSAGE_INTERVAL, streamed, -1)
     rover.wait_for("HEARTBEAT")
@@ -106,21 +111,24 @@ def test_request_message(rover: GroundLink, number: int, name: str | None) -> No
         (common.MAV_CMD_REQUEST_PROTOCOL_VERSION, PROTOCOL_VERSION),
     ],
 )
+@pytest.mark.requirement("FR-00070.2")
 def test_older_ways_to_ask(rover: GroundLink, command: int, name: str) -> None:
-    """FR-00070.2: ground stations still use the commands that came before REQUEST_MESSAGE."""
+    """Ground stations still use the commands that came before REQUEST_MESSAGE."""
     position = rover.take_in()
     assert rover.command(command, 1).result == common.MAV_RESULT_ACCEPTED
     rover.wait_for(name, position)
 
 
+@pytest.mark.requirement("FR-00070.1")
 @pytest.mark.parametrize("command", [common.MAV_CMD_GET_HOME_POSITION, common.MAV_CMD_NAV_TAKEOFF, 31_999])
 def test_unknown_command(rover: GroundLink, command: int) -> None:
-    """FR-00070.1: silence would make a ground station repeat it."""
+    """Silence would make a ground station repeat it."""
     assert rover.command(command).result == common.MAV_RESULT_UNSUPPORTED
 
 
+@pytest.mark.requirement("FR-00070.1")
 def test_command_int(rover: GroundLink) -> None:
-    """FR-00070.1: COMMAND_INT is answered as COMMAND_LONG is."""
+    """COMMAND_INT is answered as COMMAND_LONG is."""
     position = rover.take_in()
     number = common.MAV_CMD_REQUEST_MESSAGE
     rover.send.command_int_send(*VEHICLE, 0, number, 0, 0, common.MAVLINK_MSG_ID_AUTOPILOT_VERSION, 0, 0, 0, 0, 0, 0)
@@ -128,16 +136,18 @@ def test_command_int(rover: GroundLink) -> None:
     rover.wait_for("AUTOPILOT_VERSION", position)
 
 
+@pytest.mark.requirement("FR-00070.1")
 def test_a_command_for_somebody_else(rover: GroundLink) -> None:
-    """FR-00070.1: nothing that is for another system is answered."""
+    """Nothing that is for another system is answered."""
     position = rover.take_in()
     rover.send.command_long_send(77, 1, common.MAV_CMD_REQUEST_MESSAGE, 0, 148, 0, 0, 0, 0, 0, 0)
     rover.command(common.MAV_CMD_GET_HOME_POSITION)
     assert [answer.command for answer in rover.since(position, "COMMAND_ACK")] == [common.MAV_CMD_GET_HOME_POSITION]
 
 
+@pytest.mark.requirement("FR-00070.7")
 def test_ping(rover: GroundLink) -> None:
-    """FR-00070.7: with the same time and number, to the one who asked."""
+    """With the same time and number, to the one who asked."""
     position = rover.take_in()
     rover.send.ping_send(123_456_789_012, 42, 0, 0)
     answer = rover.wait_for("PING", position)
@@ -145,8 +155,9 @@ def test_ping(rover: GroundLink) -> None:
     assert (answer.target_system, answer.target_component) == (255, 190)
 
 
+@pytest.mark.requirement("NFR-00061.6")
 def test_all_parameters(rover: GroundLink) -> None:
-    """NFR-00061.6: the whole list, numbered without gaps, and each of them by name and by number."""
+    """The whole list, numbered without gaps, and each of them by name and by number."""
     position = rover.take_in()
     rover.send.param_request_list_send(*VEHICLE)
     first = rover.wait_for("PARAM_VALUE", position)
@@ -162,8 +173,9 @@ def test_all_parameters(rover: GroundLink) -> None:
         assert rover.wait_for("PARAM_VALUE", position).param_id == value.param_id
 
 
+@pytest.mark.requirement("NFR-00061.5")
 def test_parameters_that_are_refused(rover: GroundLink) -> None:
-    """NFR-00061.5: the answer carries the value in force."""
+    """The answer carries the value in force."""
     answer = rover.set_parameter("BATT_LOW_VOLT", 10.8)
     assert answer.param_value == pytest.approx(10.8)
     assert answer.param_index == 65535  # it is not part of a list
@@ -173,8 +185,9 @@ def test_parameters_that_are_refused(rover: GroundLink) -> None:
     assert rover.set_parameter("BATT_MONITOR", 1).param_value == 3
 
 
+@pytest.mark.requirement("FR-00070.9")
 def test_garbage_does_not_hurt(rover: GroundLink) -> None:
-    """FR-00070.9: noise, cut frames and false starts are survived, and the frame behind them is understood."""
+    """Noise, cut frames and false starts are survived, and the frame behind them is understood."""
     dice = random.Random(70)
     ping = common.MAVLink(None, srcSystem=255, srcComponent=190)
     frame = ping.ping_encode(7, 7, 0, 0).pack(ping)
@@ -195,8 +208,9 @@ def test_garbage_does_not_hurt(rover: GroundLink) -> None:
     assert rover.wait_for("BATTERY_STATUS").voltages[0] == 12_000
 
 
+@pytest.mark.requirement("FR-00068.10", "FR-00070.1")
 def test_frames_of_mavlink_1_are_answered(rover: GroundLink) -> None:
-    """FR-00068.10, FR-00070.1: a ground station that speaks MAVLink 1 gets its answers."""
+    """A ground station that speaks MAVLink 1 gets its answers."""
     speaker = old.MAVLink(None, srcSystem=255, srcComponent=190)
     position = rover.take_in()
     rover.write(speaker.command_long_encode(*VEHICLE, 410, 0, 0, 0, 0, 0, 0, 0, 0).pack(speaker))
@@ -207,8 +221,9 @@ def test_frames_of_mavlink_1_are_answered(rover: GroundLink) -> None:
     assert rover.wait_for("PING", position).seq == 6
 
 
+@pytest.mark.requirement("FR-00070.5")
 def test_arming(rover: GroundLink) -> None:
-    """FR-00070.5: armed and disarmed, and the HEARTBEAT shows it."""
+    """Armed and disarmed, and the HEARTBEAT shows it."""
     for wanted, flag in ((1, common.MAV_MODE_FLAG_SAFETY_ARMED), (0, 0)):
         assert rover.command(common.MAV_CMD_COMPONENT_ARM_DISARM, wanted).result == common.MAV_RESULT_ACCEPTED
         heartbeat = rover.wait_for("HEARTBEAT")

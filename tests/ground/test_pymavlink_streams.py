@@ -11,8 +11,9 @@ from pymavlink.dialects.v20 import common
 pytestmark = pytest.mark.timeout(120)
 
 
+@pytest.mark.requirement("FR-00068.2", "FR-00068.8", "FR-00068.9")
 def test_rates_at_the_defaults(start: Any, link: GroundLink) -> None:
-    """FR-00068.2, 8 and 9: HEARTBEAT and SYS_STATUS at 1 Hz and BATTERY_STATUS at 2 Hz, over 30 s of the rover's time.
+    """HEARTBEAT and SYS_STATUS at 1 Hz and BATTERY_STATUS at 2 Hz, over 30 s of the rover's time.
 
     Wi-Fi is up after the first second, so that the first of each may get lost.
     """
@@ -27,15 +28,17 @@ def test_rates_at_the_defaults(start: Any, link: GroundLink) -> None:
     assert set(counts) == {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "SMART_BATTERY_INFO", "STATUSTEXT"}
 
 
+@pytest.mark.requirement("FR-00068.8")
 def test_real_time_is_real_time(start: Any, link: GroundLink) -> None:
-    """FR-00068.8: without --speed, the HEARTBEAT is heard about once in a second of the listener's clock."""
+    """Without --speed, the HEARTBEAT is heard about once in a second of the listener's clock."""
     start(link.port, "steady")
     times = [link.wait_for("HEARTBEAT")._timestamp for _ in range(4)]
     assert 2.5 <= times[-1] - times[0] <= 8, "late on a busy computer, never early"
 
 
+@pytest.mark.requirement("FR-00020.1", "FR-00020.2", "FR-00020.7", "FR-00070.8")
 def test_failsafe_is_told(start: Any, link: GroundLink) -> None:
-    """FR-00020.1, 2 and 7, FR-00070.8: both levels come as STATUSTEXT, in time, and in this order."""
+    """Both levels come as STATUSTEXT, in time, and in this order."""
     start(link.port, "failing", "--speed", "20")
     for word, volts, expected_s in (("low", "10.30", 16), ("critical", "9.70", 36)):
         position = link.find("STATUSTEXT", 0, lambda message, word=word: f"is {word}" in message.text)

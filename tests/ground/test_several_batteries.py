@@ -48,16 +48,18 @@ def voltage(status: Any) -> int:
     return sum(cell for cell in status.voltages if cell != 0xFFFF)
 
 
+@pytest.mark.requirement("FR-00073.4")
 def test_both_batteries_come_with_their_ids(link: GroundLink, tmp_path: Path) -> None:
-    """FR-00073.4: one message per battery, whose id is that of the battery."""
+    """One message per battery, whose id is that of the battery."""
     with sim(tmp_path, link.port, "two"):
         for number, millivolts in ((0, 12_000), (1, 11_000)):
             status = link.wait_for("BATTERY_STATUS", 0, lambda message, number=number: message.id == number)
             assert abs(voltage(status) - millivolts) <= 5
 
 
+@pytest.mark.requirement("FR-00074.1", "FR-00074.7")
 def test_two_senders_are_one_system(link: GroundLink, tmp_path: Path) -> None:
-    """FR-00074.1 and 7: the battery is a component of the rover's system, with a battery id of its own."""
+    """The battery is a component of the rover's system, with a battery id of its own."""
     with sim(tmp_path, link.port, "smart"):
         beat = link.wait_for("HEARTBEAT", 0, lambda message: message.get_srcComponent() == BATTERY[1])
         assert (beat.get_srcSystem(), beat.type) == (BATTERY[0], common.MAV_TYPE_BATTERY)
@@ -73,8 +75,9 @@ def test_two_senders_are_one_system(link: GroundLink, tmp_path: Path) -> None:
             )
 
 
+@pytest.mark.requirement("FR-00073.4")
 def test_mavproxy_shows_two_batteries(tmp_path: Path) -> None:
-    """FR-00073.4: the battery module and the messages have both."""
+    """The battery module and the messages have both."""
     port = free_port()
     with mavproxy(port, tmp_path) as station, sim(tmp_path, port, "two"):
         station.wait_for(r"Received \d+ parameters")
@@ -83,8 +86,9 @@ def test_mavproxy_shows_two_batteries(tmp_path: Path) -> None:
         station.wait_for(r"< BATTERY_STATUS \{id : 1,.*voltages : \[1(?:0999|1000|1001),", position)
 
 
+@pytest.mark.requirement("FR-00074.1")
 def test_mavproxy_hears_the_battery_beside_the_autopilot(tmp_path: Path) -> None:
-    """FR-00074.1: one port, two senders; the battery does not take the vehicle's place, and both answer."""
+    """One port, two senders; the battery does not take the vehicle's place, and both answer."""
     port = free_port()
     with mavproxy(port, tmp_path) as station, sim(tmp_path, port, "smart"):
         station.wait_for("online system 1")
@@ -96,9 +100,10 @@ def test_mavproxy_hears_the_battery_beside_the_autopilot(tmp_path: Path) -> None
         station.wait_for("COMPONENT_ARM_DISARM: ACCEPTED", position)
 
 
+@pytest.mark.requirement("FR-00073.4", "FR-00074.7")
 @pytest.mark.parametrize(("scenario", "number"), [("two", 1), ("smart", 3)])
 def test_mavsdk_sees_both_batteries(tmp_path: Path, scenario: str, number: int) -> None:
-    """FR-00073.4, FR-00074.7: one system with two batteries, from one sender or from two, and commands still work."""
+    """One system with two batteries, from one sender or from two, and commands still work."""
     port = free_port()
     with station_on(port, tmp_path) as program:
         program.wait_for("=ready=")
@@ -111,8 +116,9 @@ def test_mavsdk_sees_both_batteries(tmp_path: Path, scenario: str, number: int) 
             assert station.do("param.get_param_int", "BATT_CAPACITY") == 3300
 
 
+@pytest.mark.requirement("FR-00074.1")
 def test_mavproxy_turns_to_the_battery(tmp_path: Path) -> None:
-    """FR-00074.1: MAVProxy shows the component that it is turned to, here the battery."""
+    """MAVProxy shows the component that it is turned to, here the battery."""
     port = free_port()
     with mavproxy(port, tmp_path) as station, sim(tmp_path, port, "smart"):
         station.wait_for("Detected vehicle 1:180")

@@ -30,7 +30,8 @@ STEPS = [
     "ruff check",
     "ruff format --check",
     "mypy ",
-    "python -m pytest -n auto --dist worksteal",
+    "python -m pytest -n auto --dist worksteal --junit-xml=build/results/pytest.xml",
+    "codegen trace --results build/results/*.xml",
     "codegen build --check",
     "codegen check",
 ]
@@ -61,6 +62,7 @@ def called(checkout: Path) -> list[str]:
 def run(checkout: Path, *command: str, **environment: str) -> subprocess.CompletedProcess[str]:
     clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
     everything = {"FAILING": "nothing", "NO_ENSUREPIP": "0", "NO_VENV": "0", "NO_VIRTUALENV": "0", "TOO_OLD": "0"}
+    everything["BROWSERS"] = "sh"  # there is one
     return subprocess.run(
         command, cwd=checkout, env={**clean, **everything, **environment}, capture_output=True, text=True, check=False
     )
@@ -112,6 +114,37 @@ def test_ground_stations_are_installed_for_the_tests_only(checkout: Path) -> Non
     assert called(checkout)[2:4] == [wanted, "ruff check"]
     run(checkout, "make", "test")
     assert called(checkout).count(wanted) == 2
+
+
+@pytest.mark.parametrize("user", ["0", "1000"])
+def test_a_missing_browser_is_installed_where_that_is_possible(checkout: Path, user: str) -> None:
+    """By root from Debian's packages; for everybody else the tests of the pages say what is missing."""
+    tools = checkout / "tools"
+    tools.mkdir()
+    (tools / "id").write_text(f"#!/bin/sh\necho {user}\n")
+    (tools / "apt-get").write_text(TOOL)
+    for tool in tools.iterdir():
+        tool.chmod(0o755)
+    path = f"{tools}:{os.environ['PATH']}"
+    ran = run(checkout, "make", "test", "BROWSERS=no-such-browser", PATH=path)
+    asked = [call for call in called(checkout) if call.startswith("apt-get")]
+    assert ran.returncode == 0
+    if user == "0":
+        assert asked == ["apt-get update", "apt-get install --yes --no-install-recommends chromium"]
+        assert ran.stderr == ""
+        assert "install one (no-such-browser)" in run(
+            checkout, "make", "browser", "BROWSERS=no-such-browser", PATH=path, FAILING="apt-get install"
+        ).stderr  # fmt: skip
+    else:
+        assert asked == []
+        assert "install one (no-such-browser)" in ran.stderr
+
+
+def test_a_browser_that_is_there_is_used(checkout: Path) -> None:
+    """Whatever it is called: nothing is installed, and nothing said."""
+    ran = run(checkout, "make", "browser", "BROWSERS=no-such-browser sh")
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "", "")
+    assert called(checkout) == []
 
 
 def test_a_failed_install_is_tried_again(checkout: Path) -> None:

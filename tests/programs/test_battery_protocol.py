@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from generated_suite import suite_is_green
 from test_smart_battery import run
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,21 +39,22 @@ def built(folder: Path, file: str, old: str, new: str) -> Path:
 
 def frames_are_green(folder: Path, selection: str) -> None:
     """Run the frames of one message in the suite of a project, against pymavlink."""
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-k", selection]
-    command = [sys.executable, "-m", "pytest", *options, "generated/tests/test_frames.py"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout[-3000:]
+    suite_is_green(folder, "generated/tests/test_frames.py", only=selection)
 
 
+@pytest.mark.requirement(
+    "FR-00074.8", "FR-00076.7", "FR-00076.8", "FR-00072.1", "FR-00072.4", "FR-00072.6", "FR-00068.9"
+)
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 def test_the_rover_reports_its_batteries(interpreter: str) -> None:
-    """FR-00074.8, FR-00076.7 and 8, FR-00072.1, 4 and 6, FR-00068.9: ids, cells, sizes, amounts."""
+    """Ids, cells, sizes, amounts."""
     check(ROOT / "generated", interpreter, 3)
 
 
+@pytest.mark.requirement("FR-00076.7", "FR-00068.3")
 @pytest.mark.parametrize(("cells", "interpreter"), [(14, "cpython"), (28, "micropython")])
 def test_cells_of_a_large_pack(cells: int, interpreter: str, tmp_path: Path) -> None:
-    """FR-00076.7, FR-00068.3: 14 cells are what BATTERY_STATUS has room for, and two pages; 28 are three pages."""
+    """14 cells are what BATTERY_STATUS has room for, and two pages; 28 are three pages."""
     generated = built(tmp_path, "specs/board.yaml", "    cells: 3\n", f"    cells: {cells}\n")
     check(generated, interpreter, cells)
     frames_are_green(tmp_path, "BATTERY_STATUS or BATTERY_CELL_VOLTAGES")
@@ -73,9 +75,10 @@ def shown(case: dict[str, Any], policy: str) -> tuple[int, int]:
     return pack["voltage_mv"], -1 if pack["remaining_pct"] is None else pack["remaining_pct"]
 
 
+@pytest.mark.requirement("FR-00073.6")
 @pytest.mark.parametrize("policy", ["first: true", "lowest: remaining"])
 def test_which_battery_sys_status_shows(policy: str, tmp_path: Path) -> None:
-    """FR-00073.6: the other two policies that a table can declare, the first one or the one with the least charge."""
+    """The other two policies that a table can declare, the first one or the one with the least charge."""
     generated = built(tmp_path, SYS_STATUS, POLICY, f"represents: {{battery: {{{policy}}}}}")
     cases = json.loads((generated / "tests" / "cases.json").read_text())["messages"]
     about = [case for case in cases if case["name"].startswith("SYS_STATUS.represents")]

@@ -1,4 +1,4 @@
-"""The smart battery of the shipped specification does what FR-00074 says, under both interpreters."""
+"""The smart battery of the shipped specification does what its document says, under both interpreters."""
 
 import json
 import os
@@ -30,6 +30,9 @@ def run(interpreter, folders, script, *arguments, given="", seconds=100):
     return done.stdout
 
 
+@pytest.mark.requirement(
+    "FR-00074.1", "FR-00074.2", "FR-00074.3", "FR-00074.4", "FR-00074.6", "FR-00074.7", "FR-00074.9"
+)
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 def test_the_battery_behaves(interpreter):
     """HEARTBEAT, ids, rates, info, serial number, no arming, saves, measure()."""
@@ -38,9 +41,10 @@ def test_the_battery_behaves(interpreter):
     assert {name: outcome for name, outcome in outcomes.items() if outcome is not None} == {}
 
 
+@pytest.mark.requirement("FR-00074.5")
 @pytest.mark.parametrize("choice", [0, 1], ids=["old", "new"])
 def test_a_receiver_notices_that_it_was_exchanged(choice):
-    """FR-00074.5: another serial number in the info that the new one sends when it starts, in either generation."""
+    """Another serial number in the info that the new one sends when it starts, in either generation."""
     packs = (("first...", 2500), ("second..", 10))
     frames = "".join(
         run("cpython", PATHS, "exchange_frames.py", chip, str(drawn_mah), str(choice)) for chip, drawn_mah in packs

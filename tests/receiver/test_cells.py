@@ -14,9 +14,10 @@ from codegen.pipeline import read_system
 from codegen.targets.receiver.cells import cell_readings
 
 
+@pytest.mark.requirement("FR-00075.1")
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 def test_cells_of_views(interpreter: str, generated: Callable[[str], Path]) -> None:
-    """The script's assertions hold on both interpreters, FR-00075.1."""
+    """The script's assertions hold on both interpreters."""
     assert BIN.exists()
     assert run(interpreter, HERE / "cell_checks.py", [generated("shipped") / "receiver"]) == "done\n"
 

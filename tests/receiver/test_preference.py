@@ -1,7 +1,9 @@
-"""Which message decides where several carry a quantity, FR-00075.2."""
+"""Which message decides where several carry a quantity."""
 
 from dataclasses import replace
 from pathlib import Path
+
+import pytest
 
 from codegen.diagnostics import Report
 from codegen.model.system import Generations, System
@@ -19,6 +21,7 @@ def order(system: System, generations: tuple[Generations, ...]) -> list[str]:
     return [system.receiver.messages[int(kind)].name for kind in kinds.strip("()").split(",") if kind]
 
 
+@pytest.mark.requirement("FR-00075.2")
 def test_the_declared_generation_goes_before_the_higher_id() -> None:
     """The new one of streams.yaml, though its id were the lower one; without a declaration the higher id."""
     system = read_system(str(ROOT / "specs" / "codegen.yaml"), Report())

@@ -9,6 +9,7 @@ from projects import HERE, run
 STATUS = ("BATTERY_STATUS", "BATTERY_STATUS_V2")
 
 
+@pytest.mark.requirement("FR-00075.1", "FR-00075.7", "FR-00075.9")
 @pytest.mark.parametrize(
     ("project", "messages"),
     [
@@ -17,6 +18,6 @@ STATUS = ("BATTERY_STATUS", "BATTERY_STATUS_V2")
     ],
 )
 def test_any_state_comes_back(project: str, messages: set[str], generated: Callable[[str], Path]) -> None:
-    """Within one unit of the wire, limits of the tables kept; unknown is unknown; FR-00075.7."""
+    """Within one unit of the wire, limits of the tables kept; unknown is unknown."""
     printed = run("cpython", HERE / "round_trip.py", [], str(generated(project)))
     assert messages <= set(printed.split())

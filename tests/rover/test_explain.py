@@ -51,6 +51,7 @@ def test_nothing_is_called_so(topic, hint, capsys):
     assert hint in capsys.readouterr().out
 
 
+@pytest.mark.requirement("FR-00072.7")
 @pytest.mark.parametrize("topic", ["battery", "BATT_REPORT", "BATTERY_STATUS", "BATTERY_STATUS_V2"])
 def test_the_price_of_generations(topic, capsys):
     """Bytes per second of old, new and both: sums of rates and frames, of which each is told, too.

@@ -73,16 +73,23 @@ def bandwidth_page(system: System, origin: Origin) -> BandwidthPage:
     charts = [
         *(_link(link, carried, default, fastest) for link in system.links if (carried := capacity(link)) is not None),
         chart(
+            "streams",
+            "By stream, at the default rates",
+            "Bytes per second until a parameter or a ground station changes the rate.",
+            "bytes/s",
+            _streams(sent),
+        ),
+        chart(
             "default",
-            "At the default rates",
-            "Bytes per second of each message until a parameter or a ground station changes its rate.",
+            "By message, at the default rates",
+            "The same for each message.",
             "bytes/s",
             [_amount(cost, cost.default.whole, cost.rate) for cost in sent if cost.rate],
         ),
         chart(
             "fastest",
-            "At the fastest rates",
-            "The same at the highest rates that parameters and ground stations can set, with what is sent on request.",
+            "By message, at the fastest rates",
+            "At the highest rates that parameters and ground stations can set, with what is sent on request.",
             "bytes/s",
             [_amount(cost, cost.fastest.whole, cost.fastest_rate) for cost in sent if cost.fastest_rate],
         ),
@@ -132,6 +139,20 @@ def _link(link: BoardLink, carried: Fraction, default: Range, fastest: Range) ->
         amounts,
         Fraction(100),
     )
+
+
+def _streams(sent: Sequence[Cost]) -> list[Amount]:
+    """What each stream takes, with its messages."""
+    by_stream: dict[str, list[Cost]] = {}
+    for cost in sent:
+        if cost.message.stream is not None:
+            by_stream.setdefault(cost.message.stream.name, []).append(cost)
+    amounts = []
+    for name, members in by_stream.items():
+        amount = total(cost.default.whole for cost in members)
+        messages = ", ".join(cost.message.name for cost in members)
+        amounts.append(Amount(name, amount, str(amount), note=f"{decimal(members[0].rate)} Hz: {messages}"))
+    return amounts
 
 
 def _amount(cost: Cost, amount: Range, rate: Fraction) -> Amount:

@@ -7,6 +7,9 @@ from codegen.model.system import System
 PAGES = (("index.html", "Overview"), ("bandwidth.html", "Bandwidth"))
 """Pages about the whole program: the path below its ``docs/``, and what links call them."""
 
+TRACE_PAGE = "trace.html"
+"""The page about the requirements of a project, which its further programs share."""
+
 
 @dataclass(frozen=True, slots=True)
 class Link:
@@ -30,11 +33,20 @@ def message_path(name: str) -> str:
     return f"messages/{name.lower()}.html"
 
 
+def shared_docs(system: System) -> str:
+    """The way from ``docs/`` of a program to that of its project, where it is another one."""
+    return "../../docs/" if system.spec.program else ""
+
+
 def navigation(system: System, here: str) -> Navigation:
     """The links of the page at the path ``here`` below ``docs/``."""
     up = "../" * here.count("/")
+    shared = up + shared_docs(system)
     return Navigation(
-        pages=tuple(Link(up + path, label, path == here) for path, label in PAGES),
+        pages=(
+            *(Link(up + path, label, path == here) for path, label in PAGES),
+            Link(shared + TRACE_PAGE, "Requirements", here == TRACE_PAGE),
+        ),
         messages=tuple(
             Link(up + path, message.name, path == here)
             for message in system.messages

@@ -11,7 +11,7 @@ from codegen.targets.generation_table import sent_at_once
 from codegen.targets.origin import Origin, source_name
 from codegen.targets.pages.budget import sent_messages, whole_at_default
 from codegen.targets.pages.message import rate_text
-from codegen.targets.pages.navigation import Link, Navigation, message_path, navigation
+from codegen.targets.pages.navigation import TRACE_PAGE, Link, Navigation, message_path, navigation, shared_docs
 from codegen.targets.program_document import LinkRow, StreamRow, link_rows, stream_rows
 
 
@@ -33,9 +33,13 @@ class MessageRow:
 
 @dataclass(frozen=True, slots=True)
 class CriterionRow:
-    """A criterion, or a requirement as a whole: its text, where it stands, and the fields that answer to it."""
+    """A criterion, or a requirement as a whole: its text, where it stands, and the fields that answer to it.
+
+    ``traced`` leads to where the page of requirements has a criterion.
+    """
 
     id: str
+    traced: str
     text: str
     place: str
     fields: tuple[Link, ...]
@@ -94,7 +98,7 @@ def overview_page(system: System, origin: Origin, cited: Iterable[str]) -> Overv
 
 def _programs(system: System) -> tuple[Link, ...]:
     if system.spec.program:
-        return (Link("../../docs/index.html", "the project that this program belongs to"),)
+        return (Link(f"{shared_docs(system)}index.html", "the project that this program belongs to"),)
     return tuple(Link(f"../{name}/docs/index.html", name) for name in system.spec.project.programs)
 
 
@@ -124,6 +128,7 @@ def _criterion(name: str, system: System) -> CriterionRow:
     place = (criterion or requirement).place
     return CriterionRow(
         id=name,
+        traced=f"{shared_docs(system)}{TRACE_PAGE}#{name}" if criterion else "",
         text=criterion.text if criterion else requirement.title,
         place=f"{source_name(system, place.file)}:{place.line}",
         fields=tuple(

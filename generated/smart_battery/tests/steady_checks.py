@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/steady_checks.py: do not edit.
-# Inputs: e139180e37a5f890
+# Inputs: 368f55cf73f6fcaa
 """The steady cycle of a whole vehicle leaves the heap alone; only MicroPython can tell."""
 
 from micropython import heap_lock, heap_unlock, mem_total
@@ -56,6 +56,7 @@ def _allocated(rover):
 CHECKS = (
     ("loop", 4, steady_cycle_allocates_nothing),
     ("steady", 3, steady_cycle_allocates_nothing),
+    ("update", 4, steady_cycle_allocates_nothing),
 )
 
 if __name__ == "__main__":

@@ -347,6 +347,7 @@ CHECKS = (
     ("reading", 3, read_often_enough),
     ("reading", 5, first_value_is_told_once),
     ("reading", 5, runs_without_a_converter),
+    ("update", 1, read_often_enough),
     ("update", 3, sensor_loss_is_noticed),
     ("conversion", 5, high_value_is_warned_about_at_intervals),
     ("steady", 2, late_reading_is_refused_in_the_program),

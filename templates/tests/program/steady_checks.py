@@ -54,6 +54,7 @@ def _allocated(rover):
 CHECKS = (
     ("loop", 4, steady_cycle_allocates_nothing),
     ("steady", 3, steady_cycle_allocates_nothing),
+    ("update", 4, steady_cycle_allocates_nothing),
 )
 
 if __name__ == "__main__":

@@ -1,0 +1,165 @@
+"""What a document says of the fields of a message, one by one: structs in code, tables, and lists."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import groupby
+
+from codegen.claims.identifier import commented_id
+from codegen.claims.reading import Reading
+from codegen.load.prose import CodeBlock, Passage, PassageKind
+from codegen.model.dialect import WireField, WireMessage
+from codegen.source import Place
+
+C_TYPE = r"u?int(?:8|16|32|64)_t|float|double|char"
+_C_FIELD = re.compile(
+    rf"\s*(?:const\s+)?(?P<type>{C_TYPE})\s+(?P<name>\w+)\s*(?:\[\s*(?P<length>\d{{1,4}})\s*\])?\s*;(?P<rest>.*)"
+)
+_RUST_FIELD = re.compile(
+    r"\s*(?:pub\s+)?(?:r#)?(?P<name>[a-z]\w*?)_?\s*:\s*(?:\[\s*(?P<array>[iuf]\d\d?)\s*;\s*(?P<length>\d{1,4})\s*\]"
+    r"|(?P<type>[iuf](?:8|16|32|64)))\s*,?(?P<rest>\s*(?://.*)?)$"
+)
+_RUST_TYPES: Mapping[str, str] = {
+    **{f"u{bits}": f"uint{bits}_t" for bits in (8, 16, 32, 64)},
+    **{f"i{bits}": f"int{bits}_t" for bits in (8, 16, 32, 64)},
+    "f32": "float",
+    "f64": "double",
+}
+_ELEMENT = r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\s*(?:\.{2,3}|-|:|\u2013)\s*(?P<high>\d{1,3}))?\])?"
+_ITEM = re.compile(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
+_CELL = re.compile(rf"\s*{_ELEMENT}\s*$")
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """What is said of one field: ``text`` of a passage from ``start`` on.
+
+    ``elements`` are the first and last index where elements of an array are meant; ``type`` and ``length`` are stated
+    by declarations only.
+    """
+
+    name: str
+    passage: Passage
+    start: int
+    elements: tuple[int, int] | None = None
+    type: str | None = None
+    length: int | None = None
+
+    @property
+    def text(self) -> str:
+        """What is said."""
+        return self.passage.text[self.start :]
+
+
+@dataclass(frozen=True, slots=True)
+class FieldNotes:
+    """Notes about fields of one message, in their order.
+
+    ``stated`` is the id that a comment in a struct gives its message, and the place of that line; ``columns`` are the
+    headings of a table.
+    """
+
+    message: WireMessage
+    notes: tuple[Note, ...]
+    stated: tuple[int, Place] | None = None
+    columns: tuple[str, ...] = ()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether a struct says of itself that it is the message, and so has all of its base fields."""
+        return self.stated is not None and self.stated[0] == self.message.id
+
+    def cell(self, note: Note, heading: "re.Pattern[str]") -> tuple[str, int] | None:
+        """The text of a note's row below the heading that matches, and its offset in the passage."""
+        own = cells(note.passage) if self.columns else []
+        for title, (text, offset) in zip(self.columns[1:], own[1:], strict=False):
+            if heading.fullmatch(title) and text.strip():
+                return text.strip(), offset
+        return None
+
+    def pairs(self) -> Iterator[tuple[Note, WireField]]:
+        """The notes about fields that the message has, each with its field."""
+        for note in self.notes:
+            field = self.message.field(note.name)
+            if field is not None:
+                yield note, field
+
+
+def field_notes(reading: Reading) -> Iterator[FieldNotes]:
+    """The structs, tables and lists of a document that are about the fields of a message."""
+    for code in reading.prose.code:
+        yield from _struct(reading, code)
+    for is_note, run in groupby(reading.prose.parts, _kind):
+        if is_note is PassageKind.ROW:
+            yield from _table(reading, [part for part in run if isinstance(part, Passage)])
+        elif is_note is PassageKind.ITEM:
+            yield from _list(reading, [part for part in run if isinstance(part, Passage)])
+
+
+def _kind(part: Passage | CodeBlock) -> PassageKind | None:
+    return part.kind if isinstance(part, Passage) else None
+
+
+def _struct(reading: Reading, code: CodeBlock) -> Iterator[FieldNotes]:
+    notes = []
+    for line in code.lines:
+        found = _C_FIELD.match(line.text) or _RUST_FIELD.match(line.text)
+        if found is None:
+            continue
+        groups = found.groupdict()
+        written = groups["type"] or groups.get("array") or ""
+        passage = Passage(PassageKind.TEXT, line.text, ((0, line.place),))
+        length = int(found["length"]) if found["length"] else None
+        wire_type = _RUST_TYPES.get(written, written)
+        notes.append(Note(found["name"], passage, found.start("rest"), None, wire_type, length))
+    if len(notes) < 2:
+        return
+    about = reading.message_with([note.name for note in notes], code.place.line)
+    if about is not None:
+        yield FieldNotes(about, tuple(notes), commented_id(code))
+
+
+def _table(reading: Reading, rows: list[Passage]) -> Iterator[FieldNotes]:
+    """One table; two that follow each other directly are looked at as one, which only makes fewer notes."""
+    columns = tuple(cell.strip() for cell, _ in cells(rows[0]))
+    notes = []
+    for row in rows[1:]:
+        own = cells(row)
+        found = _CELL.fullmatch(own[0][0]) if own else None
+        if found and len(own) > 1:
+            notes.append(Note(found["name"], row, own[1][1], _elements(found)))
+    yield from _about(reading, notes, rows[0].place.line, columns)
+
+
+def _list(reading: Reading, items: list[Passage]) -> Iterator[FieldNotes]:
+    notes = []
+    for item in items:
+        found = _ITEM.match(item.text)
+        if found:
+            notes.append(Note(found["name"], item, found.end(), _elements(found)))
+    yield from _about(reading, notes, items[0].place.line, ())
+
+
+def _about(reading: Reading, notes: list[Note], line: int, columns: tuple[str, ...]) -> Iterator[FieldNotes]:
+    names = {note.name for note in notes}
+    about = reading.message_with(names, line) if len(names) > 1 else None
+    if about is not None:
+        yield FieldNotes(about, tuple(notes), columns=columns)
+
+
+def _elements(found: "re.Match[str]") -> tuple[int, int] | None:
+    if found["low"] is None:
+        return None
+    return int(found["low"]), int(found["high"] or found["low"])
+
+
+def cells(row: Passage) -> list[tuple[str, int]]:
+    """The cells of a row of a table, each with the offset of its text."""
+    text = row.text
+    start = len(text) - len(text.lstrip())
+    position = start + 1 if text[start : start + 1] == "|" else start
+    found: list[tuple[str, int]] = []
+    for cell in text[position:].rstrip("| ").split("|"):
+        found.append((cell, position + len(cell) - len(cell.lstrip())))
+        position += len(cell) + 1
+    return found

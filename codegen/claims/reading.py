@@ -1,0 +1,176 @@
+"""One document beside the dialect that its claims are compared with."""
+
+import re
+from bisect import bisect_left
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import reduce
+from operator import add
+from typing import Protocol, TypeVar
+
+from codegen.claims.quoted import Quoted, quoted_definitions
+from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.fingerprint import fingerprint
+from codegen.load.prose import CodeBlock, Passage, Prose, read_prose
+from codegen.model.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
+from codegen.model.price import Range
+from codegen.resolve.wire import wire_message
+from codegen.source import Place
+
+_NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
+_MOST_RELATED = 8
+"""How many repetitions of a claim are listed."""
+_FAR = 300
+"""How many mentions of messages are looked through for the one that a statement is about."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """What documents are compared with: a dialect, and what a project says about it, if there is one.
+
+    ``sent`` has the bytes of whole frames as the project sends them, by message; ``listed`` are messages of other
+    dialects that it knows of.
+    """
+
+    dialect: Dialect
+    sent: Mapping[str, Range] = field(default_factory=dict)
+    listed: tuple[KnownMessage, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """A message that a passage names: its name, and where it stands in the text."""
+
+    name: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A document with all that its claims may be about.
+
+    ``quoted`` are the definitions of its XML, and ``proposed`` its messages as they would go over the wire; for the
+    rest of the document they take the place of messages of the dialect. ``messages`` has all of them by name,
+    ``sightings`` the lines that name one, in order.
+    """
+
+    prose: Prose
+    reference: Reference
+    quoted: Quoted
+    proposed: tuple[WireMessage, ...]
+    messages: Mapping[str, WireMessage]
+    enums: Mapping[str, EnumDefinition]
+    mentions: Mapping[int, tuple[Mention, ...]]
+    sightings: tuple[tuple[int, str], ...]
+
+    def mentioned(self, passage: Passage) -> tuple[Mention, ...]:
+        """The messages that a passage names, in order."""
+        return self.mentions.get(id(passage), ())
+
+    def passages_with_messages(self) -> Iterator[tuple[Passage, tuple[Mention, ...]]]:
+        """The passages that name a message, with the mentions."""
+        for passage in self.prose.passages:
+            if found := self.mentioned(passage):
+                yield passage, found
+
+    def named_near(self, line: int) -> Iterator[WireMessage]:
+        """The messages that the document names, each once: first those up to a line, nearest first, then the others."""
+        start = bisect_left(self.sightings, (line + 1, ""))
+        near = [*reversed(self.sightings[max(start - _FAR, 0) : start]), *self.sightings[start : start + _FAR]]
+        return (self.messages[name] for name in dict.fromkeys(name for _, name in near))
+
+    def message_with(self, fields: Collection[str], line: int) -> WireMessage | None:
+        """The message near a line that a list of field names is about: the first that has most of them."""
+        for message in self.named_near(line):
+            known = sum(message.field(name) is not None for name in fields)
+            if known and known * 2 > len(fields):
+                return message
+        return None
+
+    def found(
+        self,
+        rule: Rule,
+        place: Place,
+        claim: str,
+        message: str,
+        hint: str | None = None,
+        related: Iterable[tuple[Place, str]] = (),
+    ) -> Diagnostic:
+        """A finding about ``claim``, the words by which a waiver knows it."""
+        mark = fingerprint(rule.id, self.prose.path, claim)
+        return Diagnostic(place, rule, message, hint, tuple(related), mark)
+
+
+def read_document(text: str, path: str, reference: Reference) -> Reading:
+    """The document of a text; places name the absolute form of ``path``."""
+    prose = read_prose(text, path)
+    quoted = reduce(add, (quoted_definitions(code) for code in prose.code), Quoted())
+    enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
+    proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)
+    messages = {**reference.dialect.messages, **{message.name: message for message in reversed(proposed)}}
+    is_about_mavlink = "mavlink" in text.lower()
+    names = {name for name in messages if is_about_mavlink or "_" in name}
+    mentions = {id(passage): tuple(_mentions(passage.text, names)) for passage in prose.passages}
+    seen = [(message.definition.place.line, message.name) for message in proposed]
+    for part in prose.parts:
+        seen.extend(_sightings(part, names, mentions))
+    return Reading(
+        prose=prose,
+        reference=reference,
+        quoted=quoted,
+        proposed=proposed,
+        messages=messages,
+        enums=enums,
+        mentions={key: found for key, found in mentions.items() if found},
+        sightings=tuple(sorted(seen)),
+    )
+
+
+def _mentions(text: str, names: Collection[str]) -> Iterator[Mention]:
+    for found in _NAME.finditer(text):
+        if found[0] in names:
+            yield Mention(found[0], found.start(), found.end())
+
+
+def _sightings(
+    part: Passage | CodeBlock, names: Collection[str], mentions: Mapping[int, tuple[Mention, ...]]
+) -> Iterator[tuple[int, str]]:
+    if isinstance(part, Passage):
+        for mention in mentions[id(part)]:
+            yield part.place_at(mention.start).line, mention.name
+        return
+    for line in part.lines:
+        for mention in _mentions(line.text, names):
+            yield line.place.line, mention.name
+
+
+class _Located(Protocol):
+    """What stands at an offset of a passage."""
+
+    @property
+    def start(self) -> int: ...
+
+
+_Part = TypeVar("_Part", bound=_Located)
+
+
+def between(parts: Sequence[_Part], start: int, end: int) -> Sequence[_Part]:
+    """Those of ``parts``, in their order, that begin between two offsets."""
+    low = bisect_left(parts, start, key=lambda part: part.start)
+    return parts[low : bisect_left(parts, end, key=lambda part: part.start)]
+
+
+def merged(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The findings by place, those about the same claim as one at its first place, to which the others are related."""
+    by_claim: dict[str, list[Diagnostic]] = {}
+    for finding in sorted(findings, key=lambda finding: finding.place):
+        by_claim.setdefault(finding.fingerprint or "", []).append(finding)
+    told = []
+    for first, *others in by_claim.values():
+        again = list(dict.fromkeys(other.place for other in others if other.place != first.place))
+        related = [(place, "stated again") for place in again[:_MOST_RELATED]]
+        if len(again) > _MOST_RELATED:
+            related[-1] = (related[-1][0], f"stated again, and {len(again) - _MOST_RELATED} times more below")
+        told.append(replace(first, related=(*first.related, *related)))
+    return told

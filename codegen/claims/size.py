@@ -1,0 +1,125 @@
+"""Sizes of messages: "BATTERY_STATUS is 41 bytes", "a 27-byte BATTERY_STATUS_V2"."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.claims.reading import Mention, Reading
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.load.prose import Passage
+from codegen.model.dialect import WireMessage
+from codegen.model.price import HEAD_V1, HEAD_V2, Range
+
+RULE = Rule(
+    "claim-message-size",
+    "A document gives a message another size than its fields have. Meant may be the payload without or with "
+    "extensions, or a whole frame of MAVLink 1 or 2, signed or not; the stated number is none of them. Correct it, and "
+    "what was computed from it.",
+)
+
+SIGNATURE = 13
+"""Bytes that signing adds to a frame of MAVLink 2."""
+
+_BYTES = re.compile(r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?bytes?\b(?![ ]?(?:/|per\b|a second))", re.IGNORECASE)
+# What may stand between a message and its size without making the size that of something else.
+_BETWEEN = re.compile(
+    r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|messages?|payload|frames?|packets?|size|length|total|whole|is|are|has|have|takes|needs|uses|of"
+    r"|an?|the|with|without|only|exactly|base|full|complete|extensions?|v[12]|mavlink(?: ?[12])?|unsigned|signed|up to"
+    r"|at most)*",
+    re.IGNORECASE,
+)
+_BEFORE_NAME = re.compile(r"[ ]?(?:(?:payload|frames?|packets?|long|of|for|the|an?)[ ]){0,5}", re.IGNORECASE)
+_FRAME = re.compile(r"frame|packet|wire|\bsent\b|truncat|trimmed|cut", re.IGNORECASE)
+_PAYLOAD = re.compile(r"payload", re.IGNORECASE)
+_VERSION_1 = re.compile(r"\bv1\b|mavlink ?1", re.IGNORECASE)
+_RATE = re.compile(r"(\d{1,4}(?:\.\d{1,3})?) ?Hz\b")
+_NEAR = 60
+"""Characters between a message and its size."""
+
+
+@dataclass(frozen=True, slots=True)
+class SizeClaim:
+    """``bytes`` at ``start`` of the passage's text, said of ``message``; ``words`` are the claim."""
+
+    message: WireMessage
+    bytes: int
+    start: int
+    end: int
+    words: str
+
+
+def check(reading: Reading) -> Iterator[Diagnostic]:
+    """Every size that is said of a message."""
+    for passage, mentions in reading.passages_with_messages():
+        for claim in size_claims(reading, passage, mentions):
+            if not is_possible(claim):
+                text = _message(claim, passage)
+                place = passage.place_at(claim.start)
+                yield reading.found(RULE, place, claim.words, text, _frames(claim.message, reading))
+
+
+def size_claims(reading: Reading, passage: Passage, mentions: tuple[Mention, ...]) -> Iterator[SizeClaim]:
+    """The sizes of a passage that are said of a message, possible or not."""
+    text = passage.text
+    position = 0
+    for found in _BYTES.finditer(text):
+        while position < len(mentions) and mentions[position].end <= found.start():
+            position += 1
+        before = mentions[position - 1] if position else None
+        after = mentions[position] if position < len(mentions) else None
+        if before is not None and _is_between(text, before.end, found.start()):
+            low, high = before.start, found.end()
+            yield SizeClaim(reading.messages[before.name], int(found[1]), found.start(), high, text[low:high])
+        elif after is not None and _BEFORE_NAME.fullmatch(text, found.end(), after.start):
+            low, high = found.start(), after.end
+            yield SizeClaim(reading.messages[after.name], int(found[1]), low, high, text[low:high])
+
+
+def _is_between(text: str, start: int, end: int) -> bool:
+    return end - start <= _NEAR and _BETWEEN.fullmatch(text, start, end) is not None
+
+
+def is_possible(claim: SizeClaim) -> bool:
+    """Whether the message can have that size in any sense that the words leave open."""
+    message, words = claim.message, claim.words
+    base, length = message.base_length, message.length
+    if _PAYLOAD.search(words):
+        return claim.bytes in (base, length)
+    if _VERSION_1.search(words):
+        return claim.bytes in (HEAD_V1 + base, base)
+    if _FRAME.search(words):  # a frame of MAVLink 2 loses the zeros at the end of its payload
+        return HEAD_V1 < claim.bytes <= HEAD_V2 + length + SIGNATURE
+    frames = (HEAD_V2 + base, HEAD_V2 + length)
+    return claim.bytes in (base, length, HEAD_V1 + base, *frames, *(frame + SIGNATURE for frame in frames))
+
+
+def frame_bytes(message: WireMessage, reading: Reading) -> Range:
+    """Bytes of a MAVLink 2 frame: as the project sends it, else whole without and with extensions."""
+    low, high = Fraction(HEAD_V2 + message.base_length), Fraction(HEAD_V2 + message.length)
+    return reading.reference.sent.get(message.name, Range(low, high))
+
+
+def _message(claim: SizeClaim, passage: Passage) -> str:
+    message = claim.message
+    extended = f", {message.length} with extensions" if message.length > message.base_length else ""
+    text = f"{message.name} has a payload of {message.base_length} bytes{extended}, not {claim.bytes}"
+    start, end = passage.sentence(claim.start, claim.end)
+    rate = _RATE.search(passage.text, start, end)
+    if rate:
+        whole = HEAD_V2 + message.base_length
+        per_second = _shown(whole * Fraction(rate[1]))
+        text += f"; frames of {whole} bytes (MAVLink 2) at {rate[1]} Hz are {per_second} bytes/s"
+    return text
+
+
+def _frames(message: WireMessage, reading: Reading) -> str:
+    low, high = HEAD_V2 + message.base_length, HEAD_V2 + message.length
+    both = f"{low} to {high}" if low != high else str(low)
+    sent = reading.reference.sent.get(message.name)
+    here = "" if sent is None else f"; this project sends {sent}"
+    return f"whole frames have {both} bytes in MAVLink 2, {HEAD_V1 + message.base_length} in MAVLink 1{here}"
+
+
+def _shown(value: Fraction) -> str:
+    return f"{float(value):g}"

@@ -1,0 +1,61 @@
+"""The way of the data for claims: documents, and the dialect or the project that they are compared with."""
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from codegen import pipeline
+from codegen.claims import check_claims
+from codegen.claims.reading import Reading, Reference, read_document
+from codegen.codec import read_codec_dialect
+from codegen.decode.known_dialects import taken_elsewhere
+from codegen.diagnostics import Report
+from codegen.load.text import decode_text, read_bytes
+from codegen.model.price import Range, frame_size
+from codegen.model.system import System
+
+
+def dialect_reference(written: str, report: Report) -> Reference | None:
+    """What a dialect says, by its name or the path of its file; None after a diagnostic."""
+    dialect = read_codec_dialect(written, report)
+    return None if dialect is None else Reference(dialect)
+
+
+def project_reference(systems: Sequence[System]) -> Reference | None:
+    """What a project says, with all its programs; None where it could not be read."""
+    if not systems:
+        return None
+    sent: dict[str, Range] = {}
+    for system in systems:
+        protocol = system.spec.project.protocol
+        for message in system.messages:
+            sizes = [frame_size(message, instance, protocol) for instance in range(message.instances)]
+            sizes += [sent[message.name]] if message.name in sent else []
+            sent[message.name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
+    return Reference(systems[0].dialect, sent, pipeline.listed_messages(systems[0].spec, Report()))
+
+
+def project_documents(systems: Iterable[System]) -> list[str]:
+    """The absolute paths of the requirement documents of a project and its programs, each once."""
+    files = {requirement.place.file for system in systems for requirement in system.spec.requirements}
+    return sorted(files)
+
+
+def check_documents(paths: Iterable[str], reference: Reference, report: Report) -> list[str]:
+    """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read."""
+    read = []
+    for path in dict.fromkeys(os.path.abspath(path) for path in paths):
+        data = read_bytes(path, report)
+        text = None if data is None else decode_text(data, path, report)
+        if text is not None:
+            report.extend(check_claims(_with_other_dialects(read_document(text, path, reference))))
+            read.append(path)
+    return read
+
+
+def _with_other_dialects(reading: Reading) -> Reading:
+    """The reading with the messages of shipped dialects that its own ones share an id with."""
+    proposed = [message.definition for message in reading.proposed]
+    reference = reading.reference
+    taken = taken_elsewhere(proposed, reference.dialect.files, reference.listed)
+    return replace(reading, reference=replace(reference, listed=taken)) if taken else reading

@@ -1,0 +1,29 @@
+"""Documents in memory, compared with the dialect that pymavlink ships."""
+
+from collections.abc import Callable
+from functools import cache
+
+import pytest
+
+from codegen.claims import check_claims
+from codegen.claims.reading import Reference, read_document
+from codegen.codec import read_codec_dialect
+from codegen.diagnostics import Diagnostic, Report
+
+PATH = "/documents/notes.md"
+
+Check = Callable[[str], list[Diagnostic]]
+
+
+@cache
+def reference() -> Reference:
+    """The common dialect, without a project."""
+    dialect = read_codec_dialect("common", Report())
+    assert dialect is not None
+    return Reference(dialect)
+
+
+@pytest.fixture(scope="session")
+def check() -> Check:
+    """What is found in a text, in its order."""
+    return lambda text: check_claims(read_document(text, PATH, reference()))

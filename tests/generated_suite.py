@@ -1,0 +1,21 @@
+"""The generated suite of a project, run as its user runs it: pytest in a process of its own."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ALONE = {**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+"""The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
+
+
+def run_suite(folder: Path, *tests: str, options: tuple[str, ...] = ()) -> "subprocess.CompletedProcess[str]":
+    """Run tests of a suite; their paths are relative to ``folder``."""
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, *tests]
+    return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=ALONE, check=False)
+
+
+def suite_is_green(folder: Path, *tests: str, only: str = "") -> None:
+    """All tests of a suite pass, or those that the expression ``only`` selects, of which there are some."""
+    done = run_suite(folder, *tests, options=("-k", only))
+    assert done.returncode == 0, done.stdout[-3000:]

@@ -1,0 +1,108 @@
+"""How tests say what they show: every form of the mark that pytest knows, read without running anything."""
+
+from pathlib import Path
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.load.marked_tests import files_of_tests, read_marked_tests
+
+FORMS = """
+import pytest
+from pytest import mark
+
+pytestmark = [pytest.mark.slow, pytest.mark.requirement("A-1.1")]
+
+
+@mark.requirement("A-1.2", "A-1.3")
+async def test_decorated(): ...
+
+
+@pytest.mark.parametrize("n", [pytest.param(1, marks=mark.requirement("A-1.4")), 2])
+def test_single_parameter(n): ...
+
+
+@pytest.mark.requirement(*NAMES, "A-1." + "5", 7, other="A-1.6")
+def test_computed(): ...
+
+
+@pytest.mark.requirement("A-1.7")
+def helper(): ...
+
+
+@pytest.mark.requirement("A-1.8")
+class TestGroup:
+    @pytest.mark.requirement("A-1.9")
+    def test_method(self): ...
+
+    class TestInner:
+        pytestmark = pytest.mark.requirement("A-1.10")
+
+        def test_deep(self): ...
+
+
+class Group:
+    @pytest.mark.requirement("A-1.11")
+    def test_not_collected(self): ...
+"""
+
+
+def found(text: str, folder: Path) -> list[tuple[str, str]]:
+    path = folder / "test_it.py"
+    path.write_text(text)
+    report = Report()
+    tests = read_marked_tests(str(path), report)
+    assert list(report) == []
+    lines = text.splitlines()
+    for test in tests:
+        assert lines[test.place.line - 1][test.place.column - 1 :].startswith(f'"{test.shows}"')
+    return [(test.function, test.shows) for test in tests]
+
+
+def test_every_form(tmp_path: Path) -> None:
+    """Of the module, of a function, of one parameter, of a class and what is in it; what is computed is left out."""
+    assert found(FORMS, tmp_path) == [
+        ("test_decorated", "A-1.1"),
+        ("test_decorated", "A-1.2"),
+        ("test_decorated", "A-1.3"),
+        ("test_single_parameter", "A-1.1"),
+        ("test_single_parameter", "A-1.4"),
+        ("test_computed", "A-1.1"),
+        ("TestGroup::test_method", "A-1.1"),
+        ("TestGroup::test_method", "A-1.8"),
+        ("TestGroup::test_method", "A-1.9"),
+        ("TestGroup::TestInner::test_deep", "A-1.1"),
+        ("TestGroup::TestInner::test_deep", "A-1.8"),
+        ("TestGroup::TestInner::test_deep", "A-1.10"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [b"@x.requirement('A')\ndef test_(:\n", b"x.requirement(\xff)", b"x.requirement(\0)", b"x.requirement(" * 500],
+)
+def test_a_file_that_is_no_python_is_a_warning(data: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "test_it.py"
+    path.write_bytes(data)
+    report = Report()
+    assert read_marked_tests(str(path), report) == []
+    assert [finding.rule.id for finding in report] == ["test-syntax"]
+    assert report.exit_code == 0
+
+
+def test_files_without_a_mark_are_not_parsed(tmp_path: Path) -> None:
+    """Broken or not: they say nothing."""
+    (tmp_path / "test_it.py").write_bytes(b"def (\xff")
+    report = Report()
+    assert read_marked_tests(str(tmp_path / "test_it.py"), report) == []
+    assert list(report) == []
+
+
+def test_which_files_are_looked_at(tmp_path: Path) -> None:
+    """Python files in the folders and below, each once, but nothing hidden and no caches; a folder may be missing."""
+    for name in ("b/test_b.py", "test_a.py", ".hidden/test_c.py", "__pycache__/test_d.py", ".test_e.py", "notes.txt"):
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        path.touch()
+    folders = [str(tmp_path), str(tmp_path / "b"), str(tmp_path / "missing")]
+    assert [Path(path).name for path in files_of_tests(folders)] == ["test_b.py", "test_a.py"]
