@@ -9,6 +9,7 @@ from codegen.importing.answer import UNREAD, Reading, Sources, Target, same_numb
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect import EnumDefinition, EnumEntry, Kind
 from codegen.model.literals import LIMITS
+from codegen.model.population_spec import FieldAnswer
 from codegen.model.unit import decimal
 from codegen.source import Place
 
@@ -80,6 +81,18 @@ def read_number(
             return _without_sentinel(head, cell.place, target, sources, report)
         return _other_sentinel(head, cell.place, target, report)
     return _constant(number, head, cell.place, target, sources, report)
+
+
+def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Sources, report: Report) -> bool:
+    """Whether the enum of the field has the entries that an answer names; those that it lacks are reported."""
+    names = [flag.partition(" ")[0] for flag in answer.flags or ()] + ([answer.enum] if answer.enum else [])
+    enum = target.enum(sources.dialect)
+    missing = [name for name in names if enum is None or enum.entry(name) is None]
+    for name in missing:
+        text = f"{enum.name} has no entry {name}" if enum else f"{target.name} has no enum, and so no {name}"
+        hint = did_you_mean(name, [entry.name for entry in enum.entries]) if enum else None
+        report.add(DOCUMENT_ENTRY, cell.place, text, hint, [_declared(target)])
+    return not missing
 
 
 def _constant(number: Fraction, head: str, place: Place, target: Target, sources: Sources, report: Report) -> Reading:
