@@ -19,7 +19,7 @@ from codegen.load.text import decode_text, read_bytes
 from codegen.load.trees import exists
 from codegen.model.dialect import Dialect, KnownMessage
 from codegen.model.scenario import Scenario
-from codegen.model.spec import Spec
+from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
 from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.mpy import BYTECODE, compiled
@@ -173,10 +173,14 @@ def read_trace(systems: Sequence[System], report: Report) -> Trace:
 
     A finding is about a file of tests that says nothing.
     """
-    documents = {each.place: each for system in systems for each in system.requirements.values()}
     marked = [test for path in files_of_tests(folders_of_tests(systems)) for test in read_marked_tests(path, report)]
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
-    return linked(documents.values(), rows_of(systems), tests)
+    return linked(_documents(systems), rows_of(systems), tests)
+
+
+def _documents(systems: Iterable[System]) -> Iterable[Requirement]:
+    """The requirement documents of all programs, each once."""
+    return {each.place: each for system in systems for each in system.requirements.values()}.values()
 
 
 def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
@@ -221,14 +225,18 @@ def render_systems(systems: Sequence[System]) -> dict[str, str]:
 
 
 def _trace_page(systems: Sequence[System]) -> dict[str, str]:
-    """The page of the requirements; what is wrong with tests or with the lock, codegen trace tells."""
-    trace = read_trace(systems, Report())
+    """The page of the requirements: like all output a function of the specification, so without tests by hand.
+
+    What is wrong with the lock, codegen trace tells.
+    """
+    trace = linked(_documents(systems), rows_of(systems), generated_tests(systems))
     lock = read_trace_lock(systems[0].spec.project.place.file, Report())
     coverage = coverage_of(trace, reviews(trace, lock), None)
     findings = Report()
-    findings.extend(trace_findings(trace, coverage, gone(trace, lock)))
+    findings.extend(trace_findings(trace, coverage, gone(trace, lock), only=("orphaned", "suspect")))
     name = systems[0].spec.project.project
-    return render_trace(systems, trace_view(name, project_folder(systems), trace, coverage, findings))
+    view = trace_view(name, project_folder(systems), trace, coverage, findings, only_generated=True)
+    return render_trace(systems, view)
 
 
 def stale_firmware(system: System) -> list[str]:
@@ -265,18 +273,16 @@ def board_folder(system: System, architecture: str) -> str:
 
 
 def files_read(systems: Iterable[System]) -> set[str]:
-    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios, tests."""
+    """The absolute paths of every file that a build reads: specification, documents, dialect, scenarios, reviews."""
     systems = tuple(systems)
     read = {path for system in systems for path in (*system.spec.files, *system.dialect.files)}
     beside = {os.path.join(system.spec.folder, name) for system in systems for name in (SCENARIOS, TRACE_LOCK)}
-    return read | {path for path in beside if exists(path)} | set(files_of_tests(folders_of_tests(systems)))
+    return read | {path for path in beside if exists(path)}
 
 
 def folders_read(systems: Iterable[System]) -> list[str]:
-    """The absolute paths of the folders of the specifications, that of the project first, and of the tests."""
-    systems = tuple(systems)
-    tests = {os.path.dirname(path) for path in files_of_tests(folders_of_tests(systems))}
-    return [*(system.spec.own_folder for system in systems), *sorted({*folders_of_tests(systems), *tests})]
+    """The absolute paths of the folders of the specifications, that of the project first."""
+    return [system.spec.own_folder for system in systems]
 
 
 def output_folder(system: System) -> str:

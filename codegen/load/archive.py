@@ -30,6 +30,10 @@ class ArchiveTree:
                 folder, name = posixpath.split(folder)
                 self._folders.setdefault(folder, set()).add(name)
 
+    def holds(self, path: str) -> bool:
+        """Whether there is such a file."""
+        return path in self._contents
+
     def read(self, path: str) -> bytes | None:
         """The content of a file, or None where there is none."""
         return self._contents.get(path)

@@ -145,6 +145,10 @@ class GitTree:
         if self._git is not None:
             self._git.communicate()
 
+    def holds(self, path: str) -> bool:
+        """Whether there is such a file, or link."""
+        return path in self._blobs
+
     def read(self, path: str) -> bytes | None:
         """The content of a file, links of the commit followed; None where there is none."""
         for _ in range(_MOST_LINKS):

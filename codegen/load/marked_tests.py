@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.load.text import decode_text, read_bytes
+from codegen.load.trees import file_names, is_folder
 from codegen.model.test_record import MarkedTest
 from codegen.source import Place
 
@@ -26,12 +27,19 @@ _Function = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 def files_of_tests(folders: Iterable[str]) -> list[str]:
     """The absolute paths of the Python files in folders and below, by name; what begins with a dot is left out."""
-    found = []
-    for folder in folders:
-        for where, below, names in os.walk(folder):
-            below[:] = sorted(name for name in below if not name.startswith((".", "__")))
-            found += [os.path.join(where, name) for name in sorted(names) if name.endswith(".py") and name[0] != "."]
-    return sorted(set(found))
+    found: set[str] = set()
+    waiting = list(folders)
+    while waiting:
+        folder = waiting.pop()
+        for name in file_names(folder):
+            path = os.path.join(folder, name)
+            if name.startswith((".", "__")):
+                continue
+            if is_folder(path) and not os.path.islink(path):
+                waiting.append(path)
+            elif name.endswith(".py"):
+                found.add(path)
+    return sorted(found)
 
 
 def read_marked_tests(path: str, report: Report) -> list[MarkedTest]:

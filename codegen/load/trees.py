@@ -17,6 +17,9 @@ class Tree(Protocol):
     def folder(self) -> str | None:
         """The absolute path of the folder of the disk that the tree is a version of, if it is one."""
 
+    def holds(self, path: str) -> bool:
+        """Whether there is such a file."""
+
     def read(self, path: str) -> bytes | None:
         """The content of a file, or None where there is none."""
 
@@ -53,13 +56,13 @@ def exists(path: str) -> bool:
     found = _found(path)
     if found is None:
         return os.path.lexists(path)
-    return found[0].read(found[1]) is not None or found[0].names(found[1]) is not None
+    return found[0].holds(found[1]) or found[0].names(found[1]) is not None
 
 
 def is_file(path: str) -> bool:
     """Whether there is a file, or a link to one."""
     found = _found(path)
-    return os.path.isfile(path) if found is None else found[0].read(found[1]) is not None
+    return os.path.isfile(path) if found is None else found[0].holds(found[1])
 
 
 def file_names(folder: str) -> list[str]:
@@ -71,6 +74,12 @@ def file_names(folder: str) -> list[str]:
         return sorted(os.listdir(folder))
     except OSError:
         return []
+
+
+def is_folder(path: str) -> bool:
+    """Whether there is a folder, or a link to one."""
+    found = _found(path)
+    return os.path.isdir(path) if found is None else found[0].names(found[1]) is not None
 
 
 def on_disk(path: str) -> str:

@@ -63,12 +63,15 @@ def trace_findings(
     gone: Mapping[str, ReviewedSpec],
     counted: Collection[str] = COUNTED,
     chosen: Collection[str] | None = None,
+    only: Collection[str] = KINDS.keys(),
 ) -> Iterator[Diagnostic]:
     """The findings: errors of the kinds ``counted``, warnings of others that ``COUNTED`` has, and no more.
 
-    ``gone`` are entries of the lock without a criterion. With ``chosen`` only what is about these criteria is told.
+    ``only`` has the kinds that are told at all. ``gone`` are entries of the lock without a criterion. With ``chosen``
+    nothing is told that is not about these criteria.
     """
-    told = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in (*COUNTED, *counted)}
+    kinds = [name for name in (*COUNTED, *counted) if name in only]
+    told = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in kinds}
     for finding in _all(trace, coverage, gone, chosen):
         severity = told.get(finding.rule.id)
         if severity is not None:

@@ -1,7 +1,7 @@
 """The trace as views that are ready to print, for the terminal, Markdown and HTML alike."""
 
 import os
-from collections.abc import Collection, Iterable, Sequence, Sized
+from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass, replace
 
 from codegen.diagnostics import Diagnostic, Severity
@@ -23,6 +23,14 @@ _MOODS = {
     Verdict.FAILED: "bad",
     Verdict.NO_TEST: "bad",
 }
+_Words = Mapping[Verdict, tuple[str, str]]
+_WITHOUT_RESULTS: _Words = {Verdict.NO_RESULT: ("has tests", "")}
+_ONLY_GENERATED: _Words = {
+    Verdict.NO_RESULT: ("has generated tests", ""),
+    Verdict.BENCH: ("no generated test", "warn"),
+    Verdict.NO_TEST: ("no generated test", "warn"),
+}
+"""What a verdict is called, and its mood, where less is known."""
 _TAGS = {
     "uncovered": "uncovered",
     "suspect": "suspect",
@@ -118,7 +126,7 @@ class TraceView:
     """The whole trace. ``totals`` are pairs of a number and what there are so many of.
 
     ``verdicts`` are a status, the number of its criteria and its mood; ``tags`` are those that occur, with their names.
-    ``is_locked`` is whether there is a lock file.
+    ``is_locked`` is whether there is a lock file. With ``only_generated`` tests by hand are not in it.
     """
 
     project: str
@@ -126,6 +134,7 @@ class TraceView:
     verdicts: tuple[tuple[str, int, str], ...]
     tags: tuple[tuple[str, str], ...]
     is_locked: bool
+    only_generated: bool
     has_results: bool
     results: tuple[str, ...]
     attention: tuple[AttentionView, ...]
@@ -140,12 +149,19 @@ def trace_view(
     coverage: Sequence[Coverage],
     findings: Iterable[Diagnostic],
     results: Iterable[str] | None = None,
+    *,
+    only_generated: bool = False,
 ) -> TraceView:
-    """The view of a trace; places are shown relative to ``folder``, and ``results`` are the files of results."""
+    """The view of a trace; places are shown relative to ``folder``, and ``results`` are the files of results.
+
+    With ``only_generated`` nothing is known of tests that are written by hand.
+    """
     has_results = results is not None
-    views = {each.name: _criterion(each, folder, has_results) for each in coverage}
+    words = _ONLY_GENERATED if only_generated else {} if has_results else _WITHOUT_RESULTS
+    views = {each.name: _criterion(each, folder, words) for each in coverage}
     asked = [each for each in coverage if not each.is_decision]
     documents = [_document(requirement, views, folder) for requirement in trace.requirements]
+    by_hand = {test.name for test in trace.tests if test.place}
     generated = {(test.name, case) for test in trace.tests if not test.place for case in test.cases or ("",)}
     return TraceView(
         project=project,
@@ -155,11 +171,16 @@ def trace_view(
             _counted(trace.rows, "row that cites one", "rows that cite them"),
             _counted({symbol for row in trace.rows for symbol in row.symbols}, "symbol", "generated symbols"),
             _counted(generated, "generated test case", "generated test cases"),
-            _counted({test.name for test in trace.tests if test.place}, "test by hand", "tests written by hand"),
+            *([] if only_generated else [_counted(by_hand, "test written by hand", "tests written by hand")]),
         ),
-        verdicts=tuple(_verdicts(asked, has_results)),
-        tags=tuple((tag, name) for tag, name in _TAGS.items() if any(tag in view.tags for view in views.values())),
+        verdicts=tuple(_verdicts(asked, words)),
+        tags=tuple(
+            ("uncovered", "no generated test") if only_generated and tag == "uncovered" else (tag, name)
+            for tag, name in _TAGS.items()
+            if any(tag in view.tags for view in views.values())
+        ),
         is_locked=any(each.review is not Review.NO_LOCK for each in asked),
+        only_generated=only_generated,
         has_results=has_results,
         results=tuple(results or ()),
         attention=tuple(_attention(finding, folder) for finding in findings),
@@ -192,12 +213,13 @@ def _attention(finding: Diagnostic, folder: str) -> AttentionView:
     return AttentionView(rule.id, mood, finding.message, finding.hint or "", _shown(finding.place, folder))
 
 
-def _verdicts(asked: Sequence[Coverage], has_results: bool) -> Iterable[tuple[str, int, str]]:
+def _verdicts(asked: Sequence[Coverage], words: _Words) -> Iterable[tuple[str, int, str]]:
     """Status, number of criteria and mood, each status that occurs."""
-    for verdict, mood in _MOODS.items():
+    numbers: dict[tuple[str, str], int] = {}
+    for verdict in _MOODS:
         number = sum(each.verdict is verdict for each in asked)
-        if number:
-            yield _status(verdict, has_results), number, mood
+        numbers[_said(verdict, words)] = numbers.get(_said(verdict, words), 0) + number
+    yield from ((status, number, mood) for (status, mood), number in numbers.items() if number)
     suspect = sum(each.is_suspect for each in asked)
     if suspect:
         yield "suspect", suspect, "bad"
@@ -206,8 +228,9 @@ def _verdicts(asked: Sequence[Coverage], has_results: bool) -> Iterable[tuple[st
         yield "cited by no row", unspecified, "warn"
 
 
-def _status(verdict: Verdict, has_results: bool) -> str:
-    return "has tests" if verdict is Verdict.NO_RESULT and not has_results else verdict.value
+def _said(verdict: Verdict, words: _Words) -> tuple[str, str]:
+    """Status and mood."""
+    return words.get(verdict, (verdict.value, _MOODS[verdict]))
 
 
 def _document(requirement: Requirement, views: dict[str, CriterionView], folder: str) -> DocumentView:
@@ -223,16 +246,17 @@ def _document(requirement: Requirement, views: dict[str, CriterionView], folder:
     )
 
 
-def _criterion(each: Coverage, folder: str, has_results: bool) -> CriterionView:
+def _criterion(each: Coverage, folder: str, words: _Words) -> CriterionView:
     symbols = dict.fromkeys(symbol for row in each.rows for symbol in row.symbols)
     counts = each.counts
+    status, mood = _said(each.verdict, words)
     return CriterionView(
         name=each.name,
         text=each.criterion.text,
         cell=in_table(each.criterion.text),
         place=_shown(each.criterion.place, folder),
-        status=_status(each.verdict, has_results),
-        mood=_MOODS[each.verdict],
+        status=status,
+        mood=mood,
         result=counted_text(counts) if counts else "",
         review="" if each.review in (None, Review.NO_LOCK) else str(each.review),
         is_suspect=each.is_suspect,

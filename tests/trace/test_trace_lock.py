@@ -1,7 +1,7 @@
 """The lock: which texts count as the same, and what accepting writes."""
 
 import pytest
-from conftest import Project
+from trace_project import Project
 
 from codegen import pipeline
 from codegen.diagnostics import Report

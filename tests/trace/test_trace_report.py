@@ -8,7 +8,7 @@ from pathlib import Path
 
 import lxml.html
 import pytest
-from conftest import Project
+from trace_project import Project
 
 from codegen import pipeline
 from codegen.cli import main
@@ -103,15 +103,19 @@ def test_the_page(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
-    """It has tests by hand and what was reviewed, but no result and no path of this machine."""
+    """It says what was reviewed, but knows of no test by hand, no result and no path of this machine."""
     project.run("accept", "--all", "--reason", "x")
     systems = pipeline.read_systems(project.file, Report())
     first, second = (pipeline.render_systems(systems)["docs/trace.html"] for _ in range(2))
     assert first == second
-    assert "<code>TestMode::test_seven</code>" in first
+    assert "test_seven" not in first
+    assert "trace-uncovered" not in first
+    assert re.search(r'warn">2</span> no generated test', first)
     assert "reviewed" in first
     assert str(project.folder) not in first
-    assert {str(project.lock), str(project.tests)} <= pipeline.files_read(systems)
+    assert str(project.lock) in pipeline.files_read(systems)
+    project.tests.unlink()
+    assert pipeline.render_systems(systems)["docs/trace.html"] == first
 
 
 def test_markdown(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
@@ -138,6 +142,23 @@ def test_needs_json(project: Project, capsys: pytest.CaptureFixture[str]) -> Non
     assert kinds["req"] == 5
     assert min(kinds.values()) >= 2
     assert need_id("FR-00068.3") == "FR_00068_3"
+
+
+@pytest.mark.parametrize(
+    ("form", "part"), [("json", '"rule": "trace-uncovered"'), ("github", "::error file="), ("sarif", '"2.1.0"')]
+)
+def test_findings_alone(form: str, part: str, project: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    """As codegen check prints them, on stdout or in a file; GitHub's form is empty where there is nothing."""
+    assert project.run("--format", form, "--out", "fine.txt") == 0
+    fine = (project.folder / "fine.txt").read_text()
+    project.change("- Criteria 3 and 4: the radio", "- Criterion 3: the radio")
+    capsys.readouterr()
+    assert project.run("--format", form) == 1
+    said = capsys.readouterr().out
+    assert part in said
+    assert "FR-1.4 has no test" in said
+    assert "FR-1.4" not in fine
+    assert (fine == "") == (form == "github")
 
 
 def test_no_documents(project: Project, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import pytest
-from conftest import Project
+from trace_project import Project
 
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report
