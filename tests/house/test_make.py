@@ -48,7 +48,7 @@ def checkout(tmp_path: Path) -> Path:
     for name in ("ruff", "mypy", "python", "codegen"):
         (tools / name).write_text(TOOL)
         (tools / name).chmod(0o755)
-    for stamp in (".installed", ".stations"):
+    for stamp in (".installed", ".stations", ".releases"):
         (tmp_path / ".venv" / stamp).touch()
     return tmp_path
 
