@@ -2,11 +2,10 @@
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 
-from codegen import pipeline
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Diagnostic, Report, did_you_mean
 from codegen.load.archive import ENDINGS, read_archive
@@ -60,11 +59,13 @@ class Around:
     """What a side is looked for in: the project file that the command works on, if there is one, and options.
 
     ``dialect`` is the dialect of a release that is meant where none is named; ``pymavlink`` a release whose dialects
-    take the place of the installed ones.
+    take the place of the installed ones. ``read_systems`` reads a project: the caller's, since comparing dialects needs
+    nothing of what it does.
     """
 
     project: str | None
     dialect: str
+    read_systems: Callable[[str, Report], tuple[System, ...]]
     pymavlink: str | None = None
 
 
@@ -88,7 +89,7 @@ def _side(text: str | None, around: Around, stack: ExitStack) -> Side | Unreadab
     if text is None:
         if around.project is None:
             return Unreadable("there is no project here to compare with", "name both sides")
-        return _project(around.project, WORK_TREE)
+        return _project(around.project, WORK_TREE, around)
     path, colon, name = text.rpartition(":")
     if os.path.exists(text):
         return _existing(text, around, stack)
@@ -112,13 +113,13 @@ def _existing(path: str, around: Around, stack: ExitStack) -> Side | Unreadable:
         candidates = [path]
     for candidate in candidates:
         if os.path.isfile(candidate):
-            return _project(os.path.abspath(candidate), path)
+            return _project(os.path.abspath(candidate), path, around)
     return _of_release(path, around.dialect, stack)
 
 
-def _project(file: str, label: str) -> Side | Unreadable:
+def _project(file: str, label: str, around: Around) -> Side | Unreadable:
     report = Report()
-    systems = pipeline.read_systems(file, report)
+    systems = around.read_systems(file, report)
     errors = tuple(finding for finding in report if finding.is_error)
     if not systems or systems[0].spec.program:
         return Unreadable(f"{label} has no specification that can be read", findings=errors or tuple(report))
@@ -214,7 +215,7 @@ def _revision(text: str, around: Around, stack: ExitStack) -> Side | Unreadable:
     for candidate in (*candidates, *(PROJECT_FILES if not path else ())):
         file = os.path.normpath(os.path.join(root, candidate))
         if is_file(file):
-            return _project(file, text)
+            return _project(file, text, around)
     return Unreadable(f"{text} has no {candidates[-1] if candidates else PROJECT_FILES[0]}")
 
 

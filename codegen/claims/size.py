@@ -24,7 +24,7 @@ SIGNATURE = 13
 _BYTES = re.compile(r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?bytes?\b(?![ ]?(?:/|per\b|a second))", re.IGNORECASE)
 # What may stand between a message and its size without making the size that of something else.
 _BETWEEN = re.compile(
-    r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|messages?|payload|frames?|packets?|size|length|total|whole|is|are|has|have|takes|needs|uses|of"
+    r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|messages?|payload|frames?|packets?|size|length|total|whole|which|is|are|has|have|takes|needs|uses|of"
     r"|an?|the|with|without|only|exactly|base|full|complete|extensions?|v[12]|mavlink(?: ?[12])?|unsigned|signed|up to"
     r"|at most)*",
     re.IGNORECASE,

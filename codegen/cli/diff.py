@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from codegen.diagnostics import Report
     from codegen.diff.review import Review
+    from codegen.model.system import System
     from codegen.sides import Around, Side, Unreadable
     from codegen.trace.graph import Trace
 
@@ -64,12 +66,13 @@ def run(arguments: argparse.Namespace) -> int:
         return _usage(f"--bandwidth is a number of percent, not {arguments.bandwidth!r}")
     if arguments.base is None:
         return _usage("name the old version: BASE is a revision, a folder, an XML file or a dialect")
-    from codegen.catalogue import rule_catalogue
-    from codegen.diagnostics import did_you_mean
-
     for kind in kinds:
-        if kind not in KINDS and kind not in rule_catalogue():
-            return _usage(f"--fail-on knows no {kind}", did_you_mean(kind, (*KINDS, *rule_catalogue())))
+        if kind not in KINDS:
+            from codegen.catalogue import rule_catalogue
+            from codegen.diagnostics import did_you_mean
+
+            if kind not in rule_catalogue():
+                return _usage(f"--fail-on knows no {kind}", did_you_mean(kind, (*KINDS, *rule_catalogue())))
     return _compared(arguments, kinds, threshold)
 
 
@@ -103,7 +106,14 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
 def _around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":
     from codegen.sides import Around
 
-    return Around(project, dialect or "common", pymavlink)
+    return Around(project, dialect or "common", _read_systems, pymavlink)
+
+
+def _read_systems(project: str, report: "Report") -> "tuple[System, ...]":
+    """Read a project: only then is what that needs imported."""
+    from codegen import pipeline
+
+    return pipeline.read_systems(project, report)
 
 
 def _unreadable(side: "Unreadable") -> int:
@@ -156,23 +166,25 @@ def _errors(count: int) -> str:
 
 def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review, int]":
     """The review with waivers applied, and the exit code of what is wrong with them."""
-    from codegen.catalogue import rule_catalogue
     from codegen.cli.waived import waivers_of, with_waivers
+
+    waivers = waivers_of(project) if project and head.is_project else None
+    if waivers is None:
+        return found, 0
+    from codegen.catalogue import rule_catalogue
     from codegen.diagnostics import Report
     from codegen.diff.change import ChangeRule
     from codegen.diff.review import as_finding, with_waived
     from codegen.findings.text import finding_text
 
-    waivers = waivers_of(project) if project and head.is_project else None
     report = Report()
     report.extend(as_finding(group) for group in found.groups)
     rules = [rule.id for rule in rule_catalogue().values() if isinstance(rule, ChangeRule)]
     files = [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
     judged = list(with_waivers(report, waivers, rules, files))
-    found = with_waived(found, judged)
     code = 0
     for finding in judged:
         if finding.rule.id not in rules:
             print(finding_text(finding), file=sys.stderr)
             code = 1 if finding.is_error else code
-    return found, code
+    return with_waived(found, judged), code

@@ -4,7 +4,7 @@ import argparse
 import sys
 from typing import Any
 
-FORMATS = ("text", "markdown", "html", "needs")
+FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif")
 KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "partly")
 ACCEPT = "accept"
 
@@ -28,7 +28,12 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         action="append",
         help="results of tests in JUnit's format, as pytest --junit-xml=FILE writes them; may be repeated",
     )
-    parser.add_argument("--format", choices=FORMATS, default="text", help="needs: needs.json of sphinx-needs")
+    parser.add_argument(
+        "--format",
+        choices=FORMATS,
+        default="text",
+        help="needs: needs.json of sphinx-needs; json, github and sarif have the findings alone",
+    )
     parser.add_argument("--out", metavar="FILE", help="where the report goes (default: stdout)")
     parser.add_argument(
         "--fail-on",

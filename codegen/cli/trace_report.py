@@ -2,13 +2,16 @@
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from codegen import pipeline
-from codegen.cli.findings import print_findings
+from codegen.cli.findings import print_findings, repository_root
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report, did_you_mean
 from codegen.emit.file import write_file
+from codegen.findings.as_json import findings_json
+from codegen.findings.github import findings_github
+from codegen.findings.sarif import findings_sarif
 from codegen.model.system import System
 from codegen.model.test_record import TestResult
 from codegen.source import Place, shown_path
@@ -21,6 +24,13 @@ from codegen.trace.page import trace_markdown, trace_report
 from codegen.trace.results import Results, results_of, unrelated, with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
+
+_FINDINGS: Mapping[str, Callable[[Report], str]] = {
+    "json": findings_json,
+    "github": lambda report: findings_github(report, repository_root()),
+    "sarif": lambda report: findings_sarif(report, repository_root()),
+}
+"""The formats that have the findings alone, as codegen check prints them."""
 
 
 def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
@@ -43,7 +53,8 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     files = None if arguments.results is None else [shown_path(path) for path in arguments.results]
     folder = pipeline.project_folder(systems)
     view = trace_view(systems[0].spec.project.project, folder, trace, coverage, report, files)
-    text = _text(arguments.format, view if about is None else only(view, about), is_tree=about is not None)
+    view = view if about is None else only(view, about)
+    text = _text(arguments.format, view, report, is_tree=about is not None)
     if arguments.out is None:
         print(text, end="")
     else:
@@ -56,7 +67,10 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     return report.exit_code
 
 
-def _text(form: str, view: TraceView, *, is_tree: bool) -> str:
+def _text(form: str, view: TraceView, report: Report, *, is_tree: bool) -> str:
+    if form in _FINDINGS:
+        found = _FINDINGS[form](report)
+        return f"{found}\n" if found else ""
     if form == "needs":
         return needs_json(view)
     if form == "html":

@@ -79,14 +79,14 @@ UNREAD = Reading()
 
 
 def field_answer(written: str, place: Place, report: Report) -> FieldAnswer | None:
-    """The record that flow YAML of one line stands for; findings lie in the line of ``place``, from its column on."""
+    """The record that flow YAML of one line stands for, or None; findings lie in the line of ``place``, behind it."""
     found = Report()
     node = parse_yaml(written, place.file, found)
     answer = None if node is None else decode_record(node, FieldAnswer, found)
     for finding in found:
         at = place._replace(column=place.column + finding.place.column - 1)
         report.add(finding.rule, at, finding.message, finding.hint)
-    return answer
+    return None if found.has_errors else answer
 
 
 def same_number(first: int | float | None, second: int | float | None) -> bool:

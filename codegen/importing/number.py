@@ -9,6 +9,7 @@ from codegen.importing.answer import UNREAD, Reading, Sources, Target, same_numb
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect import EnumDefinition, EnumEntry, Kind
 from codegen.model.literals import LIMITS
+from codegen.model.population_spec import FieldAnswer
 from codegen.model.unit import decimal
 from codegen.source import Place
 
@@ -34,8 +35,7 @@ def unknown_answer(remark: str, cell: Cell, target: Target, sources: Sources, re
         return _without_sentinel(cell.text, cell.place, target, sources, report)
     stated = [number for text in _stated_numbers(remark) if (number := _number(text)) is not None]
     if stated and not any(same_number(_wire(number, target), target.sentinel) for number in stated):
-        _other_sentinel(remark, cell.place, target, report)
-        return UNREAD
+        return _other_sentinel(remark, cell.place, target, report)
     return Reading("unknown")
 
 
@@ -79,9 +79,20 @@ def read_number(
     if head in LIMITS or says_unknown or isinstance(number, float):
         if target.sentinel is None:
             return _without_sentinel(head, cell.place, target, sources, report)
-        _other_sentinel(head, cell.place, target, report)
-        return UNREAD
+        return _other_sentinel(head, cell.place, target, report)
     return _constant(number, head, cell.place, target, sources, report)
+
+
+def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Sources, report: Report) -> bool:
+    """Whether the enum of the field has the entries that an answer names; those that it lacks are reported."""
+    names = [flag.partition(" ")[0] for flag in answer.flags or ()] + ([answer.enum] if answer.enum else [])
+    enum = target.enum(sources.dialect)
+    missing = [name for name in names if enum is None or enum.entry(name) is None]
+    for name in missing:
+        text = f"{enum.name} has no entry {name}" if enum else f"{target.name} has no enum, and so no {name}"
+        hint = did_you_mean(name, [entry.name for entry in enum.entries]) if enum else None
+        report.add(DOCUMENT_ENTRY, cell.place, text, hint, [_declared(target)])
+    return not missing
 
 
 def _constant(number: Fraction, head: str, place: Place, target: Target, sources: Sources, report: Report) -> Reading:
@@ -93,8 +104,8 @@ def _constant(number: Fraction, head: str, place: Place, target: Target, sources
         return UNREAD
     usual = {0, -1, wire_type.maximum, wire_type.minimum}
     if units and target.sentinel is not None and number in usual:
-        _other_sentinel(head, place, target, report, f"if {head} {units} is meant, write it with its unit")
-        return UNREAD
+        hint = f"if {head} {units} is meant, write it with its unit"
+        return _other_sentinel(head, place, target, report, hint)
     if target.field.definition.is_instance and sources.for_each is not None and number == 0:
         return Reading(f"{{state: {sources.for_each}.instance}}")
     return Reading(f"{{constant: {decimal(number)}}}")
@@ -162,12 +173,13 @@ def _contradiction(
     report.add(DOCUMENT_ENTRY, cell.place, message, hint, [(entry.place, f"{entry.name} is declared here")])
 
 
-def _other_sentinel(written: str, place: Place, target: Target, report: Report, hint: str | None = None) -> None:
+def _other_sentinel(written: str, place: Place, target: Target, report: Report, hint: str = "write unknown") -> Reading:
     sentinel = target.field.sentinel
     assert sentinel is not None
     message = f"{target.name} is unknown when it is {sentinel.written}, not {written}"
     related = [(sentinel.place, f"invalid={sentinel.written!r} is stated here")]
-    report.add(DOCUMENT_SENTINEL, place, message, hint or "write unknown", related)
+    report.add(DOCUMENT_SENTINEL, place, message, hint, related)
+    return Reading(proposal="unknown")
 
 
 def _without_sentinel(written: str, place: Place, target: Target, sources: Sources, report: Report) -> Reading:

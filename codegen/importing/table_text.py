@@ -31,14 +31,13 @@ def answer_line(answer: ReadAnswer, document: str) -> str:
     if answer.reading.answer is not None:
         return f"  {answer.target.label}: {answer.reading.answer}  # {comment}"
     proposal = "..." if answer.reading.proposal is None else answer.reading.proposal
-    said = " ".join(answer.written.split()) or "nothing"
-    return f"  # {answer.target.label}: {proposal}  # {comment}: {said}"
+    return f"  # {answer.target.label}: {proposal}  # {comment}: {_plain(answer.written) or 'nothing'}"
 
 
 def source_comment(answer: ReadAnswer, document: str) -> str:
     """``FR-00068 line 67``, or ``FR-00068 lines 68, 69``."""
     plural = "" if len(answer.lines) == 1 else "s"
-    return f"{document} line{plural} {', '.join(map(str, answer.lines))}"
+    return f"{_plain(document)} line{plural} {', '.join(map(str, answer.lines))}"
 
 
 def _head(proposal: Proposal, heading: Heading) -> Iterator[str]:
@@ -52,7 +51,9 @@ def _head(proposal: Proposal, heading: Heading) -> Iterator[str]:
     )
     if heading.for_each is not None:
         yield f"for_each: {heading.for_each}"
-    if heading.stream is not None:
+    if heading.stream is None:
+        yield "# stream: ...  # without one the message is sent when somebody asks for it"
+    else:
         yield f"stream: {heading.stream}"
 
 
@@ -63,6 +64,11 @@ def _fields(proposal: Proposal, document: str) -> Iterator[str]:
         for answer in proposal.answers
     ]
     for missing in proposal.unmentioned:
-        text = f"  # {missing.target.label}: {missing.proposal or '...'}  # {document} does not mention it"
+        text = f"  # {missing.target.label}: {missing.proposal or '...'}  # {_plain(document)} does not mention it"
         lines.append((order[missing.target.field.name], missing.target.first, text))
     return (text for _, _, text in sorted(lines))
+
+
+def _plain(text: str) -> str:
+    """A text of a document on one line, without what YAML does not allow in a comment."""
+    return "".join(one if one.isprintable() else "?" for one in " ".join(text.split()))

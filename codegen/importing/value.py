@@ -1,11 +1,12 @@
 """A cell that says what goes into a field becomes an answer, or a finding with a proposal; never a guess."""
 
+import json
 import re
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.answer import UNREAD, Reading, Sources, Target, field_answer
 from codegen.importing.expression import read_product
-from codegen.importing.number import read_entry, read_number, unknown_answer
+from codegen.importing.number import has_entries, read_entry, read_number, unknown_answer
 from codegen.importing.quantity import likely_quantity, read_quantity
 from codegen.load.markdown_table import Cell
 from codegen.model.dialect import Kind
@@ -53,7 +54,10 @@ def read_value(cell: Cell, target: Target, sources: Sources, report: Report) -> 
         return UNREAD
     if cell.codes and text == cell.codes[0].strip() and text.startswith("{"):
         place = cell.place._replace(column=cell.place.column + len(cell.written) - len(cell.written.lstrip("` ")))
-        return Reading(text, is_whole=True) if field_answer(text, place, report) else UNREAD
+        answer = field_answer(text, place, report)
+        if answer is None or not has_entries(answer, cell, target, sources, report):
+            return UNREAD
+        return Reading(text, is_whole=True)
     outside = re.sub(r"\([^()]*\)", " ", text).casefold()
     if _OPEN.search(outside) or _QUESTION.search(text):
         return _ambiguous(cell, target, sources, report)
@@ -77,7 +81,7 @@ def _read_atom(text: str, cell: Cell, target: Target, sources: Sources, report: 
     if head in sources.parameters:
         return Reading(f"{{parameter: {head}}}")
     if target.field.type.kind is Kind.CHAR and cell.codes:
-        return Reading(f"{{constant: {_quoted(cell.codes[0])}}}")
+        return Reading(f"{{constant: {json.dumps(cell.codes[0])}}}")
     return read_entry(head, remark, cell, target, sources, report) or read_number(
         head, remark, says_unknown, cell, target, sources, report
     )
@@ -123,7 +127,3 @@ def _hint(proposals: list[str]) -> str | None:
     if not proposals:
         return None
     return "answer with " + " or ".join(f"`{proposal}`" for proposal in proposals)
-
-
-def _quoted(text: str) -> str:
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

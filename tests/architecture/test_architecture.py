@@ -34,7 +34,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "findings": GROUND,
     "mpy": GROUND,
     "diff": {"trace", "fingerprint", "render", "model", *GROUND},
-    "sides": {"pipeline", *READING, "model", *GROUND},
+    "sides": {*READING, "model", *GROUND},
     "trace": {"targets", "render", "fingerprint", "model", *GROUND},
     "pipeline": {*READING, "importing", "targets", "trace", "render", "emit", "mpy", "model", *GROUND},
     "claims": {"fingerprint", *READING, "model", *GROUND},

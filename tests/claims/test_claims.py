@@ -76,9 +76,11 @@ RIGHT = [
     "MAV_BATTERY_TYPE_LIPO (1), 1 (MAV_BATTERY_TYPE_LIPO), MAV_BATTERY_TYPE_LIPO = 0x01; see 5 (MAV_BATTERY_TYPE_LIPO)",
     "(3000 / 4095 * 3.3) * 3.95 = 9.55 V; 3000 / 4095 * 3.3 * 3.95 = 9.54 V; 100 / 3 ≈ 33; 2**31 = 2147483648",
     "0-255 = 256 values; 2022-03-26 = 5; a-1 = 5; v1.2 - 3 = 4; f(3) * 2 = 9; 255 + 1 = 0; 5 ^ 3 = 6; 7 / 2 = 3",
-    "1 + 1 == 3, 1 + 1 != 3, 1 + 1 = 2 * 1, 50 % * 2 = 1, 10/0 = 5, x2 + 3 = 8, 3 * 4 = 1.2e1",
+    "1 + 1 == 3, 1 + 1 != 3, 3 * 4 = 6 * 2, 50 % * 2 = 1, 10/0 = 5, x2 + 3 = 8, 3 * 4 = 1.2e1",
     "10 mA * 5 = 50 mA, 3.3 V / 4095 = 0.8 mV",
     "400 / 3 = about 134, 3e+2 / 3 = 100, 12 V * 2 A = 24 W, 1000 * 1000 = 1 million, 65 - 5 = 60 %",
+    "Of MAVLink's messages PING (7) and DEBUG (3) were lost.",
+    "BATTERY_STATUS:\n\n| Column | Type |\n| --- | --- |\n| id | uint16_t |\n| owner | char[9] |\n| since | double |",
     "DEBUG (3) and PING (#7) of another program, 5 bytes of DEBUG, DEBUG is 5 bytes.",
 ]
 
@@ -120,7 +122,7 @@ let current_battery = (pack.amps * 100.0) as i16;
 let millivolts = (pack.volts * 1000.0) as u16;
 voltages[0] = millivolts;
 let load = (cpu * 1000.0) as u16;
-let voltage_battery = ((pack.volts * 1000.0).min(65534.0) * 1.0) as u16;
+let voltage_battery = (pack.volts.min(65.534) * 1000.0) as u16;
 ```
 """
 

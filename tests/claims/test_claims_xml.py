@@ -95,6 +95,9 @@ RIGHT = [
     '<message id="147" name="BATTERY_STATUS">\n<field type="uint8_t" name="id" instance="true">Id</field>\n</message>',
     '<field type="int32_t" name="time_remaining" units="s">Time, 0: no estimate</field>',
     '<field type="uint16_t[10]" name="voltages" units="mV" invalid="[UINT16_MAX]">Cells</field>',
+    # of one of two messages with such a field
+    '<field type="float" name="temperature" units="degC">Of the air</field>',
+    '<field type="int16_t" name="temperature" units="cdegC" invalid="INT16_MAX">Of the pack</field>',
     # of no message that the document names
     '<field type="float" name="brightness" units="%" invalid="NaN">Light</field>',
     '<enum name="E"><entry value="3" name="E_THREE"/></enum>',
@@ -108,7 +111,7 @@ RIGHT = [
 
 @pytest.mark.parametrize("xml", RIGHT, ids=[xml[:40] for xml in RIGHT])
 def test_xml_that_agrees_or_is_none_is_left_alone(check: Any, xml: str) -> None:
-    assert check(f"BATTERY_STATUS has these:\n\n```xml\n{xml}\n```\n") == []
+    assert check(f"BATTERY_STATUS and HIGHRES_IMU have these:\n\n```xml\n{xml}\n```\n") == []
 
 
 def test_a_message_of_the_dialect_that_is_quoted_differently(check: Any) -> None:

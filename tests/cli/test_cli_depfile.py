@@ -1,9 +1,10 @@
-"""``--depfile``: real make and real ninja run codegen again when something that it reads has changed, and only then."""
+"""``--depfile``: real make and real ninja run codegen again when, and only when, what it reads has changed."""
 
 import os
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -41,10 +42,11 @@ def ninja(folder: Path) -> str:
     return done.stdout
 
 
-def touch(path: Path) -> None:
-    """A change that every clock shows."""
-    later = path.stat().st_mtime + 10
-    os.utime(path, (later, later))
+def change(path: Path, target: Path) -> None:
+    """A change of ``path`` after ``target`` was made, in steps that every disk and clock shows."""
+    now = time.time()
+    for one, age in ((target, 100), (path, 50)):
+        os.utime(one, (now - age, now - age))
 
 
 @pytest.mark.parametrize("name", ODD)
@@ -55,10 +57,9 @@ def test_make_watches_files_of_any_name(tmp_path: Path, name: str) -> None:
     (tmp_path / "Makefile").write_text("out:\n\t@echo made; touch out\ninclude out.d\n")
     assert "made" in make(tmp_path, "out")
     assert "made" not in make(tmp_path, "out")
-    touch(tmp_path / name)
+    change(tmp_path / name, tmp_path / "out")
     assert "made" in make(tmp_path, "out")
-    touch(tmp_path / "out")
-    touch(tmp_path / "out")
+    assert "made" not in make(tmp_path, "out")
     (tmp_path / name).unlink()
     if "=" not in name:
         assert "made" in make(tmp_path, "out"), "what is gone is no reason to stop"
@@ -74,7 +75,8 @@ def test_ninja_watches_files_of_any_name(tmp_path: Path, name: str) -> None:
     )
     assert "made" in ninja(tmp_path)
     assert "no work" in ninja(tmp_path)
-    touch(tmp_path / name)
+    later = time.time() + 10
+    os.utime(tmp_path / name, (later, later))
     assert "made" in ninja(tmp_path)
 
 
@@ -158,10 +160,11 @@ def test_make_builds_only_what_has_changed(project: Path) -> None:
     (project / "Makefile").write_text(makefile.replace("codegen build", f"{sys.executable} -m codegen build"))
     assert "codegen build" in make(project)
     assert "codegen build" not in make(project)
-    touch(project / "specs" / "requirements" / "FR-1.md")
+    stamp = project / "build" / "firmware.stamp"
+    change(project / "specs" / "requirements" / "FR-1.md", stamp)
     assert "codegen build" in make(project)
     assert "codegen build" not in make(project)
     (project / "specs" / "messages" / "new.yaml").write_text((MINIMAL / "messages" / "heartbeat.yaml").read_text())
-    touch(project / "specs" / "messages")
+    change(project / "specs" / "messages", stamp)
     done = subprocess.run(["make"], cwd=project, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode != 0, "a second table of the message is noticed, though no file that was read has changed"

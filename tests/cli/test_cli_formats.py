@@ -28,7 +28,7 @@ def findings(tmp_path: Path) -> Report:
     here, there = str(tmp_path / "specs" / "a b,1:x%.yaml"), "/usr/share/common.xml"
     related = [(Place(there, 9, 2), "y is here"), (Place(here, 1, 1), "and here")]
     report = Report()
-    report.add(ERROR, Place(here, 4, 7), "no field x:\n50 %, all", "did you mean y?", related)
+    report.add(ERROR, Place(here, 4, 7), "no field x:\n50 %0A, all", "did you mean y?", related)
     report.add(WARNING, Place(here, 5, 1), "doubt", fingerprint="0123456789ab")
     report.extend([Diagnostic(Place(there, 6, 1), ERROR, "kept", None, (), "aaaaaaaaaaaa", WAIVED)])
     return report
@@ -67,7 +67,7 @@ def test_github_reads_back_what_was_found(findings: Report, tmp_path: Path) -> N
     command, properties, message = error
     assert (command, properties["file"], properties["line"]) == ("error", "specs/a b,1:x%.yaml", "4")
     assert message.splitlines() == [
-        "no field x: 50 %, all",
+        "no field x: 50 %0A, all",
         "hint: did you mean y?",
         "/usr/share/common.xml:9:2: y is here",
         "specs/a b,1:x%.yaml:1:1: and here",
@@ -213,7 +213,7 @@ def test_sarif_says_what_the_text_says(findings: Report, tmp_path: Path) -> None
     assert [rule["defaultConfiguration"]["level"] for rule in rules] == ["error", "warning"]
     results = {result["message"]["text"]: result for result in run["results"]}
     assert all(rules[result["ruleIndex"]]["id"] == result["ruleId"] for result in results.values())
-    error = results["no field x:\n50 %, all (hint: did you mean y?)"]
+    error = results["no field x:\n50 %0A, all (hint: did you mean y?)"]
     place = error["locations"][0]["physicalLocation"]
     assert (error["level"], place["region"]) == ("error", {"startLine": 4, "startColumn": 7})
     assert unquote(place["artifactLocation"]["uri"]) == "specs/a b,1:x%.yaml"

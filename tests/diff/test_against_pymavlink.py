@@ -12,6 +12,7 @@ from pymavlink.generator import mavparse
 from codegen.diff.change import Change
 from codegen.diff.dialect import dialect_changes
 from codegen.load.shipped import shipped_dialect_path
+from codegen.pipeline import read_systems
 from codegen.sides import Around, Side, opened
 
 DIALECTS = ("common", "ardupilotmega", "all", "storm32")
@@ -69,7 +70,7 @@ def folder(older_pymavlink: Path, tmp_path_factory: pytest.TempPathFactory) -> P
 @pytest.fixture(scope="module", params=DIALECTS)
 def compared(request: pytest.FixtureRequest, older_pymavlink: Path, folder: Path) -> Iterator[Compared]:
     name = request.param
-    around = Around(None, name)
+    around = Around(None, name, read_systems)
     new_path = shipped_dialect_path(name)
     assert new_path is not None
     with opened(str(older_pymavlink), around) as old, opened(name, around) as new:

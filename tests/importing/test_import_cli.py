@@ -53,9 +53,8 @@ def project(folder: Path) -> Path:
 def test_the_table_goes_to_stdout_and_the_findings_to_stderr(run: Run) -> None:
     code, out, err = run("import", "doc.txt")
     assert code == 1
-    assert out.startswith(
-        "message: BATTERY_STATUS\nrequirement: FR-00068\nfields:\n  id: {constant: 0}  # FR-00068 line 7\n"
-    )
+    assert out.startswith("message: BATTERY_STATUS\nrequirement: FR-00068\n# stream: ...")
+    assert "\nfields:\n  id: {constant: 0}  # FR-00068 line 7\n" in out
     assert "  # current_battery: unknown  # FR-00068 line 10: -1 or estimate\n" in out
     assert "doc.txt:10:21: error document-ambiguous: " in err
     assert err.endswith("1 error, 10 warnings\n")

@@ -42,7 +42,7 @@ Read = Callable[[str, str, Sources], tuple[Reading, list[str]]]
         ("round(100 * battery.temperature) (from the pack)", "temperature", "{state: battery.temperature}"),
         ("BATT_CAPACITY", "current_consumed", "{parameter: BATT_CAPACITY}"),
         ("`{state: battery.remaining, min: 0, max: 100}`", "battery_remaining", None),
-        (r"`{flags: [A if x.y]}`", "fault_bitmask", None),
+        ("`{flags: [MAV_BATTERY_FAULT_SPIKES if battery.hot]}`", "fault_bitmask", None),
     ],
 )
 def test_what_says_one_thing_is_an_answer(read: Read, sources: Sources, text: str, field: str, answer: str) -> None:
@@ -76,6 +76,10 @@ def test_what_says_one_thing_is_an_answer(read: Read, sources: Sources, text: st
         ("", "voltages[0]", "document-empty: nothing is said about the value of BATTERY_STATUS.voltages[0]"),
         ("`{sate: battery.voltage}`", "voltages[0]", "unknown-key: unknown key 'sate'"),
         ("`{state: battery.voltage`", "voltages[0]", "yaml-syntax"),
+        ("`{state: battery.voltage, spli: true}`", "voltages", "unknown-key: unknown key 'spli'"),
+        ("`{enum: MAV_BATTERY_MODE_UNKNOWM}`", "mode", "document-entry: MAV_BATTERY_MODE has no entry MAV_BATTERY_MODE_UNKNOWM"),
+        ("`{flags: [A if battery.hot]}`", "fault_bitmask", "document-entry: MAV_BATTERY_FAULT has no entry A"),
+        ("`{enum: MAV_BATTERY_MODE_UNKNOWN}`", "temperature", "document-entry: BATTERY_STATUS.temperature has no enum"),
     ],
 )  # fmt: skip
 def test_what_does_not_is_a_finding(read: Read, sources: Sources, text: str, field: str, finding: str) -> None:

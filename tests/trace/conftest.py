@@ -1,4 +1,4 @@
-"""A small project for the trace."""
+"""A small project for the trace, and files of results."""
 
 import shutil
 from collections.abc import Callable

@@ -144,6 +144,23 @@ def test_needs_json(project: Project, capsys: pytest.CaptureFixture[str]) -> Non
     assert need_id("FR-00068.3") == "FR_00068_3"
 
 
+@pytest.mark.parametrize(
+    ("form", "part"), [("json", '"rule": "trace-uncovered"'), ("github", "::error file="), ("sarif", '"2.1.0"')]
+)
+def test_findings_alone(form: str, part: str, project: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    """As codegen check prints them, on stdout or in a file; GitHub's form is empty where there is nothing."""
+    assert project.run("--format", form, "--out", "fine.txt") == 0
+    fine = (project.folder / "fine.txt").read_text()
+    project.change("- Criteria 3 and 4: the radio", "- Criterion 3: the radio")
+    capsys.readouterr()
+    assert project.run("--format", form) == 1
+    said = capsys.readouterr().out
+    assert part in said
+    assert "FR-1.4 has no test" in said
+    assert "FR-1.4" not in fine
+    assert (fine == "") == (form == "github")
+
+
 def test_no_documents(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
     """A table cites what is not there, so the specification itself is reported, and no trace of it."""
     project.document.unlink()

@@ -1,4 +1,4 @@
-"""A small project for the trace: one message, three criteria, one test by hand."""
+"""A small project for the trace: one message, four criteria, one file of tests by hand."""
 
 from dataclasses import dataclass
 from pathlib import Path
