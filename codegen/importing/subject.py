@@ -27,7 +27,7 @@ def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
 
 
 def is_example(fields: FieldList) -> bool:
-    """Whether the nearest text begins by calling the list an example: what fields hold once, not where it comes from."""
+    """Whether the nearest text begins by calling the list an example: what fields hold once, not where from."""
     match = _EXAMPLE.match(fields.context[0]) if fields.context else None
     return match is not None and not match[0].casefold().startswith("for ")
 
