@@ -132,6 +132,7 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     from codegen.diff.reach import traces, with_reach
     from codegen.diff.review import review
     from codegen.diff.system import compare_dialects, compare_systems
+    from codegen.diff.tested import tested_changes
 
     notes = [
         f"{side.label} has {_errors(len(side.findings))}, and what that concerns may be missing here. "
@@ -143,9 +144,10 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
         compared = compare_systems(base.systems, head.systems, threshold)
         if is_all:
             compared = replace(compared, changes=(*compared.changes, *compared.elsewhere), elsewhere=())
-        if compared.changes:
-            found = traces(_trace(base), _trace(head), (*base.systems, *head.systems))
-            compared = replace(compared, changes=with_reach(compared.changes, found))
+        old, new = _trace(base), _trace(head)
+        tested = () if base.findings or head.findings else tested_changes(old, new)
+        found = traces(old, new, (*base.systems, *head.systems))
+        compared = replace(compared, changes=with_reach((*compared.changes, *tested), found))
     else:
         compared = compare_dialects(base.dialect, head.dialect)
     return review(base.label, head.label, compared, notes)

@@ -28,6 +28,17 @@ UNCOVERED = _trace(
     "A criterion that something in the specification answered to is answered by nothing any more.",
     Severity.ERROR,
 )
+UNTESTED = _trace(
+    "criterion-untested",
+    "A criterion that a test showed is shown by none any more.",
+    Severity.ERROR,
+)
+ORPHANED = _trace(
+    "citation-orphaned",
+    "A test, or a row of a table, names a criterion that was removed or renumbered: it shows something that nobody "
+    "asks for, or something else than it did.",
+    Severity.ERROR,
+)
 COVERED = _trace("criterion-covered", "A criterion that nothing answered to is answered now.")
 CITATION = _trace("citation-changed", "A part of the specification answers to another requirement or criterion.")
 DOCUMENT = ChangeRule(

@@ -300,6 +300,44 @@ def test_json_is_as_its_schema_says(repository: Path, run: Run) -> None:
     Draft202012Validator(schema).validate(json.loads(run("HEAD", "--format", "json")[1]))
 
 
+MARKED = 'import pytest\n\n\n@pytest.mark.requirement("FR-1.{}")\ndef test_it():\n    pass\n'
+
+
+def test_a_criterion_that_lost_its_test_and_a_test_that_lost_its_criterion(repository: Path, run: Run) -> None:
+    """Tests that are written by hand count, those of a revision too."""
+    before = git(repository, "rev-parse", "HEAD").strip()
+    edit(repository, "specs/codegen.yaml", "protocol: 2", "protocol: 2\ntests: [../tests]")
+    edit(repository, "specs/requirements/R-1-two-packs.md", "2. In the old", "2. It is tested.\n3. In the old")
+    edit(repository, "specs/messages/battery_status_v2.yaml", "FR-1.2", "FR-1.3")
+    (repository / "tests").mkdir()
+    (repository / "tests" / "test_it.py").write_text(MARKED.format(2))
+    git(repository, "add", "-A")
+    git(repository, "commit", "-q", "-m", "with a test")
+    try:
+        (repository / "tests" / "test_it.py").write_text(MARKED.format(1))
+        code, out, _ = run("HEAD")
+        assert (
+            "requirements/R-1-two-packs.md:11:1: error criterion-untested: FR-1.2: shown by tests/test_it.py::test_it"
+            in out
+        )
+        assert code == 0, "nobody breaks"
+        assert run("HEAD", "--fail-on", "trace")[0] == 1
+        git(repository, "commit", "-q", "-a", "-m", "another test")
+        edit(repository, "specs/requirements/R-1-two-packs.md", "\n1. Both packs are reported.", "")
+        edit(repository, "specs/requirements/R-1-two-packs.md", "2. It is tested.", "1. It is tested.")
+        edit(repository, "specs/requirements/R-1-two-packs.md", "3. In the old", "2. In the old")
+        edit(repository, "specs/messages/battery_status_v2.yaml", "FR-1.3", "FR-1.2")
+        (repository / "tests" / "test_it.py").write_text(MARKED.format(3))
+        git(repository, "commit", "-q", "-a", "-m", "renumbered")
+        out = run("HEAD~1", "HEAD")[1]
+        assert (
+            "HEAD:tests/test_it.py:4:26: error citation-orphaned: tests/test_it.py::test_it: answers to FR-1.3 -> FR-1.3 is gone"
+            in out
+        )
+    finally:
+        git(repository, "reset", "-q", "--hard", before)
+
+
 def test_sarif_and_annotations_stand_at_files_of_the_repository(repository: Path, run: Run) -> None:
     """What is gone is shown where it was, and a service that knows only files of the repository can show it."""
     edit(repository, STATUS, "requirement: FR-1.1\n", "requirement: FR-1\n")

@@ -1,0 +1,28 @@
+"""Changes of what tests show: criteria that lost their tests, and tests and rows whose criterion is gone."""
+
+from collections.abc import Iterator
+
+from codegen.diff.change import Change, changed
+from codegen.diff.trace_rules import ORPHANED, UNTESTED
+from codegen.source import Place
+from codegen.trace.graph import Trace
+
+
+def tested_changes(old: Trace, new: Trace) -> Iterator[Change]:
+    """What is no longer shown, then what shows nothing that is asked for, in the order of the documents."""
+    for name, (_, criterion) in new.criteria.items():
+        is_uncovered = bool(old.rows_of.get(name)) and not new.rows_of.get(name)  # which is told
+        if name in old.criteria and old.tests_of.get(name) and not new.tests_of.get(name) and not is_uncovered:
+            shown = ", ".join(dict.fromkeys(test.name for test in old.tests_of[name]))
+            places = old.criteria[name][1].place, criterion.place
+            yield changed(UNTESTED, name, f"shown by {shown}", "shown by no test", places, cited=(name,))
+    for name, (_, criterion) in old.criteria.items():
+        if name not in new.criteria:
+            yield from _orphans(name, criterion.place, new)
+
+
+def _orphans(name: str, was_at: Place, new: Trace) -> Iterator[Change]:
+    citing = {test.name: test.place for test in new.tests_of.get(name, ()) if test.place is not None}
+    citing |= {row.label: row.place for row in new.rows_of.get(name, ())}
+    for label, place in citing.items():
+        yield changed(ORPHANED, label, f"answers to {name}", f"{name} is gone", (was_at, place), cited=(name,), rows=())
