@@ -101,7 +101,7 @@ def _git(folder: str, *arguments: str) -> str | GitFault:
 def _environment() -> dict[str, str]:
     """As it is, but in plain English, and without refreshing the index of a work tree that is only read.
 
-    A hook of git runs with the paths of its own repository, which would count in place of the folder that is asked about.
+    A hook runs with the paths of its own repository, which would count in place of the folder that is asked about.
     """
     kept = {name: value for name, value in os.environ.items() if name not in _OF_HOOKS}
     return {**kept, "LC_ALL": "C", "GIT_OPTIONAL_LOCKS": "0"}
