@@ -1,5 +1,6 @@
 """A wheel or a source archive as a tree: its files are read where they are, and nothing is unpacked."""
 
+import lzma
 import os
 import posixpath
 import re
@@ -13,6 +14,17 @@ from codegen.load.text import MAX_BYTES
 
 ENDINGS = (".whl", ".zip", ".tar.gz", ".tgz", ".tar")
 """What names of archives end in."""
+
+_DAMAGE = (
+    OSError,
+    EOFError,
+    RuntimeError,
+    ValueError,
+    zipfile.BadZipFile,
+    tarfile.TarError,
+    zlib.error,
+    lzma.LZMAError,
+)
 
 
 class ArchiveTree:
@@ -54,8 +66,13 @@ def read_archive(path: str, wanted: re.Pattern[str]) -> ArchiveTree | str:
         if zipfile.is_zipfile(path):
             return ArchiveTree(_zipped(path, wanted))
         return ArchiveTree(_tarred(path, wanted))
-    except (OSError, zipfile.BadZipFile, tarfile.TarError, zlib.error, EOFError, RuntimeError, NotImplementedError):
+    except _DAMAGE:
         return f"{os.path.basename(path)} is no archive that can be read"
+
+
+def _is_wanted(name: str, wanted: re.Pattern[str]) -> bool:
+    """Whether the name matches, and lies below the tree: an absolute one, or one with ``..``, is of no release."""
+    return bool(wanted.search(name)) and not name.startswith("/") and ".." not in name.split("/")
 
 
 def _zipped(path: str, wanted: re.Pattern[str]) -> dict[str, bytes]:
@@ -63,7 +80,7 @@ def _zipped(path: str, wanted: re.Pattern[str]) -> dict[str, bytes]:
         return {
             member.filename: archive.read(member)
             for member in archive.infolist()
-            if wanted.search(member.filename) and member.file_size <= MAX_BYTES
+            if _is_wanted(member.filename, wanted) and member.file_size <= MAX_BYTES
         }
 
 
@@ -71,7 +88,7 @@ def _tarred(path: str, wanted: re.Pattern[str]) -> dict[str, bytes]:
     contents = {}
     with tarfile.open(path) as archive:
         for member in archive:
-            if member.isfile() and wanted.search(member.name) and member.size <= MAX_BYTES:
+            if member.isfile() and _is_wanted(member.name, wanted) and member.size <= MAX_BYTES:
                 with suppress(KeyError):
                     file = archive.extractfile(member)
                     contents[member.name.removeprefix("./")] = file.read() if file else b""
