@@ -5,11 +5,13 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from difflib import get_close_matches
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Diagnostic, Report, did_you_mean
 from codegen.load.archive import ENDINGS, read_archive
-from codegen.load.git import GitFault, GitTree, commit_of, repository_of
+from codegen.load.git import GitFault, commit_of, repository_of
+from codegen.load.git_tree import GitTree
 from codegen.load.shipped import dialects_in, shipped_dialect_names, shipped_dialect_path, shipped_in
 from codegen.load.trees import Tree, exists, file_names, hung, is_file
 from codegen.model.dialect import Dialect
@@ -22,6 +24,8 @@ WORK_TREE = "work tree"
 
 _DIALECTS = re.compile(r"(?:^|/)(?:dialects/v20|message_definitions/v1\.0)/[^/]+\.xml$")
 _FOLDERS = ("", "pymavlink/dialects/v20", "dialects/v20", "v20", "message_definitions/v1.0")
+_DIALECT_NAME = re.compile(r"[\w-]*")
+_FILES = (".xml", ".yaml", ".yml", *ENDINGS)
 _SITE_PACKAGES = re.compile(r"python3[.\d]*")
 
 
@@ -91,17 +95,34 @@ def _side(text: str | None, around: Around, stack: ExitStack) -> Side | Unreadab
             return Unreadable("there is no project here to compare with", "name both sides")
         return _project(around.project, WORK_TREE, around)
     path, colon, name = text.rpartition(":")
-    if os.path.exists(text):
-        return _existing(text, around, stack)
-    if colon and os.path.exists(path):
+    if os.path.exists(text) and not (_means_nothing(text) and _is_revision(text, around)):
+        return _ambiguous(text, "path", f".{os.sep}{text}", around) or _existing(text, around, stack)
+    if colon and _DIALECT_NAME.fullmatch(name) and os.path.exists(path) and not _means_nothing(path):
         return _of_release(path, name, stack)
     if path == INSTALLED:
         return _installed(name)
     if text == INSTALLED:
         return _installed(around.dialect)
     if text in shipped_dialect_names():
-        return _installed(text)
+        return _ambiguous(text, "dialect of pymavlink", f"{INSTALLED}:{text}", around) or _installed(text)
     return _revision(text, around, stack)
+
+
+def _means_nothing(path: str) -> bool:
+    """Whether a path is a file of no kind that is read here, such as the file HEAD of a bare repository."""
+    return os.path.isfile(path) and not path.endswith(_FILES)
+
+
+def _ambiguous(text: str, kind: str, plain: str, around: Around) -> Unreadable | None:
+    """What is said where a revision has the name of something else: taking either would compare what was not meant."""
+    if text.startswith((".", os.sep)) or text.endswith(_FILES) or not _is_revision(text, around):
+        return None
+    return Unreadable(f"{text} is a {kind} and a revision", f"{plain} is the {kind}, {text}~0 the revision")
+
+
+def _is_revision(text: str, around: Around) -> bool:
+    repository = _repository(around)
+    return isinstance(repository, str) and isinstance(commit_of(repository, text), str)
 
 
 def _existing(path: str, around: Around, stack: ExitStack) -> Side | Unreadable:
@@ -193,30 +214,48 @@ def _hang(label: str, tree: Tree, stack: ExitStack) -> str:
 
 def _revision(text: str, around: Around, stack: ExitStack) -> Side | Unreadable:
     """A project, or with ``:path`` a dialect or a project, as git has it at a revision."""
-    project = around.project and os.path.realpath(around.project)
-    repository = repository_of(os.path.dirname(project) if project else os.getcwd())
+    repository = _repository(around)
     if isinstance(repository, GitFault):
-        return Unreadable(f"{text} is no file, folder or dialect, and this is no git repository", repository.hint)
+        why = "this is no git repository" if "not a git repository" in repository.message else repository.message
+        return Unreadable(f"{text} is no file, folder or dialect, and {why}", repository.hint)
     revision, path = text, ""
     commit = commit_of(repository, revision)
-    if isinstance(commit, GitFault) and ":" in text:
+    if isinstance(commit, GitFault) and ":" in text.lstrip(":"):
         revision, _, path = text.rpartition(":")
         commit = commit_of(repository, revision)
+        if path.startswith(("./", "../")):  # to git that is below the folder where the command runs
+            path = os.path.relpath(os.path.join(os.path.realpath(os.getcwd()), path), repository)
     if isinstance(commit, GitFault):
-        hint = commit.hint or did_you_mean(text, shipped_dialect_names())
+        hint = commit.hint or did_you_mean(text, get_close_matches(text, shipped_dialect_names()))
         return Unreadable(f"{text} is no file, folder, dialect or revision: {commit.message}", hint)
     tree = stack.enter_context(GitTree(repository, commit))
-    root = _hang(revision, tree, stack)
+    found = _in_tree(text, path, _hang(revision, tree, stack), repository, around)
+    if tree.fault is not None:
+        return Unreadable(f"{text} cannot be read: {tree.fault.message}", tree.fault.hint)
+    return found
+
+
+def _repository(around: Around) -> str | GitFault:
+    """The repository of the project, or without one that of the working directory."""
+    project = around.project and os.path.realpath(around.project)
+    return repository_of(os.path.dirname(project) if project else os.getcwd())
+
+
+def _in_tree(text: str, path: str, root: str, repository: str, around: Around) -> Side | Unreadable:
+    """What a revision that hangs at ``root`` has: at ``path``, or without one where the project is."""
     if path.endswith(".xml"):
         return _dialect(os.path.normpath(os.path.join(root, path)), text)
-    candidates = [os.path.join(path, name) for name in ("", *PROJECT_FILES)] if path else []
-    if project and not path:
-        candidates.append(os.path.relpath(project, repository))
-    for candidate in (*candidates, *(PROJECT_FILES if not path else ())):
+    candidates = [os.path.join(path, name) for name in ("", *PROJECT_FILES)]
+    if not path:
+        candidates = list(PROJECT_FILES)
+        if around.project:
+            candidates.insert(0, os.path.relpath(os.path.realpath(around.project), repository))
+    for candidate in candidates:
         file = os.path.normpath(os.path.join(root, candidate))
         if is_file(file):
             return _project(file, text, around)
-    return Unreadable(f"{text} has no {candidates[-1] if candidates else PROJECT_FILES[0]}")
+    is_file_meant = path.endswith((".yaml", ".yml"))
+    return Unreadable(f"{text} has no {path if is_file_meant else candidates[-1] if path else candidates[0]}")
 
 
 def default_head(base: Side) -> str | None:

@@ -1,22 +1,14 @@
-"""A revision of a git repository as a tree: its files are read as blobs, and nothing is checked out.
-
-git itself is asked (rev-parse, ls-tree, cat-file), so that every kind of repository and of revision is understood.
-"""
+"""What git is asked, so that every kind of repository and of revision is understood."""
 
 import os
-import posixpath
 import re
 import subprocess
-from dataclasses import dataclass, field
-from types import TracebackType
-from typing import Self
+from dataclasses import dataclass
 
-_SYMLINK = "120000"
-_BLOBS = ("100644", "100755", "100664", _SYMLINK)
-_MOST_LINKS = 8
 _BEHIND = re.compile(r"(.+?)(?:~(\d*)|(\^+))")
 _REMOTE = re.compile(r"([\w.-]+)/(\S+)")
 _OF_HOOKS = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX")
+_BARE = "this operation must be run in a work tree"
 _HASH = re.compile(r"[0-9a-fA-F]{7,64}")
 
 
@@ -29,11 +21,13 @@ class GitFault:
 
 
 def repository_of(folder: str) -> str | GitFault:
-    """The absolute path of the work tree that a folder lies in."""
-    found = _git(folder, "rev-parse", "--show-toplevel")
+    """The absolute path of the work tree that a folder lies in, or of the repository that has none."""
+    found = git_says(folder, "rev-parse", "--show-toplevel")
+    if isinstance(found, GitFault) and found.message == _BARE:
+        found = git_says(folder, "rev-parse", "--absolute-git-dir")
     if isinstance(found, GitFault):
         return found
-    return os.path.abspath(found.strip())
+    return os.path.abspath(found.removesuffix("\n"))
 
 
 def commit_of(repository: str, revision: str) -> str | GitFault:
@@ -44,15 +38,25 @@ def commit_of(repository: str, revision: str) -> str | GitFault:
         for end in ends:
             if isinstance(end, GitFault):
                 return end
-        parted = _git(repository, "merge-base", *map(str, ends))
+        parted = git_says(repository, "merge-base", *map(str, ends))
         if isinstance(parted, GitFault):
             return GitFault(f"{first or 'HEAD'} and {second or 'HEAD'} have no common commit here", _deepen(repository))
         return parted.strip()
-    found = _git(repository, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
+    found: str | GitFault = revision
+    for suffix in ("", "^{commit}"):  # one after the other: what follows ":/" is a text to look for
+        if isinstance(found, str):
+            asked = f"{found.strip()}{suffix}"
+            found = git_says(repository, "rev-parse", "--verify", "--quiet", "--end-of-options", asked)
     if isinstance(found, GitFault):
-        missing = GitFault(f"git knows no revision {revision}", _fetch(repository, revision))
+        missing = GitFault(f"git knows no revision {revision}", _two_sides(revision) or _fetch(repository, revision))
         return missing if "not found" not in found.message else found
     return found.strip()
+
+
+def _two_sides(revision: str) -> str | None:
+    """What a range means here: its two ends."""
+    first, dots, second = revision.partition("..")
+    return f"the two sides are two words: codegen diff {first or 'HEAD'} {second or 'HEAD'}" if dots else None
 
 
 def _deepen(repository: str) -> str | None:
@@ -76,121 +80,34 @@ def _fetch(repository: str, revision: str) -> str | None:
 
 
 def _is_shallow(repository: str) -> bool:
-    found = _git(repository, "rev-parse", "--is-shallow-repository")
+    found = git_says(repository, "rev-parse", "--is-shallow-repository")
     return isinstance(found, str) and found.strip() == "true"
 
 
-def _git(folder: str, *arguments: str) -> str | GitFault:
-    """What git prints, or why it does not."""
+def git_says(folder: str, *arguments: str) -> str | GitFault:
+    """What git prints, started in ``folder``, or why it does not."""
     try:
         done = subprocess.run(  # noqa: S603
             ["git", "-C", folder, *arguments],  # noqa: S607
             capture_output=True,
             check=False,
             stdin=subprocess.DEVNULL,
-            env=_environment(),
+            env=git_environment(),
         )
     except OSError:
         return GitFault("git is not found", "install git, or name folders or files")
     if done.returncode:
-        said = done.stderr.decode("utf-8", "replace").strip().splitlines()
-        return GitFault(said[-1].removeprefix("fatal: ") if said else "git refuses")
+        said = [line.strip() for line in done.stderr.decode("utf-8", "replace").splitlines() if line.strip()]
+        fatal = [line.removeprefix("fatal: ") for line in said if line.startswith("fatal: ")]
+        command = next((line for line in said if line.startswith("git ")), None)  # that git proposes
+        return GitFault((fatal or said or ["git refuses"])[-1], command)
     return os.fsdecode(done.stdout)
 
 
-def _environment() -> dict[str, str]:
-    """As it is, but in plain English, and without refreshing the index of a work tree that is only read.
+def git_environment() -> dict[str, str]:
+    """What git runs in: as it is, but in plain English, and no index of a work tree that is only read is refreshed.
 
     A hook runs with the paths of its own repository, which would count in place of the folder that is asked about.
     """
     kept = {name: value for name, value in os.environ.items() if name not in _OF_HOOKS}
     return {**kept, "LC_ALL": "C", "GIT_OPTIONAL_LOCKS": "0"}
-
-
-@dataclass(slots=True)
-class GitTree:
-    """The files of one commit; a context, since git runs in it and hands out the contents."""
-
-    repository: str
-    commit: str
-    _blobs: dict[str, tuple[str, str]] = field(default_factory=dict)  # path: mode, hash
-    _folders: dict[str, set[str]] = field(default_factory=dict)
-    _read: dict[str, bytes] = field(default_factory=dict)
-    _git: "subprocess.Popen[bytes] | None" = None
-
-    @property
-    def folder(self) -> str:
-        """The absolute path of the work tree."""
-        return self.repository
-
-    def __enter__(self) -> Self:
-        """List what there is."""
-        listed = _git(self.repository, "ls-tree", "-r", "-z", "--full-tree", self.commit)
-        for line in listed.split("\0") if isinstance(listed, str) else ():
-            head, _, path = line.partition("\t")
-            mode, _, rest = head.partition(" ")
-            if mode in _BLOBS:
-                self._blobs[path] = mode, rest.split(" ")[1]
-                self._add(path)
-        return self
-
-    def _add(self, path: str) -> None:
-        while path:
-            folder, _, name = path.rpartition("/")
-            names = self._folders.setdefault(folder, set())
-            if name in names:
-                return
-            names.add(name)
-            path = folder
-
-    def __exit__(
-        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        """Let git end."""
-        if self._git is not None:
-            self._git.communicate()
-
-    def holds(self, path: str) -> bool:
-        """Whether there is such a file, or link."""
-        return path in self._blobs
-
-    def read(self, path: str) -> bytes | None:
-        """The content of a file, links of the commit followed; None where there is none."""
-        for _ in range(_MOST_LINKS):
-            if path not in self._blobs:
-                return None
-            mode, blob = self._blobs[path]
-            content = self._content(blob)
-            if mode != _SYMLINK:
-                return content
-            path = posixpath.normpath(posixpath.join(posixpath.dirname(path), os.fsdecode(content)))
-        return None
-
-    def names(self, folder: str) -> tuple[str, ...] | None:
-        """The names in a folder, sorted; None where there is none."""
-        names = self._folders.get(folder)
-        return None if names is None else tuple(sorted(names))
-
-    def _content(self, blob: str) -> bytes:
-        if blob not in self._read:
-            self._read[blob] = self._asked(blob)
-        return self._read[blob]
-
-    def _asked(self, blob: str) -> bytes:
-        if self._git is None:
-            self._git = subprocess.Popen(  # noqa: S603
-                ["git", "-C", self.repository, "cat-file", "--batch"],  # noqa: S607
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                env=_environment(),
-            )
-        assert self._git.stdin is not None
-        assert self._git.stdout is not None
-        self._git.stdin.write(f"{blob}\n".encode())
-        self._git.stdin.flush()
-        head = self._git.stdout.readline().split()
-        if len(head) != 3:  # "... missing": a damaged repository, or a partial clone that cannot fetch
-            return b""
-        content = self._git.stdout.read(int(head[2]))
-        self._git.stdout.read(1)
-        return content
