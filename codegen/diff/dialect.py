@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Mapping
 
 from codegen.diff import wire_rules as rules
-from codegen.diff.change import BOTH, Change, changed
-from codegen.diff.enums import enum_changes
-from codegen.diff.fields import field_changes
+from codegen.diff.change import BOTH, Change, Notice, changed
+from codegen.diff.enums import enum_changes, renamed_enums
+from codegen.diff.fields import bytes_text, field_changes
+from codegen.diff.hearing import between, by_id, heard, taken_for
 from codegen.diff.lifecycle import lifecycle_changes
 from codegen.diff.pairing import type_text
 from codegen.model.dialect import Dialect, WireMessage
@@ -23,7 +24,7 @@ def dialect_changes(old: Dialect, new: Dialect) -> tuple[Change, ...]:
         effect = f"{', '.join(names)} says so" if names else "no message says so"
         before, after = str(old.version), str(new.version)
         found.append(changed(rules.DIALECT_VERSION, new.name, before, after, places, effect, messages=names))
-    found += _messages(old.messages, new.messages)
+    found += _messages(old.messages, new.messages, renamed_enums(old.enums, new.enums))
     found += enum_changes(old.enums, new.enums, _users(old, new))
     return tuple(found)
 
@@ -36,20 +37,21 @@ def _has_version(message: WireMessage) -> bool:
     return any(field.definition.type == "uint8_t_mavlink_version" for field in message.fields)
 
 
-def _messages(old: Mapping[str, WireMessage], new: Mapping[str, WireMessage]) -> Iterator[Change]:
+def _messages(
+    old: Mapping[str, WireMessage], new: Mapping[str, WireMessage], enums: Mapping[str, str]
+) -> Iterator[Change]:
     renamed = {after.name: before for before, after in _renamed(old, new)}
-    ids = {message.id: message for message in old.values()}
-    taken_by = {message.id: message for message in new.values()}
+    ids, taken_by = by_id(old), by_id(new)
     for message in sorted(new.values(), key=lambda each: each.id):
         before = old.get(message.name) or renamed.get(message.name)
         if before is None:
-            yield _added(message, ids.get(message.id))
+            yield _added(message, ids)
         else:
-            yield from _within(before, message)
+            yield from heard(_within(before, message, ids, taken_by, enums), between(before, message, ids, taken_by))
     kept = {message.name for message in renamed.values()}
     for message in old.values():
         if message.name not in new and message.name not in kept:
-            yield _removed(message, taken_by.get(message.id))
+            yield _removed(message, taken_by)
 
 
 def _renamed(
@@ -69,51 +71,64 @@ def _is_alike(old: WireMessage, new: WireMessage) -> bool:
     return 2 * len(before & after) > max(len(before), len(after))
 
 
-def _added(message: WireMessage, holder: WireMessage | None) -> Change:
-    """A new message; ``holder`` is the message of the old version that had its id."""
-    effect, breaks = "", None
-    if holder is not None and holder.name != message.name:
-        effect = f"the id was {holder.name}'s: receivers of the other version take it for that"
-        breaks = BOTH
-        if holder.crc_extra != message.crc_extra:
-            effect += ", until CRC_EXTRA shows that it is not"
-    places = None, message.definition.place
+def _added(message: WireMessage, ids: Mapping[int, WireMessage]) -> Change:
+    """A new message; ``ids`` are the messages of the old version."""
+    notice, holder = taken_for(message, ids), ids.get(message.id)
     return changed(
         rules.MESSAGE_ADDED,
         message.name,
         None,
         _identity(message),
-        places,
-        effect,
-        breaks=breaks,
+        (None, message.definition.place),
+        f"the id was {holder.name}'s: {_mistaken(notice)}" if holder else "",
+        notice=notice,
+        breaks=BOTH if holder else None,
         messages=(message.name,),
     )
 
 
-def _removed(message: WireMessage, heir: WireMessage | None) -> Change:
+def _removed(message: WireMessage, taken_by: Mapping[int, WireMessage]) -> Change:
+    heir = taken_by.get(message.id)
     effect = f"the id is {heir.name}'s now" if heir is not None else "who waits for it waits in vain"
-    places = message.definition.place, None
+    places, notice = (message.definition.place, None), taken_for(message, taken_by)
+    said = _identity(message)
     return changed(
-        rules.MESSAGE_REMOVED, message.name, _identity(message), None, places, effect, messages=(message.name,)
+        rules.MESSAGE_REMOVED, message.name, said, None, places, effect, notice=notice, messages=(message.name,)
     )
 
 
+def _mistaken(notice: Notice) -> str:
+    """What receivers make of a message whose id they know as another one's."""
+    shown = "" if notice is Notice.SILENT else ", until CRC_EXTRA shows that it is not"
+    return f"receivers of the other version take it for that{shown}"
+
+
 def _identity(message: WireMessage) -> str:
-    size = f"{message.base_length} bytes"
+    size = bytes_text(message.base_length)
     if message.length != message.base_length:
         size += f", {message.length} with extensions"
     return f"id {message.id}, CRC_EXTRA {message.crc_extra}, {size}"
 
 
-def _within(old: WireMessage, new: WireMessage) -> Iterator[Change]:
+def _within(
+    old: WireMessage,
+    new: WireMessage,
+    ids: Mapping[int, WireMessage],
+    taken_by: Mapping[int, WireMessage],
+    enums: Mapping[str, str],
+) -> Iterator[Change]:
     places = old.definition.place, new.definition.place
     names = tuple(dict.fromkeys((old.name, new.name)))
     if old.name != new.name:
         yield changed(rules.MESSAGE_RENAMED, new.name, old.name, new.name, places, messages=names)
     if old.id != new.id:
+        other = ids.get(new.id) or taken_by.get(old.id)
+        notice = between(old, new, ids, taken_by)
         effect = "receivers of the other version pass over it"
+        if other is not None:
+            effect = f"the id is {other.name}'s in the other version: {_mistaken(notice)}"
         yield changed(rules.MESSAGE_ID, new.name, str(old.id), str(new.id), places, effect, messages=names)
-    yield from field_changes(old, new)
+    yield from field_changes(old, new, enums)
     yield from lifecycle_changes(new.name, old.definition.lifecycle, new.definition.lifecycle, places, names)
     before, after = old.definition.description, new.definition.description
     if before != after:

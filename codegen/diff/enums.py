@@ -30,6 +30,16 @@ def enum_changes(
             yield from _within(before, after, fields)
 
 
+def renamed_enums(old: Mapping[str, EnumDefinition], new: Mapping[str, EnumDefinition]) -> dict[str, str]:
+    """The new names of enums that are called otherwise and have the same entries, by their old names."""
+    added = {_numbers(enum): name for name, enum in new.items() if name not in old and enum.entries}
+    return {name: added[_numbers(enum)] for name, enum in old.items() if name not in new and _numbers(enum) in added}
+
+
+def _numbers(enum: EnumDefinition) -> frozenset[tuple[str, int]]:
+    return frozenset((entry.name, entry.value) for entry in enum.entries)
+
+
 def _size(enum: EnumDefinition) -> str:
     count = len(enum.entries)
     return f"{count} {'entry' if count == 1 else 'entries'}"
@@ -50,12 +60,13 @@ def _within(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str]) -> 
 def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str]) -> Iterator[Change]:
     before = {entry.name: entry for entry in old.entries}
     after = {entry.name: entry for entry in new.entries}
-    gone = {entry.value: entry for entry in old.entries if entry.name not in after}
+    gone = {entry.name: entry for entry in old.entries if entry.name not in after}
     for entry in new.entries:
         known = before.get(entry.name)
         if known is None:
-            known = gone.pop(entry.value, None)
+            known = next((each for each in gone.values() if each.value == entry.value), None)
             if known is not None:
+                del gone[known.name]
                 yield _entry(rules.ENTRY_RENAMED, new.name, entry, (known.name, entry.name), known, fields)
         if known is None:
             said = f"{entry.name} = {entry.value}"

@@ -1,6 +1,7 @@
 """Changes of one message between two dialects: its fields, its layout, its CRC_EXTRA, and what the fields mean."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from codegen.diff import wire_rules as rules
 from codegen.diff.change import BOTH, Change, ChangeRule, Notice, Victim, changed
@@ -8,14 +9,23 @@ from codegen.diff.meaning import meaning_changes
 from codegen.diff.pairing import Pair, paired_fields, type_text
 from codegen.model.dialect import WireField, WireMessage
 
+_DECEIVED = (rules.FIELD_TYPE, rules.FIELD_ORDER, rules.FIELD_SENTINEL, rules.FIELD_MULTIPLIER)
+"""What is read wrongly where frames of the other version are read at all."""
 
-def field_changes(old: WireMessage, new: WireMessage) -> tuple[Change, ...]:
-    """What changed within a message, the layout first; descriptions last."""
+
+def field_changes(old: WireMessage, new: WireMessage, enums: Mapping[str, str]) -> tuple[Change, ...]:
+    """What changed within a message, the layout first; descriptions last. ``enums`` are new names by old ones."""
     structure = tuple(_structure(old, new))
     found = [*structure, *_layout(old, new, structure), *_crc_extra(old, new, structure)]
     for pair in paired_fields(old, new):
-        found += meaning_changes(pair, new.name)
+        found += meaning_changes(pair, new.name, enums)
+    if _is_dropped(old, new):
+        found = [replace(change, effect="") if change.rule in _DECEIVED else change for change in found]
     return tuple(found)
+
+
+def _is_dropped(old: WireMessage, new: WireMessage) -> bool:
+    return old.id != new.id or old.crc_extra != new.crc_extra
 
 
 def _structure(old: WireMessage, new: WireMessage) -> Iterator[Change]:
@@ -32,10 +42,12 @@ def _structure(old: WireMessage, new: WireMessage) -> Iterator[Change]:
         if pair.old.name != pair.new.name:
             yield _field(rules.FIELD_RENAMED, pair, new, (pair.old.name, pair.new.name), _renamed_effect(pair.new))
         if type_text(pair.old) != type_text(pair.new):
-            yield _field(rules.FIELD_TYPE, pair, new, (type_text(pair.old), type_text(pair.new)), _retyped_effect(pair))
+            yield _field(
+                rules.FIELD_TYPE, pair, new, (type_text(pair.old), type_text(pair.new)), _retyped_effect(pair, moved)
+            )
         if pair.old.definition.is_extension != pair.new.definition.is_extension:
             sides = _side(pair.old), _side(pair.new)
-            yield _field(rules.BOUNDARY, pair, new, sides, "it moves in the payload", is_base=True)
+            yield _field(rules.BOUNDARY, pair, new, sides, _moved_effect(pair), is_base=True)
     for is_extension in (False, True):
         kept = [pair for pair in pairs if _is_on(pair, is_extension)]
         yield from _order(kept, old, new, is_extension=is_extension)
@@ -47,9 +59,11 @@ def _is_on(pair: Pair, is_extension: bool) -> bool:
 
 def _removed(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence[str]) -> Change:
     subject = f"{new.name}.{field.name}"
-    sizes = f"the payload goes from {old.length} to {new.length} bytes"
+    sizes = _sizes(old, new)
     if not field.definition.is_extension:
         effect, notice = sizes, Notice.NOTICED
+    elif _is_dropped(old, new):
+        effect, notice = sizes, Notice.SILENT
     else:
         shifted = f", and {_listed(moved)} from the wrong bytes" if moved else ""
         effect = f"old receivers read zeros there{shifted}; {sizes}"
@@ -62,12 +76,14 @@ def _removed(field: WireField, old: WireMessage, new: WireMessage, moved: Sequen
 def _added(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence[str]) -> Change:
     subject = f"{new.name}.{field.name}"
     said = f"{type_text(field)}{_described(field)}"
-    sizes = f"the payload goes from {old.length} to {new.length} bytes"
+    sizes = _sizes(old, new)
     places = None, field.definition.place
     names = _both(old, new)
     if not field.definition.is_extension:
         effect = sizes
         return changed(rules.FIELD_ADDED, subject, None, said, places, effect, messages=names)
+    if _is_dropped(old, new):
+        return changed(rules.EXTENSION_ADDED, subject, None, said, places, sizes, messages=names)
     breaks: tuple[Victim, ...] = ()
     effect = f"old receivers pass over it; from an old sender it reads as 0{_meaning_of_zero(field)}; {sizes}"
     if _meaning_of_zero(field):
@@ -90,10 +106,29 @@ def _renamed_effect(field: WireField) -> str:
     return "the bytes are the same" if field.definition.is_extension else ""
 
 
-def _retyped_effect(pair: Pair) -> str:
-    if pair.new.definition.is_extension and pair.old.definition.is_extension:
-        return "the other version reads other numbers, there and in what follows"
-    return ""
+def _retyped_effect(pair: Pair, moved: Sequence[str]) -> str:
+    old, new = pair.old, pair.new
+    if not (new.definition.is_extension and old.definition.is_extension):
+        return ""
+    what = "another number of values" if old.type == new.type else "other numbers"
+    behind = [name for name in moved if name != new.name]
+    return f"the other version reads {what}{f', and {_listed(behind)} from the wrong bytes' if behind else ''}"
+
+
+def _moved_effect(pair: Pair) -> str:
+    before, after = pair.old.offset, pair.new.offset
+    return f"it stays at byte {after}" if before == after else f"it goes from byte {before} to byte {after}"
+
+
+def _sizes(old: WireMessage, new: WireMessage) -> str:
+    if old.length == new.length:
+        return f"the payload still has {bytes_text(new.length)}"
+    return f"the payload goes from {old.length} to {bytes_text(new.length)}"
+
+
+def bytes_text(count: int) -> str:
+    """``1 byte``, ``2 bytes``."""
+    return f"{count} byte{'' if count == 1 else 's'}"
 
 
 def _side(field: WireField) -> str:
@@ -142,7 +177,7 @@ def _layout(old: WireMessage, new: WireMessage, structure: Sequence[Change]) -> 
 
 
 def _lengths(message: WireMessage) -> str:
-    return f"{message.base_length} bytes, {message.length} with extensions"
+    return f"{bytes_text(message.base_length)}, {message.length} with extensions"
 
 
 def _crc_extra(old: WireMessage, new: WireMessage, structure: Sequence[Change]) -> Iterator[Change]:

@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from codegen.diff import wire_rules as rules
@@ -13,6 +13,9 @@ from codegen.model.unit import UNITS, decimal
 from codegen.source import Place
 
 _WORD = re.compile(r"-?[\w.]*\w")
+_NUMBER = re.compile(r"-?[\d.]+")
+_SENTENCE = re.compile(r"(?<=[.;])\s")
+_WHEN = re.compile(r"\b(?:if|when|not|unknown|invalid|unset|unused|ignored?|use|set|sent?d?)\b", re.IGNORECASE)
 
 _TEXTS: tuple[tuple[str, ChangeRule], ...] = (
     ("enum", rules.FIELD_ENUM),
@@ -21,8 +24,8 @@ _TEXTS: tuple[tuple[str, ChangeRule], ...] = (
 )
 
 
-def meaning_changes(pair: Pair, message: str) -> Iterator[Change]:
-    """What changed in the meaning of a field of ``message``, the gravest first."""
+def meaning_changes(pair: Pair, message: str, enums: Mapping[str, str]) -> Iterator[Change]:
+    """What changed in the meaning of a field of ``message``, the gravest first; ``enums`` are called otherwise now."""
     old, new = pair.old.definition, pair.new.definition
 
     def told(
@@ -56,8 +59,15 @@ def meaning_changes(pair: Pair, message: str) -> Iterator[Change]:
     for attribute, rule in _TEXTS:
         before, after = getattr(old, attribute) or None, getattr(new, attribute) or None
         if before != after:
-            is_new = rule is rules.FIELD_ENUM and before is None
-            yield told(rule, before, after, "stated for the first time" if is_new else "", () if is_new else None)
+            effect = _enum_effect(before, after, enums) if rule is rules.FIELD_ENUM else ""
+            yield told(rule, before, after, effect, () if effect else None)
+
+
+def _enum_effect(old: str | None, new: str | None, enums: Mapping[str, str]) -> str:
+    """Why another enum breaks nobody; empty where it does."""
+    if old is None:
+        return "stated for the first time"
+    return "another name of the same enum" if enums.get(old) == new else ""
 
 
 def _unit_effect(old: str | None, new: str | None) -> str:
@@ -75,15 +85,27 @@ def _unit_effect(old: str | None, new: str | None) -> str:
 
 
 def _sentinel_effect(pair: Pair) -> tuple[str, tuple[Victim, ...]]:
-    """What comes of another sentinel, and who breaks: nobody where the text has said the same before."""
+    """What comes of another sentinel, and who breaks: nobody where the text says the same in the other version."""
     old, new = _sentinel(pair.old), _sentinel(pair.new)
-    if new is None:
-        return f"{old} is a value now; old receivers take it for unknown", (Victim.OLD_STATION,)
-    if old is None and new.strip("[]:") in _WORD.findall(pair.old.definition.description):
-        return "the description said so before", ()
-    if old is None:
+    if new is None and old is not None:
+        if _is_described(old, pair.new.definition.description):
+            return "the description still says so", ()
+        return f"new receivers take an old sender's {old} for a measurement, old ones a real {old} for unknown", BOTH
+    if old is None and new is not None:
+        if _is_described(new, pair.old.definition.description):
+            return "the description said so before", ()
         return f"old receivers take {new} for a measurement", (Victim.OLD_STATION,)
     return f"old receivers take {new} for a measurement, new ones take {old} for one", BOTH
+
+
+def _is_described(sentinel: str, description: str) -> bool:
+    """Whether a text names the sentinel: a bare number only where it says when that is sent, so not ``0 to 100``."""
+    word = sentinel.strip("[]:")
+    sentences = _SENTENCE.split(description)
+    return any(
+        word in _WORD.findall(sentence) and (not _NUMBER.fullmatch(word) or bool(_WHEN.search(sentence)))
+        for sentence in sentences
+    )
 
 
 def _factor_effect(old: FieldDefinition, new: FieldDefinition) -> str:

@@ -9,6 +9,7 @@ from codegen.diff.behaviour_rules import PROGRAM
 from codegen.diff.board import board_subjects
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect import dialect_changes
+from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
 from codegen.diff.requirements import coverage_changes, requirement_changes
@@ -49,6 +50,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     elsewhere = tuple(change for change in of_dialect if not used.is_concerned(change))
     before = {system.spec.program: system for system in old}
     after = {system.spec.program: system for system in new}
+    notices = dropped(old[0].dialect.messages, new[0].dialect.messages)
     bandwidth = []
     for name, system in after.items():
         known = before.get(name)
@@ -58,7 +60,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
         compared = compare_bandwidth(known, system)
         bandwidth.append((name, compared))
         own = [*_own(known, system), *bandwidth_changes(compared, system, known, threshold)]
-        found += [_named(change, name) for change in own]
+        found += [_named(change, name) for change in heard_in(own, notices)]
     for name, system in before.items():
         if name not in after:
             found.append(changed(PROGRAM, name, "a further program", None, (system.spec.project.place, None)))
