@@ -66,14 +66,22 @@ def run(arguments: argparse.Namespace) -> int:
         return _usage(f"--bandwidth is a number of percent, not {arguments.bandwidth!r}")
     if arguments.base is None:
         return _usage("name the old version: BASE is a revision, a folder, an XML file or a dialect")
-    for kind in kinds:
-        if kind not in KINDS:
-            from codegen.catalogue import rule_catalogue
+    if threshold < 0:
+        return _usage(f"--bandwidth is at least 0 %, not {arguments.bandwidth}")
+    known = KINDS if set(kinds) <= set(KINDS) else (*KINDS, *_change_rules())
+    for kind in kinds or [""]:
+        if kind not in known:
             from codegen.diagnostics import did_you_mean
 
-            if kind not in rule_catalogue():
-                return _usage(f"--fail-on knows no {kind}", did_you_mean(kind, (*KINDS, *rule_catalogue())))
+            return _usage(f"--fail-on knows no {kind or 'empty list'}", did_you_mean(kind, known))
     return _compared(arguments, kinds, threshold)
+
+
+def _change_rules() -> list[str]:
+    from codegen.catalogue import rule_catalogue
+    from codegen.diff.change import ChangeRule
+
+    return [rule.id for rule in rule_catalogue().values() if isinstance(rule, ChangeRule)]
 
 
 def _usage(message: str, hint: str | None = None) -> int:
@@ -173,15 +181,13 @@ def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review
     waivers = waivers_of(project) if project and head.is_project else None
     if waivers is None:
         return found, 0
-    from codegen.catalogue import rule_catalogue
     from codegen.diagnostics import Report
-    from codegen.diff.change import ChangeRule
     from codegen.diff.review import as_finding, with_waived
     from codegen.findings.text import finding_text
 
     report = Report()
     report.extend(as_finding(group) for group in found.groups)
-    rules = [rule.id for rule in rule_catalogue().values() if isinstance(rule, ChangeRule)]
+    rules = _change_rules()
     files = [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
     judged = list(with_waivers(report, waivers, rules, files))
     code = 0

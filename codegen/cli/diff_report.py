@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from codegen.cli.findings import repository_root, wants_colour
 from codegen.diagnostics import Diagnostic
-from codegen.diff.review import Review, as_finding
+from codegen.diff.review import Review, as_finding, elsewhere_text
 from codegen.findings.text import finding_text
 from codegen.load.trees import on_disk
 
@@ -56,4 +56,4 @@ def _print_text(found: Review) -> None:
     if found.groups:
         print(f"{found.base} -> {found.head}: {found.head_line}", file=sys.stderr)
     if found.elsewhere:
-        print(f"{found.elsewhere} more in the dialect do not concern the project (--all shows them)", file=sys.stderr)
+        print(f"{elsewhere_text(found.elsewhere)[:-1]} (see --all)", file=sys.stderr)

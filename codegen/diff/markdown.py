@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area
 from codegen.diff.grouping import Group, difference, notice_text
-from codegen.diff.review import Review, tests_text
+from codegen.diff.review import Review, elsewhere_text, tests_text
 from codegen.source import Place
 
 MOST_CHARACTERS = 60_000
@@ -18,7 +18,9 @@ TITLES = {
     Area.TRACE: "Requirements",
     Area.DOCUMENTATION: "Documentation",
 }
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#~@])")
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#~@&])")
+_CALLING = re.compile(r"([@#])(?=\w)")
+"""What forges make links to people and issues of after they read the Markdown, so whatever backslash was before it."""
 
 
 def review_markdown(found: Review) -> str:
@@ -42,11 +44,7 @@ def review_markdown(found: Review) -> str:
             for program, bandwidth in found.bandwidth:
                 lines += _bandwidth(program, bandwidth)
     if found.elsewhere:
-        plural = "changes" if found.elsewhere > 1 else "change"
-        lines += [
-            "",
-            f"{found.elsewhere} further {plural} of the dialect concern nothing that this project sends or receives.",
-        ]
+        lines += ["", elsewhere_text(found.elsewhere)]
     return _limited(lines)
 
 
@@ -155,12 +153,12 @@ def _bandwidth(program: str, bandwidth: Bandwidth) -> list[str]:
 
 def plain(text: str) -> str:
     """``text`` on one line, as text: nothing in it is markup, calls a person or ends a cell."""
-    return _SPECIAL.sub(r"\\\1", " ".join(text.split()))
+    return _CALLING.sub(r"\1&#8203;", _SPECIAL.sub(r"\\\1", " ".join(text.split())))
 
 
 def code(text: str | None) -> str:
     """``text`` as a code span, whatever backticks it has."""
-    stated = " ".join((text or "").split()).replace("|", "\\|")
+    stated = " ".join((text or "").split())
     longest = max((len(run) for run in re.findall("`+", stated)), default=0)
     fence = "`" * (longest + 1)
     space = " " if "`" in stated[:1] + stated[-1:] else ""

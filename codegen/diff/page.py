@@ -1,5 +1,6 @@
 """A review as a page that opens from disk, in the look of the project's other pages."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -7,7 +8,7 @@ from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Reach
 from codegen.diff.grouping import Group, difference, notice_text
 from codegen.diff.markdown import TITLES
-from codegen.diff.review import Review
+from codegen.diff.review import Review, elsewhere_text
 from codegen.render import render_page
 
 
@@ -31,11 +32,14 @@ class SymbolLine:
 
 @dataclass(frozen=True, slots=True)
 class ChangeRow:
-    """A line of the table: what changed, what comes of it, what it reaches, where it stands."""
+    """A line of the table: what changed, what comes of it, what it reaches, where it stands.
+
+    ``subject`` is in parts, between which a line may break.
+    """
 
     tags: str
     mark: str
-    subject: str
+    subject: tuple[str, ...]
     rule: str
     explanation: str
     old: str
@@ -81,7 +85,7 @@ class ReviewPage:
     summary: tuple[SummaryRow, ...]
     rows: tuple[ChangeRow, ...]
     bandwidth: tuple[BandwidthTable, ...]
-    elsewhere: int
+    elsewhere: str
 
 
 def review_page(found: Review) -> str:
@@ -99,7 +103,7 @@ def review_page(found: Review) -> str:
         summary=tuple(_summary(found, area) for area in Area),
         rows=tuple(_row(group) for group in found.groups),
         bandwidth=tuple(_table(program, each) for program, each in found.bandwidth if each.is_changed),
-        elsewhere=found.elsewhere,
+        elsewhere=elsewhere_text(found.elsewhere) if found.elsewhere else "",
     )
     return render_page("pages/diff.html.j2", view)
 
@@ -125,7 +129,7 @@ def _row(group: Group) -> ChangeRow:
     return ChangeRow(
         tags=" ".join(tags),
         mark="waived" if group.waived is not None else mark,
-        subject=group.subject,
+        subject=tuple(re.findall(r"[^._]+[._]*|[._]+", group.subject)),
         rule=change.rule.id,
         explanation=change.rule.explanation,
         old=old or "",

@@ -122,6 +122,12 @@ def reach_text(group: Group) -> str:
     return f"reaches {'; '.join(words)}" if words else ""
 
 
+def elsewhere_text(count: int) -> str:
+    """A sentence about changes that are only counted."""
+    words = "change of the dialect concerns" if count == 1 else "changes of the dialect concern"
+    return f"{count} further {words} nothing that this project sends or receives."
+
+
 def tests_text(tests: Sequence[str]) -> str:
     """The tests by name if they are few, else how many of which files."""
     if len(tests) <= MOST_TESTS:

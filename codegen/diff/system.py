@@ -55,7 +55,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     for name, system in after.items():
         known = before.get(name)
         if known is None:
-            found.append(changed(PROGRAM, name, None, "a further program", (None, system.spec.project.place)))
+            found.append(changed(PROGRAM, name, None, _program(system), (None, system.spec.project.place)))
             continue
         compared = compare_bandwidth(known, system)
         bandwidth.append((name, compared))
@@ -63,10 +63,15 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
         found += [_named(change, name) for change in heard_in(own, notices)]
     for name, system in before.items():
         if name not in after:
-            found.append(changed(PROGRAM, name, "a further program", None, (system.spec.project.place, None)))
+            found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))
     found += requirement_changes(old[0], new[0])
     found += coverage_changes(old[0], new[0], _cited(old), _cited(new))
     return Comparison(_once(found), elsewhere, tuple(bandwidth))
+
+
+def _program(system: System) -> str:
+    names = ", ".join(message.name for message in system.messages)
+    return f"a further program, which sends {names or 'nothing'}"
 
 
 def _named(change: Change, program: str) -> Change:

@@ -10,10 +10,11 @@ from typing import Any
 import pytest
 
 from codegen.diagnostics import Report
+from codegen.diff.change import Notice
 from codegen.diff.system import compare_systems
 from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.price import Price
-from codegen.model.system import PopulatedMessage, System
+from codegen.model.system import LiveBinding, PopulatedMessage, System
 from codegen.model.unit import UNITS, Unit
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
 from codegen.pipeline import read_systems
@@ -208,3 +209,35 @@ EXPECTED = {
     "Generations.new": {"generations-changed"},
 }
 """Of attributes whose rule matters, the rule."""
+
+
+def test_a_further_program_is_told_with_what_it_sends(systems: tuple[System, ...]) -> None:
+    """One that comes, goes, or is called otherwise: who reads only the report learns what it is for."""
+    main, battery = systems
+    said = f"a further program, which sends {', '.join(message.name for message in battery.messages)}"
+    for old, new, sides in (
+        ((main,), (main, battery), (None, said)),
+        ((main, battery), (main,), (said, None)),
+    ):
+        found = [change for change in compare_systems(old, new).changes if change.rule.id == "program-changed"]
+        assert [(change.subject, change.old, change.new) for change in found] == [("smart_battery", *sides)]
+    assert "BATTERY_STATUS" in said
+
+
+def test_what_a_table_says_of_frames_that_are_dropped_is_not_silent(systems: tuple[System, ...]) -> None:
+    """Another unknown in a message with the same CRC_EXTRA is believed, in one with another it is not."""
+    main = systems[0]
+    message = next(one for one in main.messages if one.name == "BATTERY_STATUS")
+    live = next(one for one in message.bindings if isinstance(one, LiveBinding) and one.unknown is not None)
+    bindings = tuple(replace(one, unknown=7) if one is live else one for one in message.bindings)
+    messages = tuple(replace(one, bindings=bindings) if one is message else one for one in main.messages)
+    wire = replace(message.wire, crc_extra=message.wire.crc_extra ^ 1)
+    dialect = replace(main.dialect, messages={**main.dialect.messages, wire.name: wire})
+    for head, notice in (
+        (replace(main, messages=messages), Notice.SILENT),
+        (replace(main, messages=messages, dialect=dialect), Notice.NOTICED),
+    ):
+        found = [
+            one for one in compare_systems((main,), (head,)).changes if one.rule.id == "population-unknown-changed"
+        ]
+        assert [change.notice for change in found] == [notice]

@@ -143,7 +143,7 @@ def test_a_project_is_read_with_another_pymavlink(older_pymavlink: Path, run: Ru
     assert code in (0, 1)
     assert "BATTERY_STATUS" in out
     assert "GPS_RAW_INT" not in out
-    assert "more in the dialect do not concern the project" in err
+    assert "of the dialect concern nothing that this project sends or receives (see --all)" in err
     assert "GPS_RAW_INT" in run(project, project, "--base-pymavlink", str(older_pymavlink), "--all")[1]
 
 
