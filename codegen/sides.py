@@ -154,7 +154,10 @@ def _dialect(path: str, label: str, *, is_release: bool = False) -> Side | Unrea
     if not files:
         return Unreadable(f"{label} is no dialect that can be read", findings=errors)
     dialect = resolve_dialect(os.path.splitext(os.path.basename(path))[0], files, (), report)
-    return Side(label, (), dialect, tuple(finding for finding in report if finding.is_error), is_release)
+    errors = tuple(finding for finding in report if finding.is_error)
+    if errors and not dialect.messages and not dialect.enums:
+        return Unreadable(f"{label} is no dialect that can be read", findings=errors)
+    return Side(label, (), dialect, errors, is_release)
 
 
 def _installed(name: str) -> Side | Unreadable:
@@ -195,7 +198,9 @@ def _release(path: str, stack: ExitStack) -> str | Unreadable:
                 if is_file(os.path.join(candidate, "common.xml")):
                     return candidate
     else:
-        return Unreadable(f"{path} does not exist")
+        return Unreadable(
+            f"{path} is neither a file nor a folder" if os.path.exists(path) else f"{path} does not exist"
+        )
     return Unreadable(f"{path} holds neither a project nor the dialects of a pymavlink")
 
 

@@ -1,6 +1,7 @@
 """Changes of requirement documents, and of what answers to their criteria."""
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Mapping
 
 from codegen.diff import trace_rules as rules
 from codegen.diff.change import Change, changed
@@ -9,11 +10,28 @@ from codegen.model.spec import Requirement
 from codegen.model.system import System
 from codegen.source import Place
 
+_ID = re.compile(r"\w+(?:-\w+)*")
+
+
+def renamed_ids(old: System, new: System) -> dict[str, str]:
+    """The ids of documents that have a new one now and list the old one as an alias, by the old one."""
+    before = {each.id for each in old.requirements.values()}
+    after = {each.id: each for each in new.requirements.values()}
+    added = [each for name, each in after.items() if name not in before]
+    return {alias: each.id for each in added for alias in each.aliases if alias in before and alias not in after}
+
+
+def as_called_now(text: str, ids: Mapping[str, str]) -> str:
+    """A text in which citations have the new ids."""
+    return _ID.sub(lambda found: ids.get(found[0], found[0]), text)
+
 
 def requirement_changes(old: System, new: System) -> Iterator[Change]:
     """What documents say, in the order of their ids; what they say outside their criteria last."""
-    before, after = ({each.id: each for each in side.requirements.values()} for side in (old, new))
-    subjects = [[_document(each) for _, each in sorted(side.items())] for side in (before, after)]
+    ids = renamed_ids(old, new)
+    before = {ids.get(each.id, each.id): each for each in old.requirements.values()}
+    after = {each.id: each for each in new.requirements.values()}
+    subjects = [[_document(each, name) for name, each in sorted(side.items())] for side in (before, after)]
     yield from subject_changes(subjects[0], subjects[1])
     for name in sorted(before.keys() & after.keys()):
         yield from _criteria(before[name], after[name])
@@ -21,21 +39,23 @@ def requirement_changes(old: System, new: System) -> Iterator[Change]:
         yield from _prose(before[name], after[name], old, new)
 
 
-def _document(requirement: Requirement) -> Subject:
+def _document(requirement: Requirement, name: str) -> Subject:
+    """A document under the id that it has now."""
     facts = (
+        Fact("id", requirement.id, rules.REQUIREMENT_STATUS, requirement.at("id")),
         Fact("title", requirement.title, rules.REQUIREMENT_TEXT, requirement.at("id")),
         Fact("status", requirement.status, rules.REQUIREMENT_STATUS, requirement.at("status")),
         Fact("aliases", ", ".join(requirement.aliases), rules.REQUIREMENT_STATUS, requirement.at("aliases")),
         Fact("links", ", ".join(requirement.links), rules.REQUIREMENT_STATUS, requirement.place),
     )
     return Subject(
-        name=requirement.id,
+        name=name,
         says=requirement.title,
         added=rules.REQUIREMENT_ADDED,
         removed=rules.REQUIREMENT_REMOVED,
         place=requirement.place,
         facts=facts,
-        cited=(requirement.id,),
+        cited=(name,),
     )
 
 
@@ -66,13 +86,14 @@ def coverage_changes(
     old: System, new: System, cited_before: Iterable[str], cited_after: Iterable[str]
 ) -> Iterator[Change]:
     """Criteria of both versions that lost everything that answered to them, or found something."""
-    known = [_criterion_places(side) for side in (old, new)]
-    before, after = set(cited_before), set(cited_after)
-    for name in known[1]:
-        places = known[0].get(name), known[1][name]
-        if name in known[0] and name in before - after:
+    ids = renamed_ids(old, new)
+    known = {as_called_now(name, ids): place for name, place in _criterion_places(old).items()}
+    before, after = {as_called_now(name, ids) for name in cited_before}, set(cited_after)
+    for name, place in _criterion_places(new).items():
+        places = known.get(name), place
+        if name in known and name in before - after:
             yield changed(rules.UNCOVERED, name, "answered to", "answered to by nothing", places, cited=(name,))
-        if name in known[0] and name in after - before:
+        if name in known and name in after - before:
             yield changed(rules.COVERED, name, "answered to by nothing", "answered to", places, cited=(name,))
 
 

@@ -1,6 +1,6 @@
 """Changes between two versions of a specification, with those of the dialect that concern it."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -12,9 +12,10 @@ from codegen.diff.dialect import dialect_changes
 from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
-from codegen.diff.requirements import coverage_changes, requirement_changes
+from codegen.diff.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
 from codegen.diff.state import parameter_subjects, state_subjects
 from codegen.diff.subject import Subject, cited, subject_changes
+from codegen.diff.trace_rules import CITATION
 from codegen.diff.used import used_of
 from codegen.model.dialect import Dialect
 from codegen.model.system import System
@@ -66,7 +67,14 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
             found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))
     found += requirement_changes(old[0], new[0])
     found += coverage_changes(old[0], new[0], _cited(old), _cited(new))
+    ids = renamed_ids(old[0], new[0])
+    found = [change for change in found if not _is_only_renamed(change, ids)]
     return Comparison(_once(found), elsewhere, tuple(bandwidth))
+
+
+def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:
+    """Whether a part answers to the same document as before, which has another id."""
+    return change.rule is CITATION and as_called_now(change.old or "", ids) == change.new
 
 
 def _program(system: System) -> str:

@@ -17,7 +17,8 @@ REQUIREMENT_TEXT = _trace(
     "The text of a criterion, or the title of a document, has changed: what answers to it has to be looked at again.",
 )
 REQUIREMENT_STATUS = _trace(
-    "requirement-status-changed", "A document has another status, other aliases or other links."
+    "requirement-status-changed",
+    "A document has another status, other aliases or links, or another id with the old one as an alias.",
 )
 CRITERION_ADDED = _trace("criterion-added", "A requirement has a criterion more.")
 CRITERION_REMOVED = _trace(

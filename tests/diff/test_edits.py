@@ -338,6 +338,30 @@ def test_a_criterion_that_lost_its_test_and_a_test_that_lost_its_criterion(repos
         git(repository, "reset", "-q", "--hard", before)
 
 
+def test_a_document_with_a_new_id_that_keeps_the_old_one_is_the_same(repository: Path, run: Run) -> None:
+    """What cites it, by either id, is as it was; its text is still compared, and so is what answers to it."""
+    document = "specs/requirements/R-1-two-packs.md"
+    edit(repository, document, "# FR-1 |", "# FR-9 |")
+    edit(repository, document, "- Status: Approved", "- Status: Approved\n- Aliases: FR-1")
+    edit(repository, STATUS, "requirement: FR-1.1", "requirement: FR-9.1")
+    out = run("HEAD")[1]
+    findings = [line for line in out.splitlines() if not line.startswith("  ")]
+    assert findings == [
+        f"{document}:1:1: warning requirement-status-changed: FR-9: id FR-1 -> id FR-9; aliases FR-1",
+    ]
+    edit(repository, document, "Both packs are reported.", "Both packs are sent.")
+    edit(repository, STATUS, "requirement: FR-9.1", "requirement: FR-9.2")
+    out = run("HEAD")[1]
+    for said in (
+        "requirement-text-changed: FR-9.1: Both packs are reported. -> Both packs are sent.",
+        "criterion-uncovered: FR-9.1: answered to -> answered to by nothing",
+        "citation-changed: BATTERY_STATUS: answers to FR-1.1 -> answers to FR-9.2",
+    ):
+        assert said in out
+    edit(repository, document, "- Aliases: FR-1\n", "")
+    assert "requirement-removed: FR-1" in run("HEAD")[1]
+
+
 def test_sarif_and_annotations_stand_at_files_of_the_repository(repository: Path, run: Run) -> None:
     """What is gone is shown where it was, and a service that knows only files of the repository can show it."""
     edit(repository, STATUS, "requirement: FR-1.1\n", "requirement: FR-1\n")

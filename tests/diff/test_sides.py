@@ -169,6 +169,21 @@ def test_what_means_nothing_is_said_in_a_line(words: list[str], said: str, run: 
     assert "Traceback" not in err
 
 
+def test_what_is_no_dialect_at_all_is_not_one_without_messages(tmp_path: Path, run: Run) -> None:
+    """Else everything that the other side has would be reported as new, or as gone."""
+    good, other, without = (tmp_path / name for name in ("good.xml", "other.xml", "without.xml"))
+    good.write_text(XML.format(7, FIELD.format("a")))
+    other.write_text("<html/>")
+    without.write_text("<mavlink><include>no.xml</include></mavlink>")
+    for bad, said in ((other, "the root element is <html>"), (without, "no.xml does not exist")):
+        for sides in ((bad, good), (good, bad)):
+            code, out, err = run(*map(str, sides))
+            assert (code, out) == (2, "")
+            assert said in err
+            assert f"codegen diff: {bad} is no dialect that can be read" in err
+    assert "/dev/null is neither a file nor a folder" in run("/dev/null", str(good))[2]
+
+
 def test_a_damaged_archive_is_said_to_be_one(tmp_path: Path, run: Run) -> None:
     (tmp_path / "x.whl").write_bytes(b"PK\x03\x04 and nothing more")
     (tmp_path / "y.tar.gz").write_bytes(b"\x1f\x8b\x08 and nothing more")
