@@ -138,6 +138,7 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     from dataclasses import replace
 
     from codegen.diff.reach import traces, with_reach
+    from codegen.diff.requirements import renamed_ids
     from codegen.diff.review import review
     from codegen.diff.system import compare_dialects, compare_systems
     from codegen.diff.tested import tested_changes
@@ -153,7 +154,8 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
         if is_all:
             compared = replace(compared, changes=(*compared.changes, *compared.elsewhere), elsewhere=())
         old, new = _trace(base), _trace(head)
-        tested = () if base.findings or head.findings else tested_changes(old, new)
+        ids = renamed_ids(base.systems[0], head.systems[0])
+        tested = () if base.findings or head.findings else tested_changes(old, new, ids)
         found = traces(old, new, (*base.systems, *head.systems))
         compared = replace(compared, changes=with_reach((*compared.changes, *tested), found))
     else:

@@ -65,7 +65,7 @@ PARAMETER_DEFAULT = _inside(
 PARAMETER_RANGE = _inside(
     "parameter-range-changed", "Other values of a parameter are accepted; stored ones outside become the default."
 )
-PARAMETER_UNIT = _inside(
+PARAMETER_UNIT = _silent(
     "parameter-unit-changed",
     "A parameter is in another unit. Ground stations and files of parameters go on with the old numbers.",
     *BOTH,

@@ -83,7 +83,8 @@ def _program(system: System) -> str:
 
 
 def _named(change: Change, program: str) -> Change:
-    return replace(change, subject=f"{program}: {change.subject}") if program else change
+    is_named = program in ("", change.subject)
+    return change if is_named else replace(change, subject=f"{program}: {change.subject}")
 
 
 def _own(old: System, new: System) -> Iterator[Change]:

@@ -241,3 +241,18 @@ def test_what_a_table_says_of_frames_that_are_dropped_is_not_silent(systems: tup
             one for one in compare_systems((main,), (head,)).changes if one.rule.id == "population-unknown-changed"
         ]
         assert [change.notice for change in found] == [notice]
+
+
+def test_what_nobody_notices_is_silent_though_no_message_has_it(systems: tuple[System, ...]) -> None:
+    """A parameter in another unit takes the old numbers and means others by them."""
+    main = systems[0]
+    name, parameter = next((name, one) for name, one in main.parameters.items() if one.unit.name == "V")
+    parameters = {**main.parameters, name: replace(parameter, unit=UNITS["mV"])}
+    found = compare_systems((main,), (replace(main, parameters=parameters),)).changes
+    assert {change.rule.id for change in found if change.is_silent} == {"parameter-unit-changed"}
+
+
+def test_a_program_is_named_once(systems: tuple[System, ...]) -> None:
+    main, battery = systems
+    found = compare_systems(systems, (main, replace(battery, component_id=99))).changes
+    assert [change.subject for change in found if change.rule.id == "identity-changed"] == ["smart_battery"]
