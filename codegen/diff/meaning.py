@@ -17,6 +17,8 @@ _NUMBER = re.compile(r"-?[\d.]+")
 _SENTENCE = re.compile(r"(?<=[.;])\s")
 _WHEN = re.compile(r"\b(?:if|when|not|unknown|invalid|unset|unused|ignored?|use|set|sent?d?)\b", re.IGNORECASE)
 
+_SAME_NUMBER = "the same value is the same number as before"
+
 _TEXTS: tuple[tuple[str, ChangeRule], ...] = (
     ("enum", rules.FIELD_ENUM),
     ("print_format", rules.PRINT_FORMAT),
@@ -39,15 +41,18 @@ def meaning_changes(pair: Pair, message: str, enums: Mapping[str, str]) -> Itera
         subject = f"{message}.{new.name}"
         return changed(rule, subject, before, after, places, effect, breaks=breaks, messages=(message,))
 
+    is_same_number = _scale(old, new) == 1
     if (old.units or None) != (new.units or None):
-        effect = _unit_effect(old.units, new.units)
-        yield told(rules.FIELD_UNITS, old.units or None, new.units or None, effect, None if old.units else ())
+        effect = _SAME_NUMBER if is_same_number else _unit_effect(old.units, new.units)
+        is_harmless = is_same_number or not old.units
+        yield told(rules.FIELD_UNITS, old.units or None, new.units or None, effect, () if is_harmless else None)
     if not _is_same_sentinel(pair.old.sentinel, pair.new.sentinel):
         effect, breaks = _sentinel_effect(pair)
         places = _stated_at(pair.old), _stated_at(pair.new)  # a correction may have stated it
         yield told(rules.FIELD_SENTINEL, _sentinel(pair.old), _sentinel(pair.new), effect, breaks, places)
     if _number(old.multiplier) != _number(new.multiplier):
-        yield told(rules.FIELD_MULTIPLIER, old.multiplier, new.multiplier, _factor_effect(old, new))
+        effect = _SAME_NUMBER if is_same_number else _factor_effect(old, new)
+        yield told(rules.FIELD_MULTIPLIER, old.multiplier, new.multiplier, effect, () if is_same_number else None)
     if old.is_bitmask != new.is_bitmask:
         words = ["bits" if side.is_bitmask else "a number" for side in (old, new)]
         yield told(rules.FIELD_BITMASK, words[0], words[1])
@@ -70,16 +75,29 @@ def _enum_effect(old: str | None, new: str | None, enums: Mapping[str, str]) -> 
     return "another name of the same enum" if enums.get(old) == new else ""
 
 
+def _scale(old: FieldDefinition, new: FieldDefinition) -> Fraction | None:
+    """By which factor the number for one value grew, unit and multiplier together; None where that is not known."""
+    factor = Fraction(1) if (old.units or "") == (new.units or "") else _factor(old.units or "", new.units or "")
+    before, after = _number(old.multiplier or "1"), _number(new.multiplier or "1")
+    if factor is None or not isinstance(before, Fraction) or not isinstance(after, Fraction) or not after:
+        return None
+    return factor * before / after
+
+
+def _factor(old: str, new: str) -> Fraction | None:
+    before, after = UNITS.get(old), UNITS.get(new)
+    return before.to(after) if before and after else None
+
+
 def _unit_effect(old: str | None, new: str | None) -> str:
     """By which factor receivers of the other version are wrong, where it is known."""
     if not old:
         return "stated for the first time"
-    before, after = UNITS.get(old), UNITS.get(new or "")
-    factor = before.to(after) if before and after else None
+    if not new:
+        return "nothing says what the number counts any more"
+    factor = _factor(old, new)
     if factor is None:
         return "the number is read in another unit"
-    if factor == 1:
-        return "another name of the same unit"
     word = f"{decimal(factor)} times as large" if factor > 1 else f"{decimal(1 / factor)} times as small"
     return f"the same value is a number {word}"
 

@@ -152,6 +152,30 @@ def test_a_number_in_a_description_is_no_sentinel_by_itself(text: str, is_descri
         assert told(old, new)["field-sentinel-changed M.a"].is_breaking is not is_described
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ({"units": "hPa"}, {"units": "mbar"}),
+        ({"units": "cdegC"}, {"units": "degC", "multiplier": "1E-2"}),
+        ({"units": "m", "multiplier": "0.1"}, {"units": "cm", "multiplier": "10"}),
+    ],
+)
+def test_a_unit_that_means_the_same_number_breaks_nobody(old: dict[str, str], new: dict[str, str], told: Told) -> None:
+    """Another name of a unit, and a unit and a multiplier that make up for each other."""
+    before, after = (message(field("int16_t", "a", **attributes)) for attributes in (old, new))
+    for first, second in ((before, after), (after, before)):
+        found = told(first, second)
+        assert {change.effect for change in found.values()} == {"the same value is the same number as before"}
+        assert not any(change.is_breaking for change in found.values())
+    alone = told(before, message(field("int16_t", "a", **{**new, "units": "kg"})))
+    assert alone["field-units-changed M.a"].is_silent
+
+
+def test_a_unit_that_is_gone_is_not_another_unit(told: Told) -> None:
+    found = told(message(field("int16_t", "a", units="m")), message(field("int16_t", "a")))["field-units-changed M.a"]
+    assert (found.effect, found.is_silent) == ("nothing says what the number counts any more", True)
+
+
 def test_an_enum_under_another_name_breaks_nobody(told: Told) -> None:
     old, new = (message(field("uint8_t", "a", enum=name)) for name in ("E", "F"))
     same = told(old, new, (enum("E", X=1, Y=2), enum("F", X=1, Y=2)))
