@@ -46,7 +46,7 @@ def _messages(
         before = old.get(message.name) or renamed.get(message.name)
         if before is None:
             yield _added(message, ids)
-        else:
+        elif before is not message:
             yield from heard(_within(before, message, ids, taken_by, enums), between(before, message, ids, taken_by))
     kept = {message.name for message in renamed.values()}
     for message in old.values():

@@ -26,7 +26,7 @@ def enum_changes(
             yield _enum(rules.ENUM_ADDED, name, None, _size(after), (None, after.place), fields)
         elif after is None and before is not None:
             yield _enum(rules.ENUM_REMOVED, name, _size(before), None, (before.place, None), fields)
-        elif before is not None and after is not None:
+        elif before is not None and after is not None and before is not after:
             yield from _within(before, after, fields)
 
 
