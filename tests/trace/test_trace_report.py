@@ -47,6 +47,7 @@ def test_the_summary_and_what_needs_attention(project: Project, capsys: pytest.C
         ("orphaned,suspect", 0, {"trace-uncovered": "warning"}),
         ("uncovered", 1, {"trace-uncovered": "error"}),
         ("unspecified", 1, {"trace-uncovered": "warning", "trace-unspecified": "error"}),
+        ("uncited", 1, {"trace-uncovered": "warning", "trace-uncited": "error"}),
     ],
 )
 def test_what_fails(

@@ -58,6 +58,7 @@ def test_every_row_has_a_symbol_and_a_criterion(folder: Path) -> None:
     """What a table states comes out somewhere; what it cites exists, or the specification would not resolve."""
     trace, _ = project(folder)
     assert [row.label for row in trace.rows if not row.symbols] == []
+    assert [row for row in trace.uncited if row.criterion] == []
     assert [row.label for row in trace.rows if trace.called(row.criterion) != row.criterion] == []
 
 
