@@ -123,19 +123,14 @@ def read_document(path: str, report: Report) -> str | None:
 
 
 def check_documents(systems: Sequence[System], report: Report) -> None:
-    """What the tables of the requirement documents say against the population tables and the dialect.
-
-    A document is read once, for the first program whose messages it is about: that of the project comes first.
-    """
-    seen: set[str] = set()
-    for system in systems:
-        for path in dict.fromkeys(requirement.place.file for requirement in system.requirements.values()):
-            text = None if path in seen else read_document(path, report)
-            seen.add(path)
-            if text is not None:
-                stated = stated_fields(text, path)
-                report.extend(stated.findings)
-                report.extend(drift(stated, system))
+    """What the tables of the requirement documents say against the population tables and the dialect."""
+    paths = (requirement.place.file for system in systems for requirement in system.requirements.values())
+    for path in dict.fromkeys(paths):
+        text = read_document(path, report)
+        if text is not None:
+            stated = stated_fields(text, path)
+            report.extend(stated.findings)
+            report.extend(drift(stated, systems))
 
 
 def scenarios_path(project_file: str) -> str:

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from codegen.claims import (
     arithmetic,
     cast,
+    declaration,
     identifier,
     layout,
     limit,
@@ -21,6 +22,7 @@ from codegen.diagnostics import Diagnostic
 CLAIMS: tuple[Callable[[Reading], Iterator[Diagnostic]], ...] = (
     arithmetic.check,
     cast.check,
+    declaration.check,
     identifier.check,
     layout.check,
     limit.check,

@@ -55,6 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
         return _usage(fault)
     from codegen.diagnostics import Report
     from codegen.importing.document import find_fields
+    from codegen.importing.existing import sender
     from codegen.importing.of_system import sources_of
     from codegen.importing.proposal import propose
     from codegen.pipeline import read_document
@@ -79,7 +80,8 @@ def run(arguments: argparse.Namespace) -> int:
     if table is None and (arguments.compare or (arguments.merge and arguments.out == "-")):
         return _usage(f"there is no table of {found.message.name} yet; name a file with --out FILE")
     for_each = arguments.for_each or (table.spec.for_each if table else None)
-    sources = sources_of(dialect, systems[0] if systems else None, for_each)
+    system = sender(found.message.name, systems) or (systems[0] if systems else None)
+    sources = sources_of(dialect, system, for_each)
     proposal = propose(found.lists, found.message, sources, report)
     heading = _heading(arguments, text, for_each, found.message, table, systems)
     return _deliver(arguments, proposal, heading, table, sources, report)

@@ -11,7 +11,8 @@ from codegen.trace.graph import Trace
 def tested_changes(old: Trace, new: Trace) -> Iterator[Change]:
     """What is no longer shown, then what shows nothing that is asked for, in the order of the documents."""
     for name, (_, criterion) in new.criteria.items():
-        if name in old.criteria and old.tests_of.get(name) and not new.tests_of.get(name):
+        is_uncovered = bool(old.rows_of.get(name)) and not new.rows_of.get(name)  # which is told
+        if name in old.criteria and old.tests_of.get(name) and not new.tests_of.get(name) and not is_uncovered:
             shown = ", ".join(dict.fromkeys(test.name for test in old.tests_of[name]))
             places = old.criteria[name][1].place, criterion.place
             yield changed(UNTESTED, name, f"shown by {shown}", "shown by no test", places, cited=(name,))

@@ -7,11 +7,12 @@ from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.importing.answer import Target, same_number
 from codegen.importing.columns import Role
 from codegen.importing.comparison import Compared, Verdict, compare, place_of
+from codegen.importing.existing import populated, sender
 from codegen.importing.number import stated_number
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import propose, target_of
 from codegen.importing.stated import FieldList, StatedField, StatedFields
-from codegen.importing.subject import coverage, subjects
+from codegen.importing.subject import coverage, is_example, subjects
 from codegen.load.markdown_table import Cell
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.wire_types import WIRE_TYPES
@@ -38,26 +39,30 @@ _NO_UNIT = ("", "-", "\u2013", "\u2014", "none", "n/a", "1")
 _TYPE = re.compile(r"(u?)int_?(\d{1,2})(?:_t)?|([uif])(\d{1,2})|(float|double|char)", re.IGNORECASE)
 
 
-def drift(stated: StatedFields, system: System) -> Iterator[Diagnostic]:
-    """The findings about one document of a project. Lists of messages that the project does not populate count less:
-    only their columns of types, units and sentinels are looked at."""
+def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnostic]:
+    """The findings about one document of a project, whose programs are ``systems``, the main one first.
+
+    A message belongs to the first program that populates it. Of those that none does only the columns of types, units
+    and sentinels are looked at.
+    """
     report = Report()
-    populated = {message.name: message for message in system.messages}
+    dialect = systems[0].dialect
     lists: dict[str, list[FieldList]] = {}
     for fields in stated.lists:
-        about = subjects(fields, system.dialect)
+        about = subjects(fields, dialect)
         if len(about) == 1:
             lists.setdefault(about[0].name, []).append(fields)
     for name, found in lists.items():
-        message = system.dialect.messages[name]
         for fields in found:
             for row in fields.rows:
-                target = target_of(row, message, Report())
+                target = target_of(row, dialect.messages[name], Report())
                 if target is not None:
                     _check_columns(row, target, report)
-        answered = [fields for fields in found if Role.VALUE in fields.roles]
-        if answered and name in populated:
-            _check_answers(answered, populated[name], system, report)
+        answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
+        system = sender(name, systems)
+        message = populated(name, systems)
+        if answered and system is not None and message is not None:
+            _check_answers(answered, message, system, report)
     yield from report
 
 

@@ -40,8 +40,13 @@ def table_of(text: str, path: str, message: WireMessage, report: Report) -> Exis
     return ExistingTable(path, text, table_answers(message, table.fields, {}), table)
 
 
+def sender(name: str, systems: Sequence[System]) -> System | None:
+    """The first of the programs that sends a message called ``name``."""
+    return next((system for system in systems if any(message.name == name for message in system.messages)), None)
+
+
 def populated(name: str, systems: Sequence[System]) -> PopulatedMessage | None:
-    """The message of the first of the programs that sends one called ``name``."""
+    """The message of that program."""
     return next((message for system in systems for message in system.messages if message.name == name), None)
 
 

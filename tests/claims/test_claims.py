@@ -40,6 +40,10 @@ WRONG = [
     ("BATTERY_STATUS has CRC_EXTRA 0x9B", "claim-crc-extra", 30, "not 155"),
     ("`MAV_BATTERY_TYPE_LIPO` (2)", "claim-enum-value", 24, f"{common.MAV_BATTERY_TYPE_LIPO}, not 2"),
     ("It is 2 (MAV_BATTERY_TYPE_LIPO).", "claim-enum-value", 4, "not 2"),
+    # types and units of a field in a sentence
+    ("BATTERY_STATUS: `current_battery` is an int32.", "claim-struct", 41, "current_battery is int16_t, not int32_t"),
+    ("BATTERY_STATUS: `temperature` is an int16 in degC.", "claim-unit", 46, "temperature is in cdegC, not degC"),
+    ("In BATTERY_STATUS, `temperature` went to an `int16_t` (degC).", "claim-unit", 56, "in cdegC, not degC"),
     # worked examples
     ("So (3000 / 4095 * 3.3) * 3.95 = 9.52 V.", "claim-arithmetic", 4, "is 9.5495 V, not 9.52"),
     ("3 x 4 = 13 cells", "claim-arithmetic", 1, "is 12 cells, not 13"),
@@ -79,6 +83,10 @@ RIGHT = [
     "1 + 1 == 3, 1 + 1 != 3, 3 * 4 = 6 * 2, 50 % * 2 = 1, 10/0 = 5, x2 + 3 = 8, 3 * 4 = 1.2e1",
     "10 mA * 5 = 50 mA, 3.3 V / 4095 = 0.8 mV",
     "400 / 3 = about 134, 3e+2 / 3 = 100, 12 V * 2 A = 24 W, 1000 * 1000 = 1 million, 65 - 5 = 60 %",
+    "BATTERY_STATUS: `current_battery` is an int16_t in cA, and `current_consumed` an int32 (mAh).",
+    "BATTERY_STATUS has an `id`.\n\nOur own id is a uint64, and its charge a float in mAh.",
+    "BATTERY_STATUS: `current_consumed` changed from an `int32_t` (mAh) to a `float` in A; brightness is a float in V.",
+    "SYS_STATUS and BATTERY_STATUS: `load` is a uint16 in d%.",
     "Of MAVLink's messages PING (7) and DEBUG (3) were lost.",
     "BATTERY_STATUS:\n\n| Column | Type |\n| --- | --- |\n| id | uint16_t |\n| owner | char[9] |\n| since | double |",
     "DEBUG (3) and PING (#7) of another program, 5 bytes of DEBUG, DEBUG is 5 bytes.",
@@ -133,6 +141,25 @@ def test_a_cast_that_ends_at_the_sentinel_is_found_once_for_each_sentinel(check:
     assert "saturates at 65535, which means unknown in BATTERY_STATUS.voltages" in first.message
     assert [place.line for place, _ in first.related] == [12, 14]
     assert "can be -1, which means unknown in SYS_STATUS.current_battery" in second.message
+
+
+C_CAST = """\
+BATTERY_STATUS:
+
+```c
+uint16_t millivolts = (uint16_t)(volts * 1000.0f);
+packet.voltages[0] = millivolts;
+packet.current_battery = (int16_t) (amps * 100);
+packet.battery_remaining = (int8_t)(fmax(0, part) * 100);
+```
+"""
+
+
+def test_casts_of_c_are_found_too(check: Any) -> None:
+    findings = check(C_CAST)
+    assert found(findings) == [("claim-cast-to-sentinel", 4, 23), ("claim-cast-to-sentinel", 6, 26)]
+    assert "can be 65535, which means unknown in BATTERY_STATUS.voltages" in findings[0].message
+    assert "can be -1, which means unknown in BATTERY_STATUS.current_battery" in findings[1].message
 
 
 TABLE = """\

@@ -49,6 +49,13 @@ def change(path: Path, target: Path) -> None:
         os.utime(one, (now - age, now - age))
 
 
+def test_no_path_becomes_a_variable_of_make() -> None:
+    """SHELL=x at the begin of a line would set the shell of every recipe."""
+    text = depfile_text("out", ["SHELL=x", "b", "a"])
+    assert text == "out: \\\n  a \\\n  b \\\n  SHELL=x\na:\nb:\n"
+    assert depfile_text("out", ["a\nb", "c\\"]) == "out:\n", "make has no way to write them"
+
+
 @pytest.mark.parametrize("name", ODD)
 def test_make_watches_files_of_any_name(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_text("")

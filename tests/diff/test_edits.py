@@ -331,7 +331,7 @@ def test_a_criterion_that_lost_its_test_and_a_test_that_lost_its_criterion(repos
         git(repository, "commit", "-q", "-a", "-m", "renumbered")
         out = run("HEAD~1", "HEAD")[1]
         assert (
-            "HEAD:tests/test_it.py:4:2: error citation-orphaned: tests/test_it.py::test_it: answers to FR-1.3 -> FR-1.3 is gone"
+            "HEAD:tests/test_it.py:4:26: error citation-orphaned: tests/test_it.py::test_it: answers to FR-1.3 -> FR-1.3 is gone"
             in out
         )
     finally:

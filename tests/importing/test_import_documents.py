@@ -8,6 +8,7 @@ from codegen.diagnostics import Report
 from codegen.importing.answer import Sources
 from codegen.importing.comparison import Verdict, compare
 from codegen.importing.document import document_id, find_fields
+from codegen.importing.existing import table_of
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import Proposal, not_answered_by, propose, report_unmentioned
 from codegen.importing.table_text import Heading, table_text
@@ -147,6 +148,51 @@ def test_a_message_that_nobody_names_is_a_question(plain: Sources) -> None:
     assert proposal(text, plain) == (None, [("document-message", 1)])
     assert proposal("Nothing at all.\n", plain) == (None, [("document-without-fields", 1)])
     assert proposal(text, plain, "NO_SUCH")[1] == [("document-message", 1)]
+
+
+def test_a_message_is_named_by_its_number_too(plain: Sources) -> None:
+    made, _ = proposal("Message #147:\n\n- `id`: 0\n- `type`: 1\n", plain)
+    assert made is not None
+    assert made.message.name == "BATTERY_STATUS"
+
+
+def test_a_list_of_other_things_is_none_of_fields(plain: Sources) -> None:
+    """Less than half of the rows are fields: a list that happens to use one of the names."""
+    text = "# BATTERY_STATUS\n\n- Status: Draft\n- type: 1\n- Owner: me\n"
+    assert proposal(text, plain) == (None, [("document-without-fields", 1)])
+
+
+def test_an_example_is_no_answer(plain: Sources) -> None:
+    text = "# BATTERY_STATUS\n\nAn example frame:\n\n- `id`: 1\n- `type`: 3\n\nWhere values come from:\n\n- `id`: 0\n- `type`: 1\n"
+    for wanted in (None, "BATTERY_STATUS"):
+        made, findings = proposal(text, plain, wanted)
+        assert made is not None
+        assert [answer.lines for answer in made.answers] == [(10,), (11,)]
+        assert "document-twice" not in [rule for rule, _ in findings]
+
+
+def test_the_reference_of_a_dialect_is_no_population(plain: Sources) -> None:
+    """MAVLink's own pages have a column Values with the enum of a field."""
+    text = "BATTERY_STATUS\n\n| Field Name | Type | Units | Values | Description |\n| - | - | - | - | - |\n| id | uint8_t | | | |\n"
+    assert proposal(text, plain) == (None, [("document-without-fields", 1)])
+
+
+def test_lists_end_where_their_item_ends(plain: Sources) -> None:
+    text = "SYS_STATUS and BATTERY_STATUS\n\n- SYS_STATUS:\n  - load: 0\n- BATTERY_STATUS:\n  - id: 0\n  - type: 1\n"
+    for name, labels in (("SYS_STATUS", ["load"]), ("BATTERY_STATUS", ["id", "type"])):
+        made, _ = proposal(text, plain, name)
+        assert made is not None
+        assert [answer.target.label for answer in made.answers] == labels
+
+
+def test_an_answer_for_more_elements_than_the_table_has_differs(plain: Sources) -> None:
+    text = "BATTERY_STATUS\n\n- `voltages`: unknown\n- `id`: 0\n"
+    table = "message: BATTERY_STATUS\nrequirement: FR-1\nfields:\n  voltages[1..9]: unknown\n  id: {constant: 0}\n"
+    made, _ = proposal(text, plain)
+    assert made is not None
+    existing = table_of(table, "/t.yaml", made.message, Report())
+    assert existing is not None
+    assert [row.verdict for row in compare(made, existing.answers, plain)] == [Verdict.SAME, Verdict.DIFFERENT]
 
 
 def test_the_nearest_text_that_fits_names_the_message(plain: Sources) -> None:

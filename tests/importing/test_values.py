@@ -1,10 +1,12 @@
 """What a cell of a document is taken for: an answer where it says one thing, a finding where it does not."""
 
 from collections.abc import Callable
+from fractions import Fraction
 
 import pytest
 
 from codegen.importing.answer import Reading, Sources
+from codegen.importing.expression import Product, read_product
 
 Read = Callable[[str, str, Sources], tuple[Reading, list[str]]]
 
@@ -123,3 +125,25 @@ def test_nonsense_is_a_finding_and_no_fault(read: Read, sources: Sources, text: 
     reading, findings = read(text, "BATTERY_STATUS.voltages[0]", sources)
     assert reading.answer is None
     assert findings
+
+
+@pytest.mark.parametrize(
+    ("text", "product"),
+    [
+        ("a.b", Product("a.b", Fraction(1))),
+        ("1000 * a.b / 4", Product("a.b", Fraction(250))),
+        ("(a.b * 2.5) / (2 * 5)", Product("a.b", Fraction(1, 4))),
+        ("PackState.cell_voltage as i16", Product("pack.cell_voltage", Fraction(1), "int16_t")),
+        ("float(self.pack->volts)", Product("pack.volts", Fraction(1), "float")),
+        ("a.b * c.d", None),
+        ("4 / a.b", None),
+        ("a.b / 0", None),
+        ("a.b as text", None),
+        ("a.b 2", None),
+        ("2 * 3", None),
+        ("voltage", None),
+        ("(a.b", None),
+    ],
+)
+def test_products_are_exact_and_of_one_quantity(text: str, product: Product | None) -> None:
+    assert read_product(text) == product

@@ -197,3 +197,12 @@ def test_the_way_of_the_voltage_has_every_step(shipped: list[Program]) -> None:
                  "voltage_mv, in mV", "5 failed readings", "mV * 0.001 = V", "NaN", "float, bytes 0 to 3"):  # fmt: skip
         assert part in text, part
     assert {"FR-00066.2", "FR-00069.2", "FR-00067.3"} <= set(way.xpath(".//a/text()"))
+
+
+def test_the_way_of_cells_tells_of_the_pack_and_of_single_cells(shipped: list[Program]) -> None:
+    """The pack's voltage comes from the ADC; the cells go out in its place while all of them are known."""
+    page = shipped[0].page("messages/battery_status.html")
+    (way,) = [way for way in page.xpath("//div[@class='way']") if way.xpath("string(h3)").startswith("voltages ")]
+    assert way.xpath(".//li/@class") == ["sensor", "conversion", "state", "instead", "limits", "unknown", "wire"]
+    for part in ("each of battery.cells", "no more than 14", "above 65534 spills", "65535, the dialect's [UINT16_MAX]"):
+        assert part in way.text_content(), part

@@ -17,7 +17,7 @@ from codegen.model.spec import StreamsSpec
 from codegen.schemas import SCHEMA_MODELS, schema_texts
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
-NAMES = ("codegen", "state", "board", "parameters", "streams", "vehicle", "receiver", "scenarios")
+NAMES = ("codegen", "state", "board", "parameters", "streams", "vehicle", "receiver", "scenarios", "waivers")
 SHIPPED = [
     *((name, SPECS / f"{name}.yaml") for name in NAMES),
     *(("message", path) for path in sorted((SPECS / "messages").glob("*.yaml"))),

@@ -1,11 +1,10 @@
 """The first page: what the vehicle sends, over which links, what can be set, and which criteria the pages name."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from codegen.model.price import frame_size, message_price
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Citation
 from codegen.targets.documents import ParameterRow, parameter_row
 from codegen.targets.generation_table import sent_at_once
 from codegen.targets.origin import Origin, source_name
@@ -33,7 +32,7 @@ class MessageRow:
 
 @dataclass(frozen=True, slots=True)
 class CriterionRow:
-    """A criterion, or a requirement as a whole: its text, where it stands, and the fields that answer to it.
+    """A criterion, or a requirement as a whole: its text, where it stands, and the rows of tables that cite it.
 
     ``traced`` leads to where the page of requirements has a criterion.
     """
@@ -42,7 +41,7 @@ class CriterionRow:
     traced: str
     text: str
     place: str
-    fields: tuple[Link, ...]
+    answers: tuple[Link, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,20 +123,32 @@ def _criterion(name: str, system: System) -> CriterionRow:
     identity, _, number = name.partition(".")
     requirement = system.requirements[identity]
     criterion = next((each for each in requirement.criteria if str(each.number) == number), None)
-    citation = Citation(requirement, criterion)
     place = (criterion or requirement).place
     return CriterionRow(
         id=name,
         traced=f"{shared_docs(system)}{TRACE_PAGE}#{name}" if criterion else "",
         text=criterion.text if criterion else requirement.title,
         place=f"{source_name(system, place.file)}:{place.line}",
-        fields=tuple(
-            Link(f"{message_path(message.name)}#field-{index}", f"{message.name}.{binding.covers.label}")
-            for message in system.messages
-            for index, binding in enumerate(message.bindings, 1)
-            if str(binding.covers.citation) == str(citation)
-        ),
+        answers=tuple(_answers(name, system)),
     )
+
+
+def _answers(name: str, system: System) -> Iterator[Link]:
+    """The fields, parameters, streams and links that cite a criterion."""
+    for message in system.messages:
+        for index, binding in enumerate(message.bindings, 1):
+            if str(binding.covers.citation) == name:
+                label = f"{message.name}.{binding.covers.label}"
+                yield Link(f"{message_path(message.name)}#field-{index}", label)
+    for parameter in system.parameters.values():
+        if str(parameter.citation) == name:
+            yield Link(f"#{parameter.name}", parameter.name)
+    for stream in system.streams.values():
+        if str(stream.citation) == name:
+            yield Link("#streams", f"stream {stream.name}")
+    for link in system.links:
+        if str(link.citation) == name:
+            yield Link("#links", f"link {link.name}")
 
 
 def _order(name: str) -> tuple[str, int]:

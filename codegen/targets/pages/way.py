@@ -58,8 +58,7 @@ def _source(binding: Binding, row: FieldRow, message: PopulatedMessage, system: 
         case FlagsBinding():
             yield from _flags(binding, own)
         case EachBinding():
-            yield from _quantity(binding.source, system)
-            yield Step("elements", row.source, _each(binding), own)
+            yield from _each(binding, row, system)
         case SplitBinding() | LiveBinding():
             if isinstance(binding.source, Parameter):
                 yield _parameter(binding.source)
@@ -105,7 +104,7 @@ def _quantity(quantity: Quantity, system: System) -> Iterator[Step]:
     elif quantity_source(quantity) != "set by the vehicle" or quantity.kind.value != "number":
         yield Step("source", quantity_source(quantity), (), _cited(quantity))
     else:
-        yield Step("source", "set by code of the vehicle", ("no sensor of the board measures it",), _cited(quantity))
+        yield Step("source", "set by the vehicle", ("no ADC channel measures it",), _cited(quantity))
     kept = f"kept as {quantity.attribute}{f', in {quantity.stored.name}' if quantity.stored.name else ''}"
     start = "unknown" if quantity.initial is None else str(quantity.initial)
     lost = becomes_unknown(quantity)
@@ -123,10 +122,23 @@ def _parameter(parameter: Parameter) -> Step:
     return Step("parameter", text, (f"{default}{unit} by default, {low}..{high}{unit}",), _cited(parameter))
 
 
-def _each(binding: EachBinding) -> tuple[str, ...]:
-    if binding.fallback is not None:
-        return (f"while all are known and no more than {binding.room}", f"else {binding.fallback.source.path}")
-    return (f"while all are known and no more than {binding.room}",) if binding.room is not None else ()
+def _each(binding: EachBinding, row: FieldRow, system: System) -> Iterator[Step]:
+    """The values one by one; where they stand in for a quantity that is spread over the elements, that one first."""
+    own = (str(binding.covers.citation),)
+    all_known = (f"while all are known and no more than {binding.room}",) if binding.room is not None else ()
+    if binding.fallback is None:
+        yield from _quantity(binding.source, system)
+        yield Step("elements", row.source, all_known, own)
+        return
+    yield from _quantity(binding.fallback.source, system)
+    *source, state = _quantity(binding.source, system)
+    origin = tuple(step.text for step in source)
+    yield Step(
+        "instead",
+        f"each of {binding.source.path}, if there are such",
+        (*all_known, *origin, *state.details),
+        _distinct(*own, *state.criteria),
+    )
 
 
 def _fitting(binding: Binding, row: FieldRow) -> Iterator[Step]:

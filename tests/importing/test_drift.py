@@ -1,0 +1,45 @@
+"""Documents of the project against its tables and the dialect: the shipped document, with one thing changed."""
+
+from pathlib import Path
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.importing.drift import drift
+from codegen.importing.stated import stated_fields
+from codegen.model.system import System
+
+DOCUMENT = Path(__file__).parents[2] / "specs" / "requirements" / "FR-00068-battery-status-telemetry.md"
+
+
+def test_the_shipped_document_has_not_drifted(system: System) -> None:
+    stated = stated_fields(DOCUMENT.read_text(), str(DOCUMENT))
+    assert [*stated.findings, *drift(stated, [system])] == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "finding"),
+    [
+        ("| cdegC |", "| degC |", "60:27: error document-unit: BATTERY_STATUS.temperature is in cdegC"),
+        ("int16_t | cdegC", "uint16_t | cdegC", "60:17: error document-type: BATTERY_STATUS.temperature is int16_t"),
+        ("| uint16_t[10] |", "| uint16_t[9] |", "61:14: error document-type: BATTERY_STATUS.voltages is uint16_t[10]"),
+        ("| 32767 |", "| 0 |", "60:68: error document-unknown: BATTERY_STATUS.temperature is unknown when it is INT16_MAX"),
+        ("split: true}` |", "split: false}` |", "61:34: error document-drift: BATTERY_STATUS.voltages is "),
+        ("max: 100}` | -1 | estimate off", "max: 99}` | -1 | estimate off", "65:36: error document-drift: BATTERY_"),
+        ("| custom_mode | uint32_t | `{state: vehicle.mode}` | |\n", "", "85:1: warning document-row-missing: the table leaves out HEARTBEAT.custom_mode"),
+        ("| autopilot |", "| autopilt |", "88:3: error document-field: HEARTBEAT has no field autopilt"),
+        ("`{state: vehicle.mode}`", "-1 or the mode", "90:28: error document-ambiguous"),
+        ("`{state: vehicle.mode}`", "`{stat: vehicle.mode}`", "90:30: error unknown-key"),
+        ("| --- | --- | --- | --- |\n| type", "| --- | --- | --- |\n| type", "86:1: error table-delimiter"),
+        ("| temperature | int16_t | cdegC |", "| temperature | int16_t |", "60:1: warning table-cell-missing"),
+    ],
+)  # fmt: skip
+def test_drift_is_found_by_line(system: System, old: str, new: str, finding: str) -> None:
+    """The document changes and the table does not; each finding names the line of the document."""
+    text = DOCUMENT.read_text()
+    assert text.count(old) >= 1
+    stated = stated_fields(text.replace(old, new, 1), str(DOCUMENT))
+    report = Report()
+    report.extend([*stated.findings, *drift(stated, [system])])
+    found = [f"{one.place.line}:{one.place.column}: {one.rule.severity} {one.rule.id}: {one.message}" for one in report]
+    assert any(line.startswith(finding) for line in found), found
