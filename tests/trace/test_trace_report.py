@@ -8,6 +8,7 @@ from pathlib import Path
 
 import lxml.html
 import pytest
+from generated_suite import ALONE
 from trace_project import Project
 
 from codegen import pipeline
@@ -188,11 +189,11 @@ def test_from_pytest_to_the_trace(project: Project, capsys: pytest.CaptureFixtur
     """Both suites really run, the generated one with plain pytest; what fails then is no longer covered."""
     assert main(["build", "--project", project.file]) == 0
     (project.folder / "pytest.ini").write_text("[pytest]\naddopts = --strict-markers\n")
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
+    options = ["-q", "-p", "no:cacheprovider"]
     runs = [["generated/tests"], ["-p", "codegen.pytest_plugin", "tests"]]
     for number, run in enumerate(runs):
         command = [sys.executable, "-m", "pytest", *options, f"--junit-xml={number}.xml", *run]
-        done = subprocess.run(command, cwd=project.folder, capture_output=True, text=True, check=False)
+        done = subprocess.run(command, cwd=project.folder, env=ALONE, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
     capsys.readouterr()
     results = ["--results", "0.xml", "--results", "1.xml"]
