@@ -143,8 +143,8 @@ def test_what_is_imported_can_be_built(run: Run, project: Path) -> None:
     assert code == 0
     assert err.splitlines()[-1].endswith("14 same; --compare lists them")
     table.write_text(out)
-    code, out, _ = run("check")
-    assert (code, [line for line in out.splitlines() if " error " in line or " warning " in line]) == (0, [])
+    code, out, err = run("check")
+    assert (code, ": error " in out, ": warning " in out, err) == (0, False, False, "1 waived\n")
 
 
 FR = "specs/requirements/FR-00068-battery-status-telemetry.md"
@@ -155,13 +155,11 @@ def test_drift_of_the_table_names_both_places(run: Run, project: Path) -> None:
     table.write_text(table.read_text().replace("{state: battery.temperature,", "{unknown: true,"))
     code, out, _ = run("check")
     assert code == 1
-    lines = out.splitlines()
-    drift = f"{FR}:60:35: error document-drift: BATTERY_STATUS.temperature is {{state: battery.temperature}} here, but unknown in the population table"
-    assert lines[lines.index(drift) + 1 :][:2] == [
+    assert out[out.index(FR) :].splitlines() == [
+        f"{FR}:60:35: error document-drift: BATTERY_STATUS.temperature is {{state: battery.temperature}} here, but unknown in the population table",
         "  hint: correct the one that is out of date",
         "  specs/messages/battery_status.yaml:10:3: the population table answers here",
     ]
-    assert sum(" error " in line for line in lines) == 1
 
 
 def test_a_table_is_held_against_the_dialect_only_where_nothing_is_populated(run: Run, project: Path) -> None:
