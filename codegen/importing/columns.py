@@ -28,7 +28,7 @@ class Role(Enum):
 _HEADINGS: Mapping[Role, tuple[str, ...]] = {
     Role.FIELD: ("field", "field name", "message field", "mavlink field", "name", "member", "fields"),
     Role.VALUE: (
-        *("value source", "source of value", "value", "source", "data source", "values", "field value", "content"),
+        *("value source", "source of value", "value", "source", "data source", "field value", "content"),
         *("populated from", "populated with", "filled from", "filled with", "comes from", "set to", "population"),
     ),
     Role.TYPE: ("type", "data type", "wire type", "field type", "mavlink type"),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.importing.columns import Role
 from codegen.importing.stated import FieldList, stated_fields
-from codegen.importing.subject import is_about, lookalikes, subjects
+from codegen.importing.subject import is_about, is_example, lookalikes, subjects
 from codegen.load.markdown_blocks import BlockKind, parse_blocks
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.source import Place
@@ -41,7 +41,8 @@ def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, repo
     """
     stated = stated_fields(text, path)
     report.extend(stated.findings)
-    found = [(fields, subjects(fields, dialect)) for fields in stated.lists if Role.VALUE in fields.roles]
+    lists = [fields for fields in stated.lists if Role.VALUE in fields.roles and not is_example(fields)]
+    found = [(fields, subjects(fields, dialect)) for fields in lists]
     if wanted is None:
         about = {message.name: message for _, messages in found for message in messages}
         if len(about) != 1:

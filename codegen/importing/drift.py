@@ -12,7 +12,7 @@ from codegen.importing.number import stated_number
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import propose, target_of
 from codegen.importing.stated import FieldList, StatedField, StatedFields
-from codegen.importing.subject import coverage, subjects
+from codegen.importing.subject import coverage, is_example, subjects
 from codegen.load.markdown_table import Cell
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.wire_types import WIRE_TYPES
@@ -58,7 +58,7 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
                 target = target_of(row, dialect.messages[name], Report())
                 if target is not None:
                     _check_columns(row, target, report)
-        answered = [fields for fields in found if Role.VALUE in fields.roles]
+        answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
         system = sender(name, systems)
         message = populated(name, systems)
         if answered and system is not None and message is not None:

@@ -124,7 +124,10 @@ def _is_known(answer: ReadAnswer, earlier: Iterable[ReadAnswer], report: Report)
     for known in earlier:
         target = known.target
         if target.field is answer.target.field and set(target.elements) & set(answer.target.elements):
-            if known.reading != answer.reading:
+            if (
+                None not in (known.reading.answer, answer.reading.answer)
+                and known.reading.answer != answer.reading.answer
+            ):
                 message = (
                     f"{answer.target.name} is {answer.written!r} here and {known.written!r} in line {known.lines[0]}"
                 )

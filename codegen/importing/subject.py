@@ -8,6 +8,7 @@ from codegen.model.dialect import Dialect, WireMessage
 
 _NAME = re.compile(r"\b[A-Z][A-Z0-9_]{2,}\b")
 _NUMBER = re.compile(r"#(\d{1,8})\b")
+_EXAMPLE = re.compile(r"(?:\w+\s+){0,2}examples?\b", re.IGNORECASE)
 _ENOUGH = 3
 """How many names of fields it takes to recognise a message that no text names."""
 
@@ -23,6 +24,12 @@ def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
             best = max(coverage(fields, message) for message in fitting)
             return tuple(message for message in fitting if coverage(fields, message) == best)
     return ()
+
+
+def is_example(fields: FieldList) -> bool:
+    """Whether the nearest text begins by calling the list an example: what fields hold once, not where from."""
+    match = _EXAMPLE.match(fields.context[0]) if fields.context else None
+    return match is not None and not match[0].casefold().startswith("for ")
 
 
 def is_about(fields: FieldList, message: WireMessage) -> bool:

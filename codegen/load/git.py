@@ -16,6 +16,7 @@ _BLOBS = ("100644", "100755", "100664", _SYMLINK)
 _MOST_LINKS = 8
 _BEHIND = re.compile(r"(.+?)(?:~(\d*)|(\^+))")
 _REMOTE = re.compile(r"([\w.-]+)/(\S+)")
+_OF_HOOKS = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX")
 _HASH = re.compile(r"[0-9a-fA-F]{7,64}")
 
 
@@ -98,8 +99,12 @@ def _git(folder: str, *arguments: str) -> str | GitFault:
 
 
 def _environment() -> dict[str, str]:
-    """As it is, but in plain English, and without refreshing the index of a work tree that is only read."""
-    return {**os.environ, "LC_ALL": "C", "GIT_OPTIONAL_LOCKS": "0"}
+    """As it is, but in plain English, and without refreshing the index of a work tree that is only read.
+
+    A hook runs with the paths of its own repository, which would count in place of the folder that is asked about.
+    """
+    kept = {name: value for name, value in os.environ.items() if name not in _OF_HOOKS}
+    return {**kept, "LC_ALL": "C", "GIT_OPTIONAL_LOCKS": "0"}
 
 
 @dataclass(slots=True)

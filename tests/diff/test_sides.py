@@ -110,6 +110,17 @@ def test_the_work_tree_is_left_alone(run: Run, repository: Path) -> None:
     assert (git(repository, "status", "--porcelain"), git(repository, "rev-parse", "HEAD")) == before
 
 
+def test_in_a_hook_the_project_and_not_its_surroundings_counts(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """git tells its hooks where its own repository is, relative to where they start."""
+    git(tmp_path, "init", "-q", "other")
+    expected = run("work~1")
+    monkeypatch.setenv("GIT_DIR", str(tmp_path / "other" / ".git"))
+    monkeypatch.setenv("GIT_INDEX_FILE", ".git/index")
+    assert run("work~1") == expected
+
+
 def test_releases_of_pymavlink_are_wheels_folders_and_the_installed_one(run: Run, older_pymavlink: Path) -> None:
     """Each with the dialect that is named, or else common, compared with the installed release."""
     wheel = str(older_pymavlink)

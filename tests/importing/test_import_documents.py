@@ -162,6 +162,21 @@ def test_a_list_of_other_things_is_none_of_fields(plain: Sources) -> None:
     assert proposal(text, plain) == (None, [("document-without-fields", 1)])
 
 
+def test_an_example_is_no_answer(plain: Sources) -> None:
+    text = "# BATTERY_STATUS\n\nAn example frame:\n\n- `id`: 1\n- `type`: 3\n\nWhere values come from:\n\n- `id`: 0\n- `type`: 1\n"
+    for wanted in (None, "BATTERY_STATUS"):
+        made, findings = proposal(text, plain, wanted)
+        assert made is not None
+        assert [answer.lines for answer in made.answers] == [(10,), (11,)]
+        assert "document-twice" not in [rule for rule, _ in findings]
+
+
+def test_the_reference_of_a_dialect_is_no_population(plain: Sources) -> None:
+    """MAVLink's own pages have a column Values with the enum of a field."""
+    text = "BATTERY_STATUS\n\n| Field Name | Type | Units | Values | Description |\n| - | - | - | - | - |\n| id | uint8_t | | | |\n"
+    assert proposal(text, plain) == (None, [("document-without-fields", 1)])
+
+
 def test_lists_end_where_their_item_ends(plain: Sources) -> None:
     text = "SYS_STATUS and BATTERY_STATUS\n\n- SYS_STATUS:\n  - load: 0\n- BATTERY_STATUS:\n  - id: 0\n  - type: 1\n"
     for name, labels in (("SYS_STATUS", ["load"]), ("BATTERY_STATUS", ["id", "type"])):

@@ -87,6 +87,6 @@ def _percent(value: Fraction, last: Fraction) -> float:
 
 
 def _step(top: Fraction) -> Fraction:
-    """The smallest of 1, 2, 5, 10, 20, ... that makes at most five steps of ``top``."""
+    """The smallest of 1, 2, 5, 10, ... that makes at most four steps of ``top``: more would crowd a phone."""
     steps = (Fraction(base) * Fraction(10) ** power for power in range(-2, 12) for base in (1, 2, 5))
-    return next((step for step in steps if top / step <= 5), top)
+    return next((step for step in steps if top / step <= 4), top)
