@@ -48,4 +48,4 @@ def test_explain_says_who_notices_and_who_breaks(capsys: pytest.CaptureFixture[s
     """Beside the text of the rule."""
     assert main(["explain", "field-units-changed"]) == 0
     said = capsys.readouterr().out
-    assert said.startswith("field-units-changed (codegen diff, behaviour, silent on the wire; breaks old ground station ")
+    assert said.startswith("field-units-changed (codegen diff, behaviour, silent on the wire; breaks old ground ")
