@@ -28,6 +28,11 @@ class Rule:
     severity: Severity = Severity.ERROR
     unreadable: bool = False
 
+    @property
+    def standing(self) -> str:
+        """What kind of finding it makes, in a few words."""
+        return str(self.severity)
+
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:

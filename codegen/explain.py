@@ -39,7 +39,7 @@ _COLUMNS = (
 def explain_rule(topic: str) -> str | None:
     """What a rule means and what to do; None if there is no such rule."""
     rule = rule_catalogue().get(topic)
-    return None if rule is None else f"{rule.id} ({rule.severity})\n\n{rule.explanation}\n"
+    return None if rule is None else f"{rule.id} ({rule.standing})\n\n{rule.explanation}\n"
 
 
 def explain(topic: str, system: System | None, report: Report) -> str | None:

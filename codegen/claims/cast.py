@@ -93,7 +93,8 @@ def _cast(reading: Reading, found: _Cast, names: list[str], place: Place) -> Ite
     text = f"the cast to {found['type']} {how}, which means unknown in {name}"
     beside = value + 1 if value == low else value - 1
     words = f"as {found['type']} {value}"
-    yield reading.found(RULE, place, words, text, f"a real value goes out as {beside} at the nearest")
+    hint = f"limit real values to {beside}" if value in (low, high) else f"send {beside} for a real {value}"
+    yield reading.found(RULE, place, words, text, hint)
 
 
 def _field(reading: Reading, names: list[str], line: int) -> tuple[WireMessage, WireField] | None:

@@ -98,7 +98,7 @@ def _crcs(reading: Reading, passage: Passage, mentions: tuple[Mention, ...]) -> 
         if len(named) != 1:
             continue
         message = reading.messages[named.pop()]
-        stated = int(found[1], 0)
+        stated = int(found[1], 16 if found[1][:2] in ("0x", "0X") else 10)
         if stated != message.crc_extra:
             text = f"{message.name} has the CRC_EXTRA {message.crc_extra}, not {stated}"
             words = f"{message.name} {found[0]}"

@@ -98,8 +98,8 @@ def _parser(argv: list[str]) -> argparse.ArgumentParser:
         prog="codegen",
         description="Generate MicroPython telemetry firmware, mocks and tests from requirement documents, "
         "field tables and MAVLink dialects.",
-        epilog="Exit codes: 0 clean; 1 findings or stale output; 2 usage, configuration or unreadable input; "
-        "3 internal error.",
+        epilog="Exit codes: 0 clean; 1 findings, stale output or a breaking change; 2 usage, configuration or "
+        "unreadable input; 3 internal error.",
         parents=[common],
     )
     parser.add_argument("--version", action="version", version=f"codegen {__version__}")

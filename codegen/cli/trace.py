@@ -5,7 +5,7 @@ import sys
 from typing import Any
 
 FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif")
-KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "partly")
+KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly")
 ACCEPT = "accept"
 
 

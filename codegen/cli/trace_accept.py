@@ -11,9 +11,9 @@ from codegen.decode.trace_lock import decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Report
 from codegen.emit.file import write_file
 from codegen.model.system import System
-from codegen.source import shown_path
+from codegen.source import Place, shown_path
 from codegen.trace.graph import Trace
-from codegen.trace.lock import Review, accepted, gone, lock_line, required, reviews
+from codegen.trace.lock import LOCK_FORM, Review, accepted, gone, holds, lock_line, required, reviews
 
 
 def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
@@ -36,9 +36,15 @@ def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System
         dropped = [name for name in dropped if name in arguments.names]
     lines = {name: lock_line(name, trace.criteria[name][1].text, arguments.reason, arguments.by) for name in names}
     text = accepted(written, lines, dropped)
-    if text != written and not write_file(path, text, report):
-        print_findings(report)
-        return report.exit_code
+    faults, reading = Report(), Report()
+    read_back = decode_trace_lock(text, path, reading)
+    if reading.has_errors or not holds(read_back, lock, lines.keys(), dropped):
+        faults.add(LOCK_FORM, Place(path), "it has to have one line for each criterion")
+    elif text != written:
+        write_file(path, text, faults)
+    if faults.has_errors:
+        print_findings(faults)
+        return faults.exit_code
     said = f"{len(lines)} accepted" + (f", {len(dropped)} removed" if dropped else "")
     print(f"{shown_path(path)}: {said}", file=sys.stderr)
     return 0

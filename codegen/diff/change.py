@@ -44,6 +44,13 @@ class ChangeRule(Rule):
     notice: Notice = Notice.NONE
     breaks: tuple[Victim, ...] = ()
 
+    @property
+    def standing(self) -> str:
+        """``codegen diff, wire, silent on the wire; breaks old ground station with new vehicle``."""
+        notice = f", {self.notice}" if self.notice is not Notice.NONE else ""
+        breaks = f"; breaks {' and '.join(self.breaks)}" if self.breaks else ""
+        return f"codegen diff, {self.area}{notice}{breaks}"
+
 
 @dataclass(frozen=True, slots=True)
 class Reach:

@@ -44,6 +44,7 @@ def _parameter(parameter: Parameter) -> Subject:
         place=spec.place,
         facts=facts,
         cited=cited(parameter.citation),
+        row=parameter.siblings[0] if parameter.siblings else "",
     )
 
 

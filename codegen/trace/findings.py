@@ -33,6 +33,12 @@ UNSPECIFIED = Rule(
     "the specification. Cite it where the tables decide it.",
     Severity.WARNING,
 )
+UNCITED = Rule(
+    "trace-uncited",
+    "A record of the specification cites no requirement, and no part of it does: nobody has asked for it, or it is not "
+    "said who. Give it a requirement: ID.number of the criterion that asks for it.",
+    Severity.WARNING,
+)
 PARTLY = Rule(
     "trace-partly",
     "Some cases of a criterion's tests have passed, and others were skipped, have no result, or one that is stale.",
@@ -49,6 +55,7 @@ KINDS: Mapping[str, Rule] = {
     "orphaned": ORPHANED,
     "suspect": SUSPECT,
     "unspecified": UNSPECIFIED,
+    "uncited": UNCITED,
     "partly": PARTLY,
 }
 """What can be asked to fail, by the name that the command line has for it."""
@@ -86,6 +93,8 @@ def _all(
             yield from _of(each)
     if chosen is None:
         yield from _orphans(trace, gone)
+        for row in trace.uncited:
+            yield Diagnostic(row.place, UNCITED, f"{row.kind} {row.label} cites no requirement")
 
 
 def _of(each: Coverage) -> Iterator[Diagnostic]:

@@ -99,7 +99,7 @@ class Test:
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A project: its documents in the order of their ids, the rows, and the tests.
+    """A project: its documents in the order of their ids, rows and tests; ``uncited`` are rows that cite nothing.
 
     ``names`` has the id of each document by its id and each of its aliases, ``criteria`` every criterion by its name,
     in the order of the documents. ``rows_of`` and ``tests_of`` have, by name of a criterion or of a whole document, the
@@ -108,6 +108,7 @@ class Trace:
 
     requirements: tuple[Requirement, ...]
     rows: tuple[Row, ...]
+    uncited: tuple[Row, ...]
     tests: tuple[Test, ...]
     names: Mapping[str, str]
     criteria: Mapping[str, tuple[Requirement, Criterion]]
@@ -127,7 +128,8 @@ def linked(requirements: Iterable[Requirement], rows: Iterable[Row], tests: Iter
     """The graph of documents, rows and tests, which know one another by the names of criteria."""
     requirements = tuple(sorted(requirements, key=lambda each: each.id))
     names = {name: each.id for each in requirements for name in (each.id, *each.aliases)}
-    rows, tests = tuple(rows), tuple(_by_id(test, names) for test in tests)
+    every, tests = tuple(rows), tuple(_by_id(test, names) for test in tests)
+    rows = tuple(row for row in every if row.criterion)
     rows_of: dict[str, list[Row]] = {}
     for row in rows:
         rows_of.setdefault(row.criterion, []).append(row)
@@ -137,6 +139,7 @@ def linked(requirements: Iterable[Requirement], rows: Iterable[Row], tests: Iter
     return Trace(
         requirements=requirements,
         rows=rows,
+        uncited=tuple(row for row in every if not row.criterion),
         tests=tests,
         names=names,
         criteria={f"{each.id}.{one.number}": (each, one) for each in requirements for one in each.criteria},

@@ -9,9 +9,16 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from enum import StrEnum
 
+from codegen.diagnostics import Rule
 from codegen.fingerprint import LENGTH, normalised
 from codegen.model.trace_lock_spec import ReviewedSpec, TraceLockSpec
 from codegen.trace.graph import Trace, is_decision
+
+LOCK_FORM = Rule(
+    "trace-lock-form",
+    "The lock file is valid, but not written with one entry of 'criteria' in each line, so that nothing can be added "
+    "without rewriting it. Put each criterion on a line of its own, indented by two spaces.",
+)
 
 HEAD = (
     "# yaml-language-server: $schema=../generated/schemas/trace_lock.schema.json\n"
@@ -90,6 +97,18 @@ def accepted(written: str | None, lines: Mapping[str, str], dropped: Collection[
             place -= 1  # what is said about an entry stays above it
         kept.insert(place, (name, line))
     return "".join(text for _, text in kept)
+
+
+def holds(
+    written: TraceLockSpec | None, kept: TraceLockSpec | None, lines: Collection[str], dropped: Collection[str]
+) -> bool:
+    """Whether a lock has what is accepted, has nothing that was dropped, and all else as it was ``kept``."""
+    if written is None:
+        return False
+    before = {name: each for name, each in (kept.criteria if kept else {}).items() if name not in {*lines, *dropped}}
+    return {name: each for name, each in written.criteria.items() if name not in lines} == before and all(
+        name in written.criteria for name in lines
+    )
 
 
 def _blocks(text: str) -> list[tuple[str | None, str]]:

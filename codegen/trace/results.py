@@ -84,7 +84,9 @@ def with_links_of(trace: Trace, results: Results) -> Trace:
                         file = f"{module.replace('.', '/')}.py"
                         further = Test(file, function, criterion, place=result.place, written=name)
                         found.setdefault((module, function, criterion), further)
-    return linked(trace.requirements, trace.rows, (*trace.tests, *found.values())) if found else trace
+    if not found:
+        return trace
+    return linked(trace.requirements, (*trace.rows, *trace.uncited), (*trace.tests, *found.values()))
 
 
 def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:

@@ -12,7 +12,8 @@ from codegen.trace.symbols import Symbols, symbols_of
 def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
     """The rows of a project and of its further programs in the order of their files.
 
-    What several programs make of one record is one row, with the symbols of all of them.
+    What several programs make of one record is one row, with the symbols of all of them. A record that cites nothing,
+    and of which no aspect does, is a row with an empty criterion; a quantity may leave that to its component.
     """
     united: dict[tuple[Kind, str, str, str, Place], dict[Symbol, None]] = {}
     for system in systems:
@@ -59,6 +60,8 @@ def _state(system: System, symbols: Symbols) -> Iterator[Row]:
         found = symbols.component(component)
         yield from _cited(Kind.COMPONENT, component.name, component, component.spec, found)
         for quantity in component.quantities.values():
+            if quantity.citation is None and not quantity.aspects and component.citation is not None:
+                continue
             yield from _cited(Kind.QUANTITY, quantity.path, quantity, quantity.spec, symbols.quantity(quantity))
 
 
@@ -108,11 +111,11 @@ def _attributes(parameters: Iterable[Parameter], symbols: Symbols) -> Iterator[S
 def _whole(
     kind: Kind, name: str, citation: Citation | None, written: Written, symbols: tuple[Symbol, ...]
 ) -> Iterator[Row]:
-    if citation is not None:
-        yield Row(kind, name, "", str(citation), written.place, symbols)
+    yield Row(kind, name, "", str(citation or ""), written.place, symbols)
 
 
 def _cited(kind: Kind, name: str, cited: Cited, written: Written, symbols: tuple[Symbol, ...]) -> Iterator[Row]:
-    yield from _whole(kind, name, cited.citation, written, symbols)
+    if cited.citation is not None or not cited.aspects:
+        yield from _whole(kind, name, cited.citation, written, symbols)
     for aspect, citation in cited.aspects.items():
         yield Row(kind, name, aspect, str(citation), written.at(f"criteria.{aspect}"), symbols)

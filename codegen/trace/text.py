@@ -15,6 +15,10 @@ def summary_text(view: TraceView) -> str:
     lines = [f"{view.project}:", *wrap(totals, WIDTH, initial_indent="  ", subsequent_indent="  ")]
     width = max((len(status) for status, _, _ in view.verdicts), default=0)
     lines += [f"  {status:<{width}} {number:>4}" for status, number, _ in view.verdicts]
+    if view.uncited:
+        lines.append(
+            f"{view.uncited} {'row cites' if view.uncited == 1 else 'rows cite'} nothing: --fail-on uncited lists them."
+        )
     if view.has_results:
         lines.append(f"Results: {', '.join(view.results)}")
     else:

@@ -126,12 +126,14 @@ class TraceView:
     """The whole trace. ``totals`` are pairs of a number and what there are so many of.
 
     ``verdicts`` are a status, the number of its criteria and its mood; ``tags`` are those that occur, with their names.
-    ``is_locked`` is whether there is a lock file. With ``only_generated`` tests by hand are not in it.
+    ``uncited`` is how many rows cite nothing, ``is_locked`` is whether there is a lock file. With ``only_generated``
+    tests by hand are not in it.
     """
 
     project: str
     totals: tuple[tuple[int, str], ...]
     verdicts: tuple[tuple[str, int, str], ...]
+    uncited: int
     tags: tuple[tuple[str, str], ...]
     is_locked: bool
     only_generated: bool
@@ -174,6 +176,7 @@ def trace_view(
             *([] if only_generated else [_counted(by_hand, "test written by hand", "tests written by hand")]),
         ),
         verdicts=tuple(_verdicts(asked, words)),
+        uncited=len(trace.uncited),
         tags=tuple(
             ("uncovered", "no generated test") if only_generated and tag == "uncovered" else (tag, name)
             for tag, name in _TAGS.items()

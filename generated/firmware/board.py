@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 0f14492e0e6e49ea
+# Inputs: 22bc6f042f62670f
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: a53120f7d3dcf1f6
+# Inputs: 4d70899e54248639
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

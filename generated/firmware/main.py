@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml: do not edit.
-# Inputs: 0de8dcac2c7eac86
+# Inputs: 240ca483c1f16f7a
 """The program: what the board starts."""
 
 import asyncio

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: a53120f7d3dcf1f6
+# Inputs: 4d70899e54248639
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -21,11 +21,11 @@ from storage import Storage
 from streams import Streams, open_link
 from texts import Texts
 
-CONTROL_US = 2500  # 400 Hz (FR-00071.1)
+CONTROL_US = 2500  # 400 Hz (FR-00071)
 LINKS_US = 10000  # 100 Hz
 REPORT_US = 10000000  # between two texts about missed slots
 
-STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061.1)
+STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
 _SAVE_MS = 100  # how often it is looked whether there is something to save
 _FAREWELL_MS = 500  # what is on its way to ground stations leaves before a restart
@@ -55,7 +55,7 @@ class Vehicle:
         self.battery_failsafes = [BatteryFailsafe(self.state, self.texts, instance) for instance in range(2)]
         self._restart_ms = None
         self._reported = 0
-        # The order within a pass (FR-00071.1): control, readings with their failsafes, arming checks, links.
+        # The order within a pass (FR-00071): control, readings with their failsafes, arming checks, links.
         self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")

@@ -9,7 +9,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml: do not edit.
-# Inputs: 6ca29217c7b52a32
+# Inputs: b110c5f724ccd49a
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

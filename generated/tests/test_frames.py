@@ -9,7 +9,7 @@
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 2b540e595f374f51
+# Inputs: ec6b11a1100f77ff
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

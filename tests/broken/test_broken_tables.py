@@ -297,7 +297,7 @@ CASES = [
     Case("bad-time", "vehicle.yaml", "report_every: 10 s", "report_every: §0 s"),
     Case("bad-time", "vehicle.yaml", "fastest: 10 Hz", "fastest: §2 kHz"),
     Case("unit-mismatch", "vehicle.yaml", "rate: 400 Hz", "rate: §2500 us"),
-    Case("unknown-requirement", "vehicle.yaml", "requirement: FR-00071.1", "requirement: §FR-00071.99"),
+    Case("unknown-requirement", "vehicle.yaml", "requirement: FR-00071\n", "requirement: §FR-00071.99\n"),
     Case("unknown-key", "vehicle.yaml", "control:\n", "§contrl:\n", "did you mean control"),
     Case("unknown-key", "vehicle.yaml", "  chunk: 64", "  §chunks: 64", "did you mean chunk"),
     Case("unknown-key", "vehicle.yaml", "  force: 21196", "  force: 21196\n  §forced: 1", "did you mean force"),

@@ -37,6 +37,7 @@ WRONG = [
     ("the message SYS_STATUS (2) of MAVLink", "claim-message-id", 25, "the id 1, not 2"),
     ("BATTERY_STATUS, id 148,", "claim-message-id", 20, "not 148"),
     ("The CRC_EXTRA of BATTERY_STATUS is 155.", "claim-crc-extra", 36, f"{STATUS.crc_extra}, not 155"),
+    ("BATTERY_STATUS has CRC_EXTRA 015.", "claim-crc-extra", 30, "not 15"),
     ("BATTERY_STATUS has CRC_EXTRA 0x9B", "claim-crc-extra", 30, "not 155"),
     ("`MAV_BATTERY_TYPE_LIPO` (2)", "claim-enum-value", 24, f"{common.MAV_BATTERY_TYPE_LIPO}, not 2"),
     ("It is 2 (MAV_BATTERY_TYPE_LIPO).", "claim-enum-value", 4, "not 2"),

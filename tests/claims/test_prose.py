@@ -80,7 +80,8 @@ WORDS = (
     "BATTERY_STATUS", "MAVLink", "(#148)", "41 bytes", "at 2 Hz", "= 82 bytes/s", "|", "\n", "\n\n", "```c\n",
     "```xml\n", "```\n", '<message id="1" name="X">', '<field type="uint8_t" name="a"/>', "</message>", "as u16",
     "(x * 2)", "let a = ", "voltages[0]", "temperature", ": ", "- ", "INT16_MAX", "unknown", "3 * 4 = 13", "limit",
-    "65 V", "more than", "allow", "CRC_EXTRA 3", "will not be truncated", "uint16_t a[3];", "// message #147", "\t",
+    "65 V", "more than", "allow", "CRC_EXTRA 03", "\u0663", "\u00b2",
+    "will not be truncated", "uint16_t a[3];", "// message #147", "\t",
     "\0", "\udc80", "1e9", "((", "--- | ---",
 )  # fmt: skip
 

@@ -1,7 +1,7 @@
 """The command line in front of a pipeline whose findings and files a test decides."""
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 import codegen
+from codegen.catalogue import rule_catalogue
 from codegen.cli import main
 from codegen.diagnostics import Report, Rule
 from codegen.source import Place
@@ -63,8 +64,8 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Pipeline:
-    """Stands in for codegen.pipeline."""
+def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Pipeline]:
+    """Stands in for codegen.pipeline; a catalogue of rules that was made meanwhile lacks those of the real one."""
     fake = Pipeline(project / "generated")
     monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
     monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
@@ -72,7 +73,8 @@ def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Pipeline:
     monkeypatch.setitem(sys.modules, "codegen.documents", documents)
     monkeypatch.setattr(codegen, "documents", documents, raising=False)
     monkeypatch.setattr("codegen.stamp.keep", lambda *_: None)  # what is rendered changes here without a file
-    return fake
+    yield fake
+    rule_catalogue.cache_clear()
 
 
 @pytest.fixture

@@ -42,3 +42,10 @@ def test_every_rule_is_listed_in_its_area() -> None:
     rules = [rule for rule in rule_catalogue().values() if isinstance(rule, ChangeRule)]
     for area, names in listed.items():
         assert names == {rule.id for rule in rules if rule.area.value == area}
+
+
+def test_explain_says_who_notices_and_who_breaks(capsys: pytest.CaptureFixture[str]) -> None:
+    """Beside the text of the rule."""
+    assert main(["explain", "field-units-changed"]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("field-units-changed (codegen diff, behaviour, silent on the wire; breaks old ground ")

@@ -11,13 +11,14 @@ import pytest
 
 from codegen.diagnostics import Report
 from codegen.diff.change import Notice
+from codegen.diff.reach import traces, with_reach
 from codegen.diff.system import compare_systems
 from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.price import Price
 from codegen.model.system import LiveBinding, PopulatedMessage, System
 from codegen.model.unit import UNITS, Unit
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
-from codegen.pipeline import read_systems
+from codegen.pipeline import read_systems, read_trace
 from codegen.source import Written
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -178,6 +179,18 @@ def test_each_attribute_that_changes_is_told(systems: tuple[System, ...]) -> Non
     for name, rules in EXPECTED.items():
         assert name in told, f"{name} is not in the shipped system"
         assert rules <= told[name], f"{name}: {told[name]}"
+
+
+def test_a_parameter_of_a_family_reaches_what_the_family_does(systems: tuple[System, ...]) -> None:
+    """The row of a family in the trace stands for those of all instances."""
+    main = systems[0]
+    second = main.parameters["BATT2_LOW_VOLT"]
+    changed = replace(main, parameters={**main.parameters, second.name: replace(second, default=second.default + 1)})
+    trace = read_trace((main,), Report())
+    found = with_reach(compare_systems((main,), (changed,)).changes, traces(trace, trace, (main, changed)))
+    change = next(one for one in found if one.subject == second.name)
+    assert "firmware/parameters.py: Parameters.batt2_low_volt" in change.reach.symbols
+    assert change.reach.tests
 
 
 EXPECTED = {

@@ -125,6 +125,22 @@ def test_a_lock_that_cannot_be_read_is_left_alone(text: str, project: Project) -
     assert project.run() in (1, 2)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        'criteria: {FR-1.1: {text: "aaaaaaaaaaaa", reason: "a"}}\n',
+        'criteria:\n    FR-1.1: {text: "aaaaaaaaaaaa", reason: "a"}\n',
+        'criteria:\n  "FR-1.1": {text: "aaaaaaaaaaaa", reason: "a"}\n',
+    ],
+)
+def test_a_lock_in_another_form_is_left_alone(text: str, project: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    """It can be read; adding lines to it would break it, or say the same thing twice."""
+    project.lock.write_text(text)
+    assert project.run("accept", "--all", "--reason", "x") == 1
+    assert "specs/trace.lock.yaml:1:1: error trace-lock-form" in capsys.readouterr().out
+    assert project.lock.read_text() == text
+
+
 def test_what_people_write_into_the_lock_stays() -> None:
     """Comments, an entry over several lines, another order: only the lines of what is accepted change."""
     written = HEAD + (

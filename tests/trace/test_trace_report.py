@@ -8,6 +8,7 @@ from pathlib import Path
 
 import lxml.html
 import pytest
+from generated_suite import ALONE
 from trace_project import Project
 
 from codegen import pipeline
@@ -47,6 +48,7 @@ def test_the_summary_and_what_needs_attention(project: Project, capsys: pytest.C
         ("orphaned,suspect", 0, {"trace-uncovered": "warning"}),
         ("uncovered", 1, {"trace-uncovered": "error"}),
         ("unspecified", 1, {"trace-uncovered": "warning", "trace-unspecified": "error"}),
+        ("uncited", 1, {"trace-uncovered": "warning", "trace-uncited": "error"}),
     ],
 )
 def test_what_fails(
@@ -187,11 +189,11 @@ def test_from_pytest_to_the_trace(project: Project, capsys: pytest.CaptureFixtur
     """Both suites really run, the generated one with plain pytest; what fails then is no longer covered."""
     assert main(["build", "--project", project.file]) == 0
     (project.folder / "pytest.ini").write_text("[pytest]\naddopts = --strict-markers\n")
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
+    options = ["-q", "-p", "no:cacheprovider"]
     runs = [["generated/tests"], ["-p", "codegen.pytest_plugin", "tests"]]
     for number, run in enumerate(runs):
         command = [sys.executable, "-m", "pytest", *options, f"--junit-xml={number}.xml", *run]
-        done = subprocess.run(command, cwd=project.folder, capture_output=True, text=True, check=False)
+        done = subprocess.run(command, cwd=project.folder, env=ALONE, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
     capsys.readouterr()
     results = ["--results", "0.xml", "--results", "1.xml"]

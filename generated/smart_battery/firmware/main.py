@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 168f08b1add498b0
+# Inputs: 8bd8e3048cda10a7
 """The program: what the board starts."""
 
 import asyncio

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: a8c6e443dad9ac1f
+# Inputs: f5c78fdb1e2d6ae5
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -20,11 +20,11 @@ from storage import Storage
 from streams import Streams, open_link
 from texts import Texts
 
-CONTROL_US = 50000  # 20 Hz (FR-00071.1)
+CONTROL_US = 50000  # 20 Hz (FR-00071)
 LINKS_US = 50000  # 20 Hz
 REPORT_US = 10000000  # between two texts about missed slots
 
-STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061.1)
+STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
 _SAVE_MS = 100  # how often it is looked whether there is something to save
 _FAREWELL_MS = 500  # what is on its way to ground stations leaves before a restart
@@ -51,7 +51,7 @@ class Vehicle:
         self.state = SystemState(self.parameters, self.texts)
         self._restart_ms = None
         self._reported = 0
-        # The order within a pass (FR-00071.1): control, readings, links.
+        # The order within a pass (FR-00071): control, readings, links.
         self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
         self.scheduler.every(100000, self.measure, "measure")  # FR-00074.9
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1

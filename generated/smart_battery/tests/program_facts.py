@@ -11,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: a17e4b372dfa2281
+# Inputs: 17199be376d177fa
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
