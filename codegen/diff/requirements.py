@@ -1,7 +1,7 @@
 """Changes of requirement documents, and of what answers to their criteria."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from codegen.diff import trace_rules as rules
 from codegen.diff.change import Change, changed
@@ -85,16 +85,25 @@ def _prose(old: Requirement, new: Requirement, before: System, after: System) ->
 def coverage_changes(
     old: System, new: System, cited_before: Iterable[str], cited_after: Iterable[str]
 ) -> Iterator[Change]:
-    """Criteria of both versions that lost everything that answered to them, or found something."""
+    """Criteria of both versions that lost everything that answered to them, or found something.
+
+    What cites a whole document answers to each of its criteria, as in the trace.
+    """
     ids = renamed_ids(old, new)
     known = {as_called_now(name, ids): place for name, place in _criterion_places(old).items()}
     before, after = {as_called_now(name, ids) for name in cited_before}, set(cited_after)
     for name, place in _criterion_places(new).items():
         places = known.get(name), place
-        if name in known and name in before - after:
+        was, is_now = (is_answered(name, names) for names in (before, after))
+        if name in known and was and not is_now:
             yield changed(rules.UNCOVERED, name, "answered to", "answered to by nothing", places, cited=(name,))
-        if name in known and name in after - before:
+        if name in known and is_now and not was:
             yield changed(rules.COVERED, name, "answered to by nothing", "answered to", places, cited=(name,))
+
+
+def is_answered(criterion: str, cited: Collection[str]) -> bool:
+    """Whether a criterion, or its document as a whole, is among the names that are cited."""
+    return criterion in cited or criterion.rpartition(".")[0] in cited
 
 
 def _criterion_places(system: System) -> dict[str, Place]:

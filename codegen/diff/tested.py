@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from codegen.diff.change import Change, changed
-from codegen.diff.requirements import as_called_now
+from codegen.diff.requirements import as_called_now, is_answered
 from codegen.diff.trace_rules import ORPHANED, UNTESTED
 from codegen.source import Place
 from codegen.trace.graph import Trace
@@ -17,7 +17,7 @@ def tested_changes(old: Trace, new: Trace, ids: Mapping[str, str]) -> Iterator[C
     called = {as_called_now(name, ids): name for name in old.criteria}
     for name, (_, criterion) in new.criteria.items():
         before = called.get(name, name)
-        is_uncovered = bool(old.rows_of.get(before)) and not new.rows_of.get(name)  # which is told
+        is_uncovered = is_answered(before, old.rows_of) and not is_answered(name, new.rows_of)  # which is told
         if before in old.criteria and old.tests_of.get(before) and not new.tests_of.get(name) and not is_uncovered:
             shown = ", ".join(dict.fromkeys(test.name for test in old.tests_of[before]))
             places = old.criteria[before][1].place, criterion.place

@@ -161,12 +161,12 @@ EDITS: dict[str, tuple[str, str, str, list[str]]] = {
             "reported. -> Both packs are reported at 1 Hz.",
         ],
     ),
-    "uncovered": (
+    "citation": (
         STATUS,
         "requirement: FR-1.1",
         "requirement: FR-1.2",
         [
-            "specs/requirements/R-1-two-packs.md:10:1: error criterion-uncovered: FR-1.1: answered to -> answered to by ",
+            "specs/requirements/R-1-two-packs.md:10:1: error criterion-untested: FR-1.1: shown by generated/tests/",
             f"{STATUS}:2:14: warning citation-changed: BATTERY_STATUS: answers to FR-1.1 -> answers to FR-1.2",
         ],
     ),
@@ -281,11 +281,24 @@ def test_a_review_says_everything_in_markdown(repository: Path, run: Run) -> Non
         assert part in out, f"{part}\nis not in\n{out}"
 
 
+def test_what_cites_a_document_answers_to_each_of_its_criteria(repository: Path, run: Run) -> None:
+    """As in the trace: a table that cites FR-1 in place of FR-1.1 leaves nothing uncovered."""
+    edit(repository, STATUS, "requirement: FR-1.1", "requirement: FR-1")
+    code, out, _ = run("HEAD", "--fail-on", "criterion-uncovered")
+    assert code == 0, out
+    assert "citation-changed: BATTERY_STATUS: answers to FR-1.1 -> answers to FR-1" in out
+    (repository / "specs/messages/smart_battery_info.yaml").unlink()  # cites FR-1, too
+    edit(repository, STATUS, "requirement: FR-1\n", "requirement: FR-1.2\n")
+    code, out, _ = run("HEAD", "--fail-on", "criterion-uncovered")
+    assert code == 1
+    assert "error criterion-uncovered: FR-1.1" in out
+
+
 def test_json_is_as_its_schema_says(repository: Path, run: Run) -> None:
     """The schema is closed: a key that it does not know would fail."""
     schema = json.loads(run("--schema")[1])
     Draft202012Validator.check_schema(schema)
-    for name in ("sentinel", "rate", "type", "uncovered"):
+    for name in ("sentinel", "rate", "type", "citation"):
         edit(repository, *EDITS[name][:3])
     stated = json.loads(run("HEAD", "--format", "json")[1])
     Draft202012Validator(schema).validate(stated)
