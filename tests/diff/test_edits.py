@@ -371,7 +371,7 @@ def test_a_document_with_a_new_id_that_keeps_the_old_one_is_the_same(repository:
     out = run("HEAD")[1]
     for said in (
         "requirement-text-changed: FR-9.1: Both packs are reported. -> Both packs are sent.",
-        "criterion-uncovered: FR-9.1: answered to -> answered to by nothing",
+        "criterion-untested: FR-9.1: shown by generated/tests/test_frames.py::test_frames -> shown by no test",
         "citation-changed: BATTERY_STATUS: answers to FR-1.1 -> answers to FR-9.2",
     ):
         assert said in out
