@@ -108,10 +108,10 @@ def did_you_mean(written: str, candidates: Iterable[str]) -> str | None:
     return f"known: {shortened_list(names)}"
 
 
-def shortened_list(names: Iterable[str]) -> str:
-    """The names in one line, at most eight of them, with the number of the others."""
+def shortened_list(names: Iterable[str], most: int = 8) -> str:
+    """The names in one line, at most ``most`` of them, with the number of the others."""
     names = list(names)
-    shown = names[:8]
+    shown = names[:most]
     more = f" and {len(names) - len(shown)} more" if len(names) > len(shown) else ""
     return f"{', '.join(shown)}{more}"
 

@@ -6,13 +6,9 @@ from fractions import Fraction
 
 from codegen.diff.behaviour_rules import BANDWIDTH
 from codegen.diff.change import Change, changed
-from codegen.model.price import NOTHING, Range, message_price, total
-from codegen.model.program import LinkKind
-from codegen.model.system import PopulatedMessage, System
+from codegen.model.price import NOTHING, Range, capacity, message_price, sent_messages, total
+from codegen.model.system import System
 from codegen.source import Place
-
-BITS_A_BYTE = 10
-"""On a serial line: a start bit, eight bits, a stop bit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +59,9 @@ def compare_bandwidth(old: System, new: System) -> Bandwidth:
     assert whole.new is not None
     links = []
     for link in new.links:
-        if link.kind is LinkKind.UART and link.spec.baud:
-            capacity = link.spec.baud // BITS_A_BYTE
-            links.append(LinkRow(link.name, capacity, whole.new.high * 100 / capacity))
+        carried = int(capacity(link) or 0)
+        if carried:
+            links.append(LinkRow(link.name, carried, whole.new.high * 100 / carried))
     return Bandwidth(rows, whole, tuple(links))
 
 
@@ -95,17 +91,5 @@ def _streams(system: System) -> Place:
 
 def _prices(system: System) -> dict[str, Range]:
     """Bytes per second of what is streamed by default, the chosen generations only."""
-    found = {}
-    for message in system.messages:
-        price = message_price(message, system).whole
-        if price != NOTHING and _is_chosen(message, system):
-            found[message.name] = price
-    return found
-
-
-def _is_chosen(message: PopulatedMessage, system: System) -> bool:
-    return all(
-        message.name in generations.names(generations.default)
-        for generations in system.generations
-        if message.name in (*generations.old, *generations.new)
-    )
+    prices = {message.name: message_price(message, system).whole for message in sent_messages(system)}
+    return {name: price for name, price in prices.items() if price != NOTHING}

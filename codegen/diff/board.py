@@ -7,7 +7,7 @@ from codegen.diff.subject import Fact, Subject, amount, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.program import BoardLink
 from codegen.model.system import Generations, System
-from codegen.model.vehicle import AdcChannel, Stream
+from codegen.model.vehicle import AdcChannel, Parameter, Stream
 
 
 def board_subjects(system: System) -> Iterator[Subject]:
@@ -39,9 +39,8 @@ def _identity(system: System) -> Subject:
     return Subject(name, project.project, rules.IDENTITY, rules.IDENTITY, project.place, facts)
 
 
-def _number(number: int, parameter: object) -> str:
-    name = getattr(parameter, "name", None)
-    return f"{number}, default of {name}" if name else str(number)
+def _number(number: int, parameter: Parameter | None) -> str:
+    return f"{number}, default of {parameter.name}" if parameter else str(number)
 
 
 def _channel(channel: AdcChannel) -> Subject:

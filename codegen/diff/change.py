@@ -33,6 +33,9 @@ class Victim(StrEnum):
     NEW_STATION = "new ground station with old vehicle"
 
 
+MOST_NAMES = 4
+"""So many names of fields a sentence lists."""
+
 BOTH = (Victim.OLD_STATION, Victim.NEW_STATION)
 
 
@@ -67,6 +70,20 @@ NOWHERE = Reach()
 def builders_first(symbols: Iterable[str]) -> tuple[str, ...]:
     """The symbols, first what puts values into messages."""
     return tuple(sorted(symbols, key=lambda symbol: (": build_" not in symbol, symbol)))
+
+
+def joined(reaches: Iterable[Reach]) -> Reach:
+    """What any of several changes, or of the rows that one concerns, touches."""
+    several = tuple(reaches)
+    return Reach(
+        requirements=_sorted(reach.requirements for reach in several),
+        symbols=builders_first(_sorted(reach.symbols for reach in several)),
+        tests=_sorted(reach.tests for reach in several),
+    )
+
+
+def _sorted(several: Iterable[Iterable[str]]) -> tuple[str, ...]:
+    return tuple(sorted({one for each in several for one in each}))
 
 
 @dataclass(frozen=True, slots=True)

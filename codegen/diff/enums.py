@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from codegen.diagnostics import shortened_list
 from codegen.diff import wire_rules as rules
 from codegen.diff.change import Change, ChangeRule, changed
 from codegen.diff.lifecycle import lifecycle_changes
@@ -151,8 +152,7 @@ def _enum(
 def _used_by(rule: ChangeRule, fields: Sequence[str]) -> str:
     if rule in (rules.DESCRIPTION, rules.ENUM_ADDED) or not fields:
         return ""
-    more = f" and {len(fields) - 3} more" if len(fields) > 3 else ""
-    return f"used by {', '.join(fields[:3])}{more}"
+    return f"used by {shortened_list(fields, 3)}"
 
 
 def _messages(fields: Sequence[str]) -> tuple[str, ...]:

@@ -3,8 +3,9 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from codegen.diagnostics import shortened_list
 from codegen.diff import wire_rules as rules
-from codegen.diff.change import BOTH, Change, ChangeRule, Notice, Victim, changed
+from codegen.diff.change import BOTH, MOST_NAMES, Change, ChangeRule, Notice, Victim, changed
 from codegen.diff.meaning import meaning_changes
 from codegen.diff.pairing import Pair, paired_fields, type_text
 from codegen.model.dialect import WireField, WireMessage
@@ -65,8 +66,7 @@ def _removed(field: WireField, old: WireMessage, new: WireMessage, moved: Sequen
     elif _is_dropped(old, new):
         effect, notice = sizes, Notice.SILENT
     else:
-        shifted = f", and {_listed(moved)} from the wrong bytes" if moved else ""
-        effect = f"old receivers read zeros there{shifted}; {sizes}"
+        effect = f"old receivers read zeros there{_and_shifted(moved)}; {sizes}"
         notice = Notice.SILENT
     places = field.definition.place, None
     said = f"{type_text(field)}{_described(field)}"
@@ -89,7 +89,8 @@ def _added(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence
     if _meaning_of_zero(field):
         breaks = (Victim.NEW_STATION,)
     if moved:
-        effect = f"it moves {_listed(moved)}: the other version reads them from the wrong bytes; {sizes}"
+        shifted = shortened_list(moved, MOST_NAMES)
+        effect = f"it moves {shifted}: the other version reads them from the wrong bytes; {sizes}"
         breaks = BOTH
     return changed(rules.EXTENSION_ADDED, subject, None, said, places, effect, breaks=breaks, messages=names)
 
@@ -111,8 +112,11 @@ def _retyped_effect(pair: Pair, moved: Sequence[str]) -> str:
     if not (new.definition.is_extension and old.definition.is_extension):
         return ""
     what = "another number of values" if old.type == new.type else "other numbers"
-    behind = [name for name in moved if name != new.name]
-    return f"the other version reads {what}{f', and {_listed(behind)} from the wrong bytes' if behind else ''}"
+    return f"the other version reads {what}{_and_shifted([name for name in moved if name != new.name])}"
+
+
+def _and_shifted(names: Sequence[str]) -> str:
+    return f", and {shortened_list(names, MOST_NAMES)} from the wrong bytes" if names else ""
 
 
 def _moved_effect(pair: Pair) -> str:
@@ -149,8 +153,8 @@ def _order(kept: Sequence[Pair], old: WireMessage, new: WireMessage, *, is_exten
     yield changed(
         rules.FIELD_ORDER,
         new.name,
-        _listed(before, len(before)),
-        _listed(after, len(after)),
+        ", ".join(before),
+        ", ".join(after),
         places,
         effect,
         notice=notice,
@@ -248,8 +252,3 @@ def _field(
 
 def _both(old: WireMessage, new: WireMessage) -> tuple[str, ...]:
     return tuple(dict.fromkeys((old.name, new.name)))
-
-
-def _listed(names: Sequence[str], most: int = 4) -> str:
-    more = f" and {len(names) - most} more" if len(names) > most else ""
-    return ", ".join(names[:most]) + more

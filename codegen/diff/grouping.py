@@ -3,11 +3,11 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from codegen.diff.change import Area, Change, Notice, Reach, builders_first
+from codegen.diagnostics import shortened_list
+from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, joined
 from codegen.fingerprint import fingerprint
 
 AREAS = tuple(Area)
-MOST_NAMES = 4
 _LONG = 70
 _AROUND = 30
 
@@ -34,18 +34,12 @@ class Group:
             return self.first.subject
         whole = self.first.subject.rpartition(".")[0]
         names = [change.subject.removeprefix(f"{whole}.") for change in self.changes]
-        more = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
-        return f"{whole}: {', '.join(names[:MOST_NAMES])}{more}"
+        return f"{whole}: {shortened_list(names, MOST_NAMES)}"
 
     @property
     def reach(self) -> Reach:
         """What any of them touches."""
-        reaches = [change.reach for change in self.changes]
-        return Reach(
-            requirements=_all(reach.requirements for reach in reaches),
-            symbols=builders_first(_all(reach.symbols for reach in reaches)),
-            tests=_all(reach.tests for reach in reaches),
-        )
+        return joined(change.reach for change in self.changes)
 
     @property
     def fingerprint(self) -> str:
@@ -53,10 +47,6 @@ class Group:
         change = self.first
         said = f"{' '.join(each.subject for each in self.changes)}: {change.old} -> {change.new}"
         return fingerprint(change.rule.id, change.place.file, said)
-
-
-def _all(several: Iterable[Sequence[str]]) -> tuple[str, ...]:
-    return tuple(sorted({one for each in several for one in each}))
 
 
 def grouped(changes: Iterable[Change]) -> list[Group]:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from codegen.diagnostics import shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Reach
 from codegen.diff.grouping import Group, difference, notice_text
@@ -124,8 +125,6 @@ def _row(group: Group) -> ChangeRow:
     breaks = f"Breaks {' and '.join(change.breaks)}." if change.breaks else ""
     told = (_sentence(change.effect), _sentence(notice_text(change)), breaks)
     reach = group.reach
-    requirements = reach.requirements[:8]
-    more = f" and {len(reach.requirements) - 8} more" if len(reach.requirements) > 8 else ""
     return ChangeRow(
         tags=" ".join(tags),
         mark="waived" if group.waived is not None else mark,
@@ -136,7 +135,7 @@ def _row(group: Group) -> ChangeRow:
         new=new or "",
         told=tuple(word for word in told if word),
         waived=group.waived or "",
-        requirements=f"{', '.join(requirements)}{more}",
+        requirements=shortened_list(reach.requirements),
         more=_more(reach),
         symbols=_by_file(reach.symbols),
         tests=reach.tests,

@@ -1,9 +1,9 @@
 """What a change touches beyond itself: requirements, symbols of the firmware, tests, in either version."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from codegen.diff.change import Area, Change, Reach, builders_first
+from codegen.diff.change import Area, Change, Reach, joined
 from codegen.model.system import LiveBinding, System, read_quantities
 from codegen.model.vehicle import Parameter
 from codegen.trace.graph import Trace, reached
@@ -46,25 +46,15 @@ def _reach(change: Change, found: Traces, known: dict[str, Reach]) -> Reach:
     parts = [_of_row(name, found, known) for name in names]
     if change.rule.area is Area.TRACE:
         parts += [_of_criterion(name, found, known) for name in change.cited]
-    symbols = _sorted(*(part.symbols for part in parts))
-    return Reach(
-        requirements=_sorted(change.cited, *(part.requirements for part in parts)),
-        symbols=builders_first(symbols),
-        tests=_sorted(*(part.tests for part in parts)),
-    )
-
-
-def _sorted(*several: Sequence[str]) -> tuple[str, ...]:
-    return tuple(sorted({one for each in several for one in each}))
+    return joined([Reach(requirements=change.cited), *parts])
 
 
 def _of_row(name: str, found: Traces, known: dict[str, Reach]) -> Reach:
     if name not in known:
         sides = [reached(trace, name) for trace in (found.old, found.new)]
-        known[name] = Reach(
-            requirements=_sorted(*(side.criteria for side in sides)),
-            symbols=_sorted(*(tuple(map(str, side.symbols)) for side in sides)),
-            tests=_sorted(*(tuple(test.name for test in side.tests) for side in sides)),
+        known[name] = joined(
+            Reach(side.criteria, tuple(map(str, side.symbols)), tuple(test.name for test in side.tests))
+            for side in sides
         )
     return known[name]
 
@@ -76,7 +66,7 @@ def _of_criterion(name: str, found: Traces, known: dict[str, Reach]) -> Reach:
         rows = [row for trace in (found.old, found.new) for row in trace.rows_of.get(name, ())]
         tests = [test for trace in (found.old, found.new) for test in trace.tests_of.get(name, ())]
         known[key] = Reach(
-            symbols=_sorted(tuple(str(symbol) for row in rows for symbol in row.symbols)),
-            tests=_sorted(tuple(test.name for test in tests)),
+            symbols=tuple(str(symbol) for row in rows for symbol in row.symbols),
+            tests=tuple(test.name for test in tests),
         )
     return known[key]

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from codegen.diagnostics import Diagnostic, Severity
+from codegen.diagnostics import Diagnostic, Severity, shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change
 from codegen.diff.grouping import Group, counted, difference, grouped, notice_text
@@ -117,7 +117,7 @@ def what_changed(group: Group) -> str:
 def reach_text(group: Group) -> str:
     """``reaches FR-00068.3; firmware/telemetry.py: build_battery_status; 4 tests in ...``; empty without any."""
     reach = group.reach
-    told = [_listed(reach.requirements, 6), _listed(reach.symbols, 4), tests_text(reach.tests)]
+    told = [shortened_list(reach.requirements, 6), shortened_list(reach.symbols, 4), tests_text(reach.tests)]
     words = [word for word in told if word]
     return f"reaches {'; '.join(words)}" if words else ""
 
@@ -133,9 +133,4 @@ def tests_text(tests: Sequence[str]) -> str:
     if len(tests) <= MOST_TESTS:
         return ", ".join(tests)
     files = sorted({test.partition("::")[0] for test in tests})
-    return f"{len(tests)} tests in {_listed(files, MOST_TESTS)}"
-
-
-def _listed(names: Sequence[str], most: int) -> str:
-    more = f" and {len(names) - most} more" if len(names) > most else ""
-    return ", ".join(names[:most]) + more
+    return f"{len(tests)} tests in {shortened_list(files, MOST_TESTS)}"

@@ -86,7 +86,7 @@ def _component(component: Component) -> Subject:
         Fact("number of the first:", first, rules.INSTANCES, spec.at("first_number")),
         Fact("updated every", amount(component.period_ms, "ms"), rules.UPDATE_RATE, spec.at("update_rate")),
         Fact("counts", counted, rules.INSTANCES, spec.place),
-        Fact("answers to", _citations(component.citation, component.aspects), CITATION, spec.at("requirement")),
+        Fact("answers to", _citations(component), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     count = len(component.parts)
@@ -124,7 +124,7 @@ def _quantity(quantity: Quantity) -> Subject:
         Fact("warns every", amount(quantity.warn_every_ms, "ms"), rules.QUANTITY_AGE, spec.at("warn_every")),
         Fact("unknown after", amount(quantity.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
         Fact("failures until unknown:", str(spec.invalid_after or ""), rules.QUANTITY_AGE, spec.at("invalid_after")),
-        Fact("answers to", _citations(quantity.citation, quantity.aspects), CITATION, spec.at("requirement")),
+        Fact("answers to", _citations(quantity), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     return Subject(
@@ -179,9 +179,7 @@ def _warning(quantity: Quantity) -> str:
     return ", ".join(amount(limit, quantity.stored.name) for limit in dict.fromkeys(quantity.warn_above))
 
 
-def _citations(citation: object, aspects: object) -> str:
+def _citations(part: Component | Quantity) -> str:
     """What is cited for the whole and for single aspects."""
-    words = [str(citation)] if citation else []
-    if isinstance(aspects, dict):
-        words += [f"{name} {aspect}" for name, aspect in sorted(aspects.items())]
-    return ", ".join(words)
+    words = [str(part.citation)] if part.citation else []
+    return ", ".join([*words, *(f"{name} {aspect}" for name, aspect in sorted(part.aspects.items()))])

@@ -47,8 +47,10 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     """Two versions of a project with its further programs; the first system of each is the project's own."""
     used = used_of((*old, *new))
     of_dialect = dialect_changes(old[0].dialect, new[0].dialect)
-    found = [change for change in of_dialect if used.is_concerned(change)]
-    elsewhere = tuple(change for change in of_dialect if not used.is_concerned(change))
+    found: list[Change] = []
+    elsewhere: list[Change] = []
+    for change in of_dialect:
+        (found if used.is_concerned(change) else elsewhere).append(change)
     before = {system.spec.program: system for system in old}
     after = {system.spec.program: system for system in new}
     notices = dropped(old[0].dialect.messages, new[0].dialect.messages)
@@ -69,7 +71,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     found += coverage_changes(old[0], new[0], _cited(old), _cited(new))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
-    return Comparison(_once(found), elsewhere, tuple(bandwidth))
+    return Comparison(_once(found), tuple(elsewhere), tuple(bandwidth))
 
 
 def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.model.dialect import Kind
+from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Generation
 from codegen.model.system import (
     Binding,
@@ -26,6 +27,9 @@ from codegen.model.vehicle import Component, by_instance
 HEAD_V1 = 8
 HEAD_V2 = 12
 """Bytes of a frame beside its payload, with the checksum. Source: MAVLink's guide to the serialization of packets."""
+
+BITS_OF_A_BYTE = 10
+"""Bits that a UART takes for a byte: a start bit, eight of data, a stop bit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +173,17 @@ def price_at(rate: Fraction, message: PopulatedMessage, system: System, protocol
     )
 
 
+def sent_messages(system: System, choice: Generation | None = None) -> tuple[PopulatedMessage, ...]:
+    """The messages that are streamed with a choice of generations, or with the default of each."""
+    left_out = {
+        name
+        for generations in system.generations
+        for name in (*generations.old, *generations.new)
+        if name not in generations.names(choice or generations.default)
+    }
+    return tuple(message for message in system.messages if message.name not in left_out)
+
+
 def chosen(generations: Generations, choice: Generation, system: System) -> tuple[PopulatedMessage, ...]:
     """The messages that are sent with a choice, in the order in which they are listed."""
     messages = {message.name: message for message in system.messages}
@@ -178,3 +193,10 @@ def chosen(generations: Generations, choice: Generation, system: System) -> tupl
 def price(generations: Generations, choice: Generation, system: System) -> Range:
     """Bytes per second of all messages that are streamed with a choice."""
     return total(message_price(message, system).whole for message in chosen(generations, choice, system))
+
+
+def capacity(link: BoardLink) -> Fraction | None:
+    """Bytes per second that a link carries each way; None where none is known: UDP, USB."""
+    if link.kind is LinkKind.UART and link.spec.baud is not None:
+        return Fraction(link.spec.baud, BITS_OF_A_BYTE)
+    return None

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from codegen.model.price import Range, frame_size, total
+from codegen.model.price import Range, capacity, frame_size, sent_messages, total
 from codegen.model.program import BoardLink
 from codegen.model.spec import Generation
 from codegen.model.system import System
@@ -12,14 +12,7 @@ from codegen.model.unit import decimal
 from codegen.targets.generation_table import COUNTED, COUNTED_V1
 from codegen.targets.origin import Origin
 from codegen.targets.pages.bars import Amount, Chart, chart
-from codegen.targets.pages.budget import (
-    Cost,
-    beyond_version_1,
-    capacity,
-    costs,
-    sent_messages,
-    whole_at_default,
-)
+from codegen.targets.pages.budget import Cost, beyond_version_1, costs, whole_at_default
 from codegen.targets.pages.navigation import Navigation, message_path, navigation
 
 

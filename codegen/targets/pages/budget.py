@@ -4,13 +4,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from codegen.model.price import Price, Range, default_rate, price_at, total
-from codegen.model.program import BoardLink, LinkKind
+from codegen.model.price import Price, Range, default_rate, price_at, sent_messages, total
 from codegen.model.spec import Generation
 from codegen.model.system import PopulatedMessage, System
-
-BITS_OF_A_BYTE = 10
-"""Bits that a UART takes for a byte: a start bit, eight of data, a stop bit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,17 +49,6 @@ def fastest_rate(message: PopulatedMessage, system: System) -> Fraction:
     return system.program.fastest if system.program else Fraction(0)
 
 
-def sent_messages(system: System, choice: Generation | None = None) -> tuple[PopulatedMessage, ...]:
-    """The messages that are streamed with a choice of generations, or with the default of each."""
-    left_out = {
-        name
-        for generations in system.generations
-        for name in (*generations.old, *generations.new)
-        if name not in generations.names(choice or generations.default)
-    }
-    return tuple(message for message in system.messages if message.name not in left_out)
-
-
 def whole_at_default(system: System, choice: Generation | None = None, protocol: int | None = None) -> Range:
     """Bytes per second of everything that is streamed; what MAVLink 1 has no room for in its id is left out of it."""
     version = protocol or system.spec.project.protocol
@@ -77,10 +62,3 @@ def whole_at_default(system: System, choice: Generation | None = None, protocol:
 def beyond_version_1(messages: Iterable[PopulatedMessage]) -> tuple[str, ...]:
     """The names of streamed messages whose id does not fit the one byte that MAVLink 1 has for it."""
     return tuple(message.name for message in messages if message.stream and message.wire.id > 255)
-
-
-def capacity(link: BoardLink) -> Fraction | None:
-    """Bytes per second that a link carries each way; None where none is known: UDP, USB."""
-    if link.kind is LinkKind.UART and link.spec.baud is not None:
-        return Fraction(link.spec.baud, BITS_OF_A_BYTE)
-    return None
