@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading, Reference, read_document
 from codegen.codec import read_codec_dialect
 from codegen.decode.known_dialects import taken_elsewhere
 from codegen.diagnostics import Report
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.text import read_text
 from codegen.model.price import Range, frame_size
 from codegen.model.system import System
 
@@ -45,8 +45,7 @@ def check_documents(paths: Iterable[str], reference: Reference, report: Report) 
     """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read."""
     read = []
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
-        data = read_bytes(path, report)
-        text = None if data is None else decode_text(data, path, report)
+        text = read_text(path, report)
         if text is not None:
             report.extend(check_claims(_with_other_dialects(read_document(text, path, reference))))
             read.append(path)

@@ -15,7 +15,7 @@ from codegen.importing.drift import drift
 from codegen.importing.stated import stated_fields
 from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.shipped import dialect_path
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.text import read_bytes, read_text
 from codegen.load.trees import exists
 from codegen.model.dialect import Dialect, KnownMessage
 from codegen.model.scenario import Scenario
@@ -116,17 +116,11 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
         read_scenarios(path, () if report.has_errors else systems, report)
 
 
-def read_document(path: str, report: Report) -> str | None:
-    """The text of a document or a table; None after a finding."""
-    data = read_bytes(path, report)
-    return None if data is None else decode_text(data, path, report)
-
-
 def check_documents(systems: Sequence[System], report: Report) -> None:
     """What the tables of the requirement documents say against the population tables and the dialect."""
     paths = (requirement.place.file for system in systems for requirement in system.requirements.values())
     for path in dict.fromkeys(paths):
-        text = read_document(path, report)
+        text = read_text(path, report)
         if text is not None:
             stated = stated_fields(text, path)
             report.extend(stated.findings)

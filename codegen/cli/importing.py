@@ -58,11 +58,11 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.importing.existing import sender
     from codegen.importing.of_system import sources_of
     from codegen.importing.proposal import propose
-    from codegen.pipeline import read_document
+    from codegen.load.text import read_text
 
     report = Report()
     path = os.path.abspath(arguments.document)
-    text = read_document(path, report)
+    text = read_text(path, report)
     systems, dialect = _surroundings(arguments, report)
     if text is None or dialect is None:
         return _finish(report)
@@ -197,9 +197,9 @@ def _existing(
 ) -> "ExistingTable | None":
     """The table in a file; None after a finding."""
     from codegen.importing.existing import populated, table_of, table_of_project
-    from codegen.pipeline import read_document
+    from codegen.load.text import read_text
 
-    text = read_document(path, report)
+    text = read_text(path, report)
     known = populated(message.name, systems)
     if text is None or (known is not None and known.population.place.file == path):
         return None if text is None or known is None else table_of_project(text, known)

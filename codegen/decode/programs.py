@@ -4,15 +4,13 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
-from codegen.decode.record import decode_record
+from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report, Rule
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.text import read_bytes
 from codegen.load.trees import exists
-from codegen.load.yaml_tree import parse_yaml
 from codegen.model.spec import ProgramProject, Project
-from codegen.source import Place, Written, shown_path
+from codegen.source import Place, shown_path
 
 PROGRAM_ALONE = Rule(
     "program-alone",
@@ -29,8 +27,6 @@ OUTPUT_FOLDERS = ("firmware", "mocks", "tests", "docs", "schemas", "receiver")
 """The folders of the output that a program cannot be called like."""
 SPECIFICATION_FOLDERS = ("messages", "dialects", "requirements")
 """The folders beside a project file in which files of the specification lie."""
-
-_Record = TypeVar("_Record", bound=Written)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +65,7 @@ def list_programs(project_file: str, report: Report) -> tuple[ListedProgram, ...
 
     What is wrong with the project file itself, ``decode_spec`` has reported.
     """
-    base = _decoded(os.path.abspath(project_file), Project, None, Report())
+    base = decode_record_file(os.path.abspath(project_file), Project, Report())
     if base is None:
         return ()
     programs = []
@@ -83,7 +79,7 @@ def list_programs(project_file: str, report: Report) -> tuple[ListedProgram, ...
         folders.setdefault(os.path.dirname(path), name)
         if problems or read_bytes(path, report, place) is None:
             continue
-        own = _decoded(path, ProgramProject, place, Report())  # its findings are those of decode_program
+        own = decode_record_file(path, ProgramProject, Report())  # its findings are those of decode_program
         if own is None or _is_base(own, base, report):
             programs.append(ListedProgram(name, path, base, own, place))
     return tuple(programs)
@@ -114,10 +110,3 @@ def _is_base(own: ProgramProject, base: Project, report: Report) -> bool:
     related = [(base.place, "the project that lists it")]
     report.add(BAD_PROGRAM_LIST, own.at("base"), message, f"base: {hint}", related)
     return False
-
-
-def _decoded(path: str, cls: type[_Record], asked_at: Place | None, report: Report) -> _Record | None:
-    data = read_bytes(path, report, asked_at)
-    text = None if data is None else decode_text(data, path, report)
-    node = None if text is None else parse_yaml(text, path, report)
-    return None if node is None else decode_record(node, cls, report)

@@ -2,10 +2,8 @@
 
 import os
 
-from codegen.decode.record import decode_record
+from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
-from codegen.load.text import decode_text, read_bytes
-from codegen.load.yaml_tree import parse_yaml
 from codegen.model.scenario_spec import ScenariosSpec
 
 SCENARIOS = "scenarios.yaml"
@@ -17,8 +15,4 @@ def decode_scenarios(path: str, report: Report) -> ScenariosSpec | None:
 
     A scenario with errors is left out, and its errors say why.
     """
-    path = os.path.abspath(path)
-    data = read_bytes(path, report)
-    text = None if data is None else decode_text(data, path, report)
-    tree = None if text is None else parse_yaml(text, path, report)
-    return None if tree is None else decode_record(tree, ScenariosSpec, report)
+    return decode_record_file(os.path.abspath(path), ScenariosSpec, report)

@@ -2,7 +2,7 @@
 
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.text import read_text
 from codegen.load.trees import exists
 from codegen.load.yaml_tree import parse_yaml
 from codegen.model.trace_lock_spec import TraceLockSpec
@@ -13,10 +13,7 @@ TRACE_LOCK = "trace.lock.yaml"
 
 def read_trace_lock_text(path: str, report: Report) -> str | None:
     """The text of the lock file; None where there is none, or, after a finding, where it cannot be read."""
-    if not exists(path):
-        return None
-    data = read_bytes(path, report)
-    return None if data is None else decode_text(data, path, report)
+    return read_text(path, report) if exists(path) else None
 
 
 def decode_trace_lock(text: str, path: str, report: Report) -> TraceLockSpec | None:

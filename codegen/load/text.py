@@ -91,6 +91,12 @@ def decode_text(data: bytes, path: str, report: Report) -> str | None:
         return None
 
 
+def read_text(path: str, report: Report, asked_at: Place | None = None) -> str | None:
+    """The text of a file, as ``read_bytes`` and ``decode_text`` read it; None after a diagnostic."""
+    data = read_bytes(path, report, asked_at)
+    return None if data is None else decode_text(data, path, report)
+
+
 def _place_of_byte(data: bytes, start: int, position: int, path: str) -> Place:
     """The line and column (in characters, as editors count) of a byte; everything before it is valid UTF-8."""
     line, line_start = 1, start
