@@ -1,7 +1,7 @@
 """What a document says of the fields of a message, one by one: structs in code, tables, and lists."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -9,6 +9,7 @@ from codegen.claims.identifier import commented_id
 from codegen.claims.reading import Reading
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
+from codegen.model.wire_types import SPELLINGS
 from codegen.source import Place
 
 C_TYPE = r"u?int(?:8|16|32|64)_t|float|double|char"
@@ -19,12 +20,6 @@ _RUST_FIELD = re.compile(
     r"\s*(?:pub\s+)?(?:r#)?(?P<name>[a-z]\w*?)_?\s*:\s*(?:\[\s*(?P<array>[iuf]\d\d?)\s*;\s*(?P<length>\d{1,4})\s*\]"
     r"|(?P<type>[iuf](?:8|16|32|64)))\s*,?(?P<rest>\s*(?://.*)?)$"
 )
-_RUST_TYPES: Mapping[str, str] = {
-    **{f"u{bits}": f"uint{bits}_t" for bits in (8, 16, 32, 64)},
-    **{f"i{bits}": f"int{bits}_t" for bits in (8, 16, 32, 64)},
-    "f32": "float",
-    "f64": "double",
-}
 _ELEMENT = r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\s*(?:\.{2,3}|-|:|\u2013)\s*(?P<high>\d{1,3}))?\])?"
 _ITEM = re.compile(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
 _CELL = re.compile(rf"\s*{_ELEMENT}\s*$")
@@ -110,7 +105,7 @@ def _struct(reading: Reading, code: CodeBlock) -> Iterator[FieldNotes]:
         written = groups["type"] or groups.get("array") or ""
         passage = Passage(PassageKind.TEXT, line.text, ((0, line.place),))
         length = int(found["length"]) if found["length"] else None
-        wire_type = _RUST_TYPES.get(written, written)
+        wire_type = SPELLINGS.get(written, written)
         notes.append(Note(found["name"], passage, found.start("rest"), None, wire_type, length))
     if len(notes) < 2:
         return

@@ -8,7 +8,7 @@ from codegen.claims.field_notes import FieldNotes, Note, field_notes
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.dialect import Kind, WireField
-from codegen.model.literals import LIMITS
+from codegen.model.literals import named_number, same_number
 from codegen.model.unit import UNITS
 
 SENTINEL = Rule(
@@ -72,9 +72,10 @@ def _problem(field: WireField, written: str, note: Note, *, is_unknown: bool) ->
 
     0 of an enum is an entry, whatever it is called.
     """
-    value = _number(written)
+    value = named_number(written)
+    assert value is not None, f"{written} is no value for unknown"
     own = _own(field, note)
-    if any(_is_same(value, sentinel) for sentinel in own) or (value == 0 and field.definition.enum):
+    if any(same_number(value, sentinel) for sentinel in own) or (value == 0 and field.definition.enum):
         return None
     known = f"is unknown when it is {field.sentinel.written}" if field.sentinel is not None and own else None
     if not _carries(field, value):
@@ -83,13 +84,7 @@ def _problem(field: WireField, written: str, note: Note, *, is_unknown: bool) ->
 
 
 def _is_own(field: WireField, written: str, note: Note) -> bool:
-    return any(_is_same(_number(written), sentinel) for sentinel in _own(field, note))
-
-
-def _number(written: str) -> int | float:
-    if written.lower() == "nan":
-        return math.nan
-    return LIMITS[written.upper()] if written.upper() in LIMITS else int(written)
+    return any(same_number(named_number(written), sentinel) for sentinel in _own(field, note))
 
 
 def _own(field: WireField, note: Note) -> list[int | float]:
@@ -104,10 +99,6 @@ def _carries(field: WireField, value: int | float) -> bool:
     if field.type.kind is Kind.FLOAT:
         return True
     return not math.isnan(value) and field.type.minimum <= value <= field.type.maximum
-
-
-def _is_same(first: int | float, second: int | float) -> bool:
-    return first == second or (math.isnan(first) and math.isnan(second))
 
 
 def _units(reading: Reading, notes: FieldNotes, note: Note, field: WireField) -> Iterator[Diagnostic]:

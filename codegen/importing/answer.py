@@ -1,6 +1,5 @@
 """What a cell is read for, and what comes of it: an answer of a population table, or a proposal for people."""
 
-import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
@@ -35,10 +34,7 @@ class Target:
     @property
     def label(self) -> str:
         """``voltages``, ``voltages[0]`` or ``voltages[1..9]``."""
-        if not self.field.is_array or self.count == self.field.count:
-            return self.field.name
-        last = self.first + self.count - 1
-        return f"{self.field.name}[{self.first}]" if last == self.first else f"{self.field.name}[{self.first}..{last}]"
+        return self.field.label(self.first, self.count)
 
     @property
     def name(self) -> str:
@@ -87,10 +83,3 @@ def field_answer(written: str, place: Place, report: Report) -> FieldAnswer | No
         at = place._replace(column=place.column + finding.place.column - 1)
         report.add(finding.rule, at, finding.message, finding.hint)
     return None if found.has_errors else answer
-
-
-def same_number(first: int | float | None, second: int | float | None) -> bool:
-    """Whether two numbers on the wire are the same; NaN is itself."""
-    if first is None or second is None:
-        return first is second
-    return first == second or (math.isnan(first) and math.isnan(second))

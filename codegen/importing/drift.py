@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
-from codegen.importing.answer import Target, same_number
+from codegen.importing.answer import Target
 from codegen.importing.columns import Role
 from codegen.importing.comparison import Compared, Verdict, compare, place_of
 from codegen.importing.existing import populated, sender
@@ -14,6 +14,7 @@ from codegen.importing.proposal import propose, target_of
 from codegen.importing.stated import FieldList, StatedField, StatedFields
 from codegen.importing.subject import coverage, is_example, subjects
 from codegen.load.markdown_table import Cell
+from codegen.model.literals import same_number
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.wire_types import WIRE_TYPES
 

@@ -4,20 +4,13 @@ import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from codegen.model.wire_types import SPELLINGS
+
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>\d{1,15}(?:_\d{1,12})*(?:\.\d{0,15})?(?:[eE][-+]?\d{1,2})?)"
     r"|(?P<path>[A-Za-z_]\w*(?:\[\d{1,3}\])?(?:(?:\.|::|->)[A-Za-z_]\w*(?:\[\d{1,3}\])?)*(?:\(\))?)"
     r"|(?P<mark>[*/()\u00d7\u00b7]))"
 )
-_CASTS = {
-    **{f"{sign}{bits}": f"{name}{bits}_t" for sign, name in (("u", "uint"), ("i", "int")) for bits in (8, 16, 32, 64)},
-    **{f"{name}{bits}": f"{name}{bits}_t" for name in ("uint", "int") for bits in (8, 16, 32, 64)},
-    **{f"{name}{bits}_t": f"{name}{bits}_t" for name in ("uint", "int") for bits in (8, 16, 32, 64)},
-    "f32": "float",
-    "float": "float",
-    "f64": "double",
-    "double": "double",
-}
 _OPERATORS = ("*", "/", "\u00d7", "\u00b7")
 _ROUNDING = ("round", "int", "math.floor", "floor", "trunc")
 _OWNERS = ("state", "self", "system", "system_state", "vehicle_state")
@@ -105,7 +98,7 @@ class _Reader:
         term = self._term()
         while term is not None and len(self.rest) > 1 and self.rest[-1][1] == "as":
             self.rest.pop()
-            cast = _CASTS.get(self.rest.pop()[1])
+            cast = SPELLINGS.get(self.rest.pop()[1])
             term = None if cast is None else replace(term, cast=cast)
         return term
 
@@ -116,15 +109,15 @@ class _Reader:
         if kind == "number":
             return _Term(Fraction(text.replace("_", "")))
         if kind == "path":
-            if text in _ROUNDING or (text in _CASTS and self._next_is("(")):
+            if text in _ROUNDING or (text in SPELLINGS and self._next_is("(")):
                 inner = self._bracketed()
-                return inner if inner is None or text in _ROUNDING else replace(inner, cast=_CASTS[text])
+                return inner if inner is None or text in _ROUNDING else replace(inner, cast=SPELLINGS[text])
             path = quantity_path(text)
             return None if path is None else _Term(path=path)
         if text != "(":
             return None
-        if self.rest and self.rest[-1][1] in _CASTS and len(self.rest) > 1 and self.rest[-2][1] == ")":
-            cast = _CASTS[self.rest.pop()[1]]
+        if self.rest and self.rest[-1][1] in SPELLINGS and len(self.rest) > 1 and self.rest[-2][1] == ")":
+            cast = SPELLINGS[self.rest.pop()[1]]
             self.rest.pop()
             inner = self._term()
             return None if inner is None else replace(inner, cast=cast)

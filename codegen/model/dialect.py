@@ -230,6 +230,12 @@ class WireField:
         """Bytes in the payload."""
         return self.type.size * self.count
 
+    def label(self, first: int, count: int) -> str:
+        """``count`` of its elements from ``first`` on: ``voltages``, ``voltages[0]`` or ``voltages[1..9]``."""
+        if not self.is_array or count == self.count:
+            return self.name
+        return f"{self.name}[{first}]" if count == 1 else f"{self.name}[{first}..{first + count - 1}]"
+
 
 @dataclass(frozen=True, slots=True)
 class WireMessage:

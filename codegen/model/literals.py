@@ -1,5 +1,6 @@
 """The literals that attributes of a dialect are written with: booleans, names, entry values, limits of types."""
 
+import math
 import re
 
 from codegen.model.dialect import Kind
@@ -46,6 +47,22 @@ def entry_value(text: str) -> int | None:
     else:
         return None
     return value if value <= LIMITS["UINT64_MAX"] else None
+
+
+def named_number(text: str) -> int | float | None:
+    """The number of a sentinel as texts name it: ``NaN``, a limit of a type in any case, decimal; None otherwise."""
+    if text.lower() == "nan":
+        return math.nan
+    if text.upper() in LIMITS:
+        return LIMITS[text.upper()]
+    return int(text) if text.removeprefix("-").isdigit() else None
+
+
+def same_number(first: int | float | None, second: int | float | None) -> bool:
+    """Whether two numbers on the wire are the same; NaN is itself, and None is no number."""
+    if first is None or second is None:
+        return first is second
+    return first == second or (math.isnan(first) and math.isnan(second))
 
 
 def type_and_length(text: str) -> tuple[str, str | None]:

@@ -38,10 +38,7 @@ class Elements:
     @property
     def label(self) -> str:
         """``voltages``, ``voltages[0]`` or ``voltages[1..9]``."""
-        if not self.field.is_array or self.count == self.field.count:
-            return self.field.name
-        last = self.first + self.count - 1
-        return f"{self.field.name}[{self.first}]" if last == self.first else f"{self.field.name}[{self.first}..{last}]"
+        return self.field.label(self.first, self.count)
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,3 +35,17 @@ WIRE_TYPES: dict[str, WireType] = {
 }
 """Wire type by the name that a ``<field>`` gives it; the version type is a ``uint8_t`` under a second name."""
 WIRE_TYPES[VERSION_TYPE] = WIRE_TYPES["uint8_t"]
+
+SPELLINGS: dict[str, str] = {
+    **{
+        spelling: f"{name}{bits}_t"
+        for name in ("uint", "int")
+        for bits in (8, 16, 32, 64)
+        for spelling in (f"{name[0]}{bits}", f"{name}{bits}", f"{name}{bits}_t")
+    },
+    "f32": "float",
+    "float": "float",
+    "f64": "double",
+    "double": "double",
+}
+"""Wire type of a number by the ways in which code spells it: ``u16``, ``uint16``, ``uint16_t``, ``f32``."""

@@ -1,12 +1,11 @@
 """Descriptions of overlays that name another sentinel than the attribute."""
 
-import math
 import re
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.dialect import WireField
-from codegen.model.literals import LIMITS
+from codegen.model.literals import named_number, same_number
 from codegen.model.system import System
 
 RULE = Rule(
@@ -45,18 +44,8 @@ def contradicting_text(field: WireField) -> str | None:
     if field.sentinel is None:
         return None
     stated = _STATED.findall(field.definition.description)
-    values = [_number(text) for text in stated]
+    values = [named_number(text) for text in stated]
     sentinels = [value for value in field.sentinel.values if value is not None]
-    if not stated or any(_is_same(value, sentinel) for value in values for sentinel in sentinels):
+    if not stated or any(same_number(value, sentinel) for value in values for sentinel in sentinels):
         return None
     return str(stated[0])
-
-
-def _number(text: str) -> int | float:
-    if text.lower() == "nan":
-        return math.nan
-    return LIMITS[text.upper()] if text.upper() in LIMITS else int(text) if text.lstrip("-").isdigit() else math.inf
-
-
-def _is_same(first: int | float, second: int | float) -> bool:
-    return first == second or (math.isnan(first) and math.isnan(second))

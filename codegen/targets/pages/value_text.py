@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 
 from codegen.model.dialect import EnumDefinition, Kind, SentinelForm, WireField
+from codegen.model.literals import same_number
 from codegen.targets.expected import Wire
 
 TYPE_CODES = {Kind.UNSIGNED: "u", Kind.SIGNED: "i", Kind.FLOAT: "f"}
@@ -30,7 +31,7 @@ def is_unknown(field: WireField, index: int, value: Wire) -> bool:
 def _same(value: int | float | str, sentinel: int | float | None) -> bool:
     if sentinel is None or isinstance(value, str):
         return False
-    return value == sentinel or (math.isnan(value) and math.isnan(sentinel))
+    return same_number(value, sentinel)
 
 
 def value_text(field: WireField, value: int | float | str, enums: Mapping[str, EnumDefinition]) -> str:
