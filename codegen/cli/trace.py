@@ -6,6 +6,7 @@ from typing import Any
 
 FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif")
 KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly")
+COUNTED = ("uncovered", "orphaned", "suspect")
 ACCEPT = "accept"
 
 
@@ -39,9 +40,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--fail-on",
         metavar="KINDS",
         type=_kinds,
-        default=("uncovered", "orphaned", "suspect"),
+        default=COUNTED,
         help=f"what makes the exit code 1, separated by commas, of {', '.join(KINDS)}; or none "
-        "(default: uncovered,orphaned,suspect)",
+        f"(default: {','.join(COUNTED)})",
     )
     parser.add_argument("--reason", metavar="TEXT", help="with accept: what was looked at, or why the links still hold")
     parser.add_argument("--by", metavar="NAME", help="with accept: who looked")
