@@ -5,7 +5,7 @@ import os
 import sys
 from pathlib import Path
 
-CANDIDATES = ("specs/codegen.yaml", "codegen.yaml")
+from codegen.project_files import PROJECT_FILES
 
 
 def project_file(arguments: argparse.Namespace) -> str | None:
@@ -17,7 +17,7 @@ def project_file(arguments: argparse.Namespace) -> str | None:
 def report_no_project() -> int:
     """Say on stderr that a project is needed, and return the exit code of that."""
     print(
-        f"codegen: there is no {' or '.join(CANDIDATES)} in {Path.cwd()} or above it; name one with --project FILE",
+        f"codegen: there is no {' or '.join(PROJECT_FILES)} in {Path.cwd()} or above it; name one with --project FILE",
         file=sys.stderr,
     )
     return 2
@@ -26,7 +26,7 @@ def report_no_project() -> int:
 def nearest_project(folder: Path) -> str | None:
     """The project file that lies nearest, in ``folder`` or one above it."""
     for above in (folder, *folder.parents):
-        for candidate in CANDIDATES:
+        for candidate in PROJECT_FILES:
             if (above / candidate).is_file():
                 return str(above / candidate)
     return None

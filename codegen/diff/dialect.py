@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from codegen.diff import wire_rules as rules
 from codegen.diff.change import BOTH, Change, Notice, changed
 from codegen.diff.enums import enum_changes, renamed_enums
-from codegen.diff.fields import bytes_text, field_changes
+from codegen.diff.fields import bytes_text, field_changes, names_of_both
 from codegen.diff.hearing import between, by_id, heard, taken_for
 from codegen.diff.lifecycle import lifecycle_changes
 from codegen.diff.pairing import type_text
@@ -118,7 +118,7 @@ def _within(
     enums: Mapping[str, str],
 ) -> Iterator[Change]:
     places = old.definition.place, new.definition.place
-    names = tuple(dict.fromkeys((old.name, new.name)))
+    names = names_of_both(old, new)
     if old.name != new.name:
         yield changed(rules.MESSAGE_RENAMED, new.name, old.name, new.name, places, messages=names)
     if old.id != new.id:

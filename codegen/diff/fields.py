@@ -70,7 +70,9 @@ def _removed(field: WireField, old: WireMessage, new: WireMessage, moved: Sequen
         notice = Notice.SILENT
     places = field.definition.place, None
     said = f"{type_text(field)}{_described(field)}"
-    return changed(rules.FIELD_REMOVED, subject, said, None, places, effect, notice=notice, messages=_both(old, new))
+    return changed(
+        rules.FIELD_REMOVED, subject, said, None, places, effect, notice=notice, messages=names_of_both(old, new)
+    )
 
 
 def _added(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence[str]) -> Change:
@@ -78,7 +80,7 @@ def _added(field: WireField, old: WireMessage, new: WireMessage, moved: Sequence
     said = f"{type_text(field)}{_described(field)}"
     sizes = _sizes(old, new)
     places = None, field.definition.place
-    names = _both(old, new)
+    names = names_of_both(old, new)
     if not field.definition.is_extension:
         effect = sizes
         return changed(rules.FIELD_ADDED, subject, None, said, places, effect, messages=names)
@@ -158,7 +160,7 @@ def _order(kept: Sequence[Pair], old: WireMessage, new: WireMessage, *, is_exten
         places,
         effect,
         notice=notice,
-        messages=_both(old, new),
+        messages=names_of_both(old, new),
     )
 
 
@@ -174,7 +176,9 @@ def _layout(old: WireMessage, new: WireMessage, structure: Sequence[Change]) -> 
     moved = [pair for pair in paired_fields(old, new) if pair.old.offset != pair.new.offset]
     if before != after:
         places = old.definition.place, new.definition.place
-        yield changed(rules.LAYOUT, new.name, before, after, places, "receivers disagree", messages=_both(old, new))
+        yield changed(
+            rules.LAYOUT, new.name, before, after, places, "receivers disagree", messages=names_of_both(old, new)
+        )
     for pair in moved:
         sides = f"byte {pair.old.offset}", f"byte {pair.new.offset}"
         yield _field(rules.LAYOUT, pair, new, sides, "it is read from the wrong bytes", notice=Notice.SILENT)
@@ -194,7 +198,7 @@ def _crc_extra(old: WireMessage, new: WireMessage, structure: Sequence[Change]) 
     if causes:
         effect += f", because {'; '.join(causes)}"
     places = old.definition.place, new.definition.place
-    names = _both(old, new)
+    names = names_of_both(old, new)
     before, after = str(old.crc_extra), str(new.crc_extra)
     yield changed(rules.CRC_EXTRA, new.name, before, after, places, effect, causes=causes, messages=names)
 
@@ -250,5 +254,6 @@ def _field(
     )
 
 
-def _both(old: WireMessage, new: WireMessage) -> tuple[str, ...]:
+def names_of_both(old: WireMessage, new: WireMessage) -> tuple[str, ...]:
+    """The name of a message in each version; one if it has kept it."""
     return tuple(dict.fromkeys((old.name, new.name)))

@@ -1,6 +1,6 @@
 """Changes between two versions of a specification, with those of the dialect that concern it."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -53,6 +53,8 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
         (found if used.is_concerned(change) else elsewhere).append(change)
     before = {system.spec.program: system for system in old}
     after = {system.spec.program: system for system in new}
+    said_before = {name: _subjects(system) for name, system in before.items()}
+    said_after = {name: _subjects(system) for name, system in after.items()}
     notices = dropped(old[0].dialect.messages, new[0].dialect.messages)
     bandwidth = []
     for name, system in after.items():
@@ -62,13 +64,17 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
             continue
         compared = compare_bandwidth(known, system)
         bandwidth.append((name, compared))
-        own = [*_own(known, system), *bandwidth_changes(compared, system, known, threshold)]
+        own = [
+            *population_changes(known, system),
+            *subject_changes(said_before[name], said_after[name]),
+            *bandwidth_changes(compared, system, known, threshold),
+        ]
         found += [_named(change, name) for change in heard_in(own, notices)]
     for name, system in before.items():
         if name not in after:
             found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))
     found += requirement_changes(old[0], new[0])
-    found += coverage_changes(old[0], new[0], _cited(old), _cited(new))
+    found += coverage_changes(old[0], new[0], _cited(old, said_before.values()), _cited(new, said_after.values()))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
     return Comparison(_once(found), tuple(elsewhere), tuple(bandwidth))
@@ -89,11 +95,6 @@ def _named(change: Change, program: str) -> Change:
     return change if is_named else replace(change, subject=f"{program}: {change.subject}")
 
 
-def _own(old: System, new: System) -> Iterator[Change]:
-    yield from population_changes(old, new)
-    yield from subject_changes(_subjects(old), _subjects(new))
-
-
 def _subjects(system: System) -> tuple[Subject, ...]:
     return (
         *parameter_subjects(system),
@@ -103,12 +104,10 @@ def _subjects(system: System) -> tuple[Subject, ...]:
     )
 
 
-def _cited(systems: Sequence[System]) -> set[str]:
-    """The names of every document and criterion that a part of the systems answers to."""
-    found: set[str] = set()
+def _cited(systems: Sequence[System], said: Iterable[Sequence[Subject]]) -> set[str]:
+    """The names of every document and criterion that a part of the systems answers to; ``said`` are their subjects."""
+    found = {name for subjects in said for subject in subjects for name in subject.cited}
     for system in systems:
-        for subject in _subjects(system):
-            found.update(subject.cited)
         for message in system.messages:
             found.update(cited(message.citation, *(binding.covers.citation for binding in message.bindings)))
     return found

@@ -2,7 +2,6 @@
 
 import os
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
@@ -10,6 +9,7 @@ from itertools import pairwise
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
+from codegen.load.markdown_blocks import read_inline
 from codegen.source import Place
 
 _LINE_END = re.compile(r"\r\n?|\n")
@@ -62,10 +62,8 @@ class _Reader:
     def __init__(self, text: str, path: str) -> None:
         self._path = path
         self._lines = _LINE_END.split(text)
-        self._markdown = MarkdownIt("commonmark")
         # Blocks first: inline markup is read only where its text is wanted.
-        self._markdown.disable("inline")
-        self._tokens = self._markdown.parse(text)
+        self._tokens = MarkdownIt("commonmark").disable("inline").parse(text)
 
     def document(self) -> Document:
         starts = [
@@ -78,7 +76,7 @@ class _Reader:
 
     def _section(self, start: int, end: int) -> Section:
         heading = self._tokens[start]
-        title = self._plain(self._tokens[start + 1].content)
+        title = read_inline(self._tokens[start + 1].content).text
         return Section(title, int(heading.tag[1]), self._place(heading), tuple(self._items(start, end)))
 
     def _items(self, start: int, end: int) -> list[Item]:
@@ -101,30 +99,11 @@ class _Reader:
                 bare = items[position]
                 if paragraphs:
                     paragraphs[0] = _CHECK_BOX.sub("", paragraphs[0])
-                text = " ".join(self._plain(paragraph) for paragraph in paragraphs)
+                text = " ".join(read_inline(paragraph).text for paragraph in paragraphs)
                 items[position] = Item(text, bare.number, bare.depth, bare.place)
         return items
-
-    def _plain(self, content: str) -> str:
-        """The text of inline markup as a reader sees it, on one line."""
-        pieces: list[str] = []
-        self._markdown.enable("inline")
-        for token in self._markdown.parseInline(content):
-            _collect(token.children or [], pieces)
-        self._markdown.disable("inline")
-        return " ".join("".join(pieces).split())
 
     def _place(self, token: Token) -> Place:
         line = token.map[0] if token.map else 0
         written = self._lines[line] if line < len(self._lines) else ""
         return Place(self._path, line + 1, len(written) - len(written.lstrip()) + 1)
-
-
-def _collect(tokens: Sequence[Token], pieces: list[str]) -> None:
-    for token in tokens:
-        if token.type in ("softbreak", "hardbreak"):
-            pieces.append(" ")
-        elif token.type in ("text", "code_inline", "text_special"):
-            pieces.append(token.content)
-        elif token.children:
-            _collect(token.children, pieces)

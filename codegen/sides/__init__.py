@@ -7,9 +7,10 @@ from contextlib import ExitStack, contextmanager
 
 from codegen.load.archive import ENDINGS
 from codegen.load.shipped import shipped_dialect_names, shipped_in
+from codegen.project_files import PROJECT_FILES
 from codegen.sides.release import INSTALLED, installed_side, release_folder, release_side
 from codegen.sides.revision import is_revision, revision_side
-from codegen.sides.side import PROJECT_FILES, Around, Side, Unreadable, dialect_side, project_side
+from codegen.sides.side import Around, Side, Unreadable, dialect_side, project_side
 
 WORK_TREE = "work tree"
 

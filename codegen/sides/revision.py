@@ -9,7 +9,8 @@ from codegen.load.git import GitFault, commit_of, repository_of
 from codegen.load.git_tree import GitTree
 from codegen.load.shipped import shipped_dialect_names
 from codegen.load.trees import is_file
-from codegen.sides.side import PROJECT_FILES, Around, Side, Unreadable, dialect_side, hang, project_side
+from codegen.project_files import PROJECT_FILES
+from codegen.sides.side import Around, Side, Unreadable, dialect_side, hang, project_side
 
 
 def is_revision(text: str, around: Around) -> bool:

@@ -12,8 +12,6 @@ from codegen.model.dialect import Dialect
 from codegen.model.system import System
 from codegen.resolve.dialect import resolve_dialect
 
-PROJECT_FILES = ("specs/codegen.yaml", "codegen.yaml")
-
 
 @dataclass(frozen=True, slots=True)
 class Side:
