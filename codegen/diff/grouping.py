@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from codegen.diagnostics import shortened_list
 from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, joined
 from codegen.fingerprint import fingerprint
+from codegen.source import Place
 
 AREAS = tuple(Area)
 _LONG = 70
@@ -75,21 +76,44 @@ def _gravity(group: Group) -> tuple[int, int]:
     return AREAS.index(change.rule.area), rank
 
 
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """How many changes are not waived, how many of those break somebody silently or noticed, and how many are."""
+
+    changes: int
+    silent: int
+    noticed: int
+    waived: int
+
+
+def numbers_of(groups: Sequence[Group]) -> Numbers:
+    """The numbers that the summaries show."""
+    changes = [change for group in groups if group.waived is None for change in group.changes]
+    return Numbers(
+        changes=len(changes),
+        silent=sum(change.is_silent for change in changes),
+        noticed=sum(change.is_breaking and not change.is_silent for change in changes),
+        waived=sum(len(group.changes) for group in groups if group.waived is not None),
+    )
+
+
 def counted(groups: Sequence[Group]) -> str:
     """``7 changes, 2 of which break somebody silently``: the head line of every report. Waived ones are told apart."""
-    changes = [change for group in groups if group.waived is None for change in group.changes]
-    waived = sum(len(group.changes) for group in groups if group.waived is not None)
-    silent = sum(change.is_silent for change in changes)
-    noticed = sum(change.is_breaking and not change.is_silent for change in changes)
+    found = numbers_of(groups)
     told = [
-        f"{silent} {'breaks' if silent == 1 else 'break'} somebody silently" if silent else "",
-        f"{noticed} {'breaks' if noticed == 1 else 'break'} somebody who notices" if noticed else "",
-        f"{waived} waived" if waived else "",
+        f"{found.silent} {'breaks' if found.silent == 1 else 'break'} somebody silently" if found.silent else "",
+        f"{found.noticed} {'breaks' if found.noticed == 1 else 'break'} somebody who notices" if found.noticed else "",
+        f"{found.waived} waived" if found.waived else "",
     ]
     words = [word for word in told if word]
-    if not silent and not noticed:
+    if not found.silent and not found.noticed:
         words.insert(0, "none of them breaks anybody")
-    return f"{len(changes)} {'change' if len(changes) == 1 else 'changes'}: {', '.join(words)}"
+    return f"{found.changes} {'change' if found.changes == 1 else 'changes'}: {', '.join(words)}"
+
+
+def line_text(place: Place) -> str:
+    """``specs/state.yaml:12``: reports name lines, as a change is one of what begins there."""
+    return place.shown().rpartition(":")[0]
 
 
 def notice_text(change: Change) -> str:

@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area
-from codegen.diff.grouping import Group, difference, notice_text
+from codegen.diff.grouping import Group, difference, line_text, notice_text, numbers_of
 from codegen.diff.review import Review, elsewhere_text, tests_text
-from codegen.source import Place
 
 MOST_CHARACTERS = 60_000
 """A comment on GitHub has at most 65,536."""
@@ -67,11 +66,9 @@ def _summary(found: Review) -> Iterator[str]:
     yield "| | changes | break silently | break, noticed |"
     yield "| --- | ---: | ---: | ---: |"
     for area in Area:
-        changes = [change for group in found.of_area(area) if group.waived is None for change in group.changes]
-        silent = sum(change.is_silent for change in changes)
-        noticed = sum(change.is_breaking and not change.is_silent for change in changes)
-        numbers = [str(number) if number else "none" for number in (len(changes), silent, noticed)]
-        shown = [f"**{numbers[1]}**" if silent else numbers[1], numbers[2]]
+        count = numbers_of(found.of_area(area))
+        numbers = [str(number) if number else "none" for number in (count.changes, count.silent, count.noticed)]
+        shown = [f"**{numbers[1]}**" if count.silent else numbers[1], numbers[2]]
         if area in (Area.TRACE, Area.DOCUMENTATION):
             shown = ["", ""]
         yield f"| {TITLES[area]} | {numbers[0]} | {shown[0]} | {shown[1]} |"
@@ -115,10 +112,8 @@ def _entry(group: Group) -> Iterator[str]:
     words = [word for word in reached if word]
     if words:
         yield f"  <br>Reaches {'; '.join(words)}."
-    before = (
-        f", before at {code(_shown(change.was_at))}" if change.was_at and change.was_at[1:] != change.place[1:] else ""
-    )
-    yield f"  <br>{code(_shown(change.place))}{before}"
+    before = f", before at {code(line_text(change.was_at))}" if change.was_at and change.has_moved else ""
+    yield f"  <br>{code(line_text(change.place))}{before}"
 
 
 def _values(group: Group) -> str:
@@ -126,10 +121,6 @@ def _values(group: Group) -> str:
     if old is None:
         return f"new: {code(new)}"
     return f"gone: {code(old)}" if new is None else f"{code(old)} → {code(new)}"
-
-
-def _shown(place: Place) -> str:
-    return place.shown().rpartition(":")[0]
 
 
 def _bandwidth(program: str, bandwidth: Bandwidth) -> list[str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from codegen.diagnostics import shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Reach
-from codegen.diff.grouping import Group, difference, notice_text
+from codegen.diff.grouping import Group, difference, line_text, notice_text, numbers_of
 from codegen.diff.markdown import TITLES
 from codegen.diff.review import Review, elsewhere_text
 from codegen.render import render_page
@@ -110,9 +110,8 @@ def review_page(found: Review) -> str:
 
 
 def _summary(found: Review, area: Area) -> SummaryRow:
-    changes = [change for group in found.of_area(area) if group.waived is None for change in group.changes]
-    silent = sum(change.is_silent for change in changes)
-    return SummaryRow(TITLES[area], len(changes), silent, sum(change.is_breaking for change in changes) - silent)
+    count = numbers_of(found.of_area(area))
+    return SummaryRow(TITLES[area], count.changes, count.silent, count.noticed)
 
 
 def _row(group: Group) -> ChangeRow:
@@ -139,8 +138,8 @@ def _row(group: Group) -> ChangeRow:
         more=_more(reach),
         symbols=_by_file(reach.symbols),
         tests=reach.tests,
-        place=change.place.shown().rpartition(":")[0],
-        was_at=change.was_at.shown().rpartition(":")[0] if change.was_at and change.has_moved else "",
+        place=line_text(change.place),
+        was_at=line_text(change.was_at) if change.was_at and change.has_moved else "",
     )
 
 
