@@ -6,14 +6,15 @@ from textwrap import fill
 
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.account import FLAGS
 from codegen.model.dialect import WireMessage
-from codegen.model.system import Generations, PopulatedMessage, Representation, System, read_quantities
+from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
 from codegen.targets.quantity_words import becomes_unknown
-from codegen.targets.table import FLAGS, FieldRow, field_rows, limit_text
+from codegen.targets.table import FieldRow, field_rows, limit_text
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
@@ -158,13 +159,13 @@ def _table(rows: Sequence[FieldRow]) -> list[str]:
 
 def _field(message: PopulatedMessage, name: str) -> str | None:
     wire = message.wire.field(name.partition("[")[0])
-    bindings = [binding for binding in message.bindings if name in (binding.covers.field.name, binding.covers.label)]
-    if wire is None or not bindings:
+    answers = [answer for answer in message.answers if name in (answer.covers.field.name, answer.covers.label)]
+    if wire is None or not answers:
         return None
     rows = {row.offset: row for row in field_rows(message)}
     parts = [f"{message.name}.{wire.name}", fill(wire.definition.description, 100), ""]
-    for binding in bindings:
-        row = rows[binding.covers.offset]
+    for answer in answers:
+        row = rows[answer.covers.offset]
         facts = [
             ("field", row.field),
             ("offset", f"{row.offset}, {row.size} bytes"),
@@ -175,10 +176,10 @@ def _field(message: PopulatedMessage, name: str) -> str | None:
             ("conversion", row.conversion),
             ("limits", row.limits),
             ("unknown", f"{row.sentinel}  ({wire.sentinel.place.shown()})" if wire.sentinel else "no sentinel"),
-            ("criterion", _cited(binding.covers.citation)),
+            ("criterion", _cited(answer.covers.citation)),
             ("answered at", row.place.shown()),
             ("declared at", wire.definition.place.shown()),
-            ("note", binding.covers.answer.note or ""),
+            ("note", answer.covers.written.note or ""),
         ]
         parts += _facts(facts)
     return "\n".join(parts) + "\n"
@@ -256,10 +257,10 @@ def _columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
 
 def _quantity(quantity: Quantity, system: System) -> str:
     fields = [
-        f"{message.name}.{binding.covers.label}"
+        f"{message.name}.{answer.covers.label}"
         for message in system.messages
-        for binding in message.bindings
-        if quantity in read_quantities(binding)
+        for answer in message.answers
+        if quantity in answer.quantities
     ]
     conversion = quantity.conversion
     measured = ""
@@ -300,10 +301,10 @@ def _requirement(topic: str, system: System) -> str | None:
 
 def _answering(criterion: str, system: System) -> list[str]:
     return [
-        f"{message.name}.{binding.covers.label}  ({binding.covers.answer.place.shown()})"
+        f"{message.name}.{answer.covers.label}  ({answer.covers.written.place.shown()})"
         for message in system.messages
-        for binding in message.bindings
-        if str(binding.covers.citation) == criterion
+        for answer in message.answers
+        if str(answer.covers.citation) == criterion
     ]
 
 

@@ -4,12 +4,22 @@ from collections.abc import Iterator
 from itertools import groupby
 
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.binding_facts import binding_facts
 from codegen.diff.change import Change, changed
 from codegen.diff.subject import Fact, Subject, cited, subject_changes
 from codegen.diff.trace_rules import CITATION, DOC
+from codegen.model.account import Aspect
 from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
+
+_RULES = {
+    Aspect.SOURCE: rules.SOURCE,
+    Aspect.CONSTANT: rules.CONSTANT,
+    Aspect.FLAGS: rules.FLAGS,
+    Aspect.CONVERSION: rules.CONVERSION,
+    Aspect.LIMITS: rules.LIMITS,
+    Aspect.UNKNOWN: rules.UNKNOWN,
+}
+"""The rule under which a change of each aspect of an answer is told."""
 
 _ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rules.FLAGS)}
 """What follows from another source is told with it."""
@@ -140,15 +150,16 @@ def _said(change: Change) -> tuple[object, ...]:
 def _facts(message: PopulatedMessage) -> dict[tuple[str, int], Subject]:
     """What is known of each element, by the name of its field and its number from 0."""
     found = {}
-    for binding in message.bindings:
-        covers = binding.covers
-        place = covers.answer.place
-        note = covers.answer.note or ""
+    for answer in message.answers:
+        covers = answer.covers
+        place = covers.written.place
+        note = covers.written.note or ""
         for index in range(covers.first, covers.first + covers.count):
-            facts = [Fact(fact.attribute, fact.text, fact.rule, place) for fact in binding_facts(binding, index)]
+            traits = answer.traits(index - covers.first)
+            facts = [Fact(trait.attribute, trait.text, _RULES[trait.aspect], place) for trait in traits]
             own = "" if covers.citation == message.citation else str(covers.citation)
-            facts.append(Fact("answers to", own, CITATION, covers.answer.at("requirement")))
-            facts.append(Fact("note", note, DOC, covers.answer.at("note")))
+            facts.append(Fact("answers to", own, CITATION, covers.written.at("requirement")))
+            facts.append(Fact("note", note, DOC, covers.written.at("note")))
             found[covers.field.name, index] = Subject(
                 name=f"{message.name}.{covers.field.name}",
                 says=covers.label,

@@ -4,8 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from codegen.diff.change import Area, Change, Reach, joined
-from codegen.model.system import LiveBinding, System, read_quantities
-from codegen.model.vehicle import Parameter
+from codegen.model.system import System
 from codegen.trace.graph import Trace, reached
 
 
@@ -23,12 +22,10 @@ def traces(old: Trace, new: Trace, systems: Iterable[System]) -> Traces:
     sent_in: dict[str, dict[str, None]] = {}
     for system in systems:
         for message in system.messages:
-            for binding in message.bindings:
-                field = f"{message.name}.{binding.covers.field.name}"
-                for quantity in read_quantities(binding):
-                    sent_in.setdefault(quantity.path, {})[field] = None
-                if isinstance(binding, LiveBinding) and isinstance(binding.source, Parameter):
-                    sent_in.setdefault(binding.source.name, {})[field] = None
+            for answer in message.answers:
+                field = f"{message.name}.{answer.covers.field.name}"
+                for path in (*(read.path for read in answer.quantities), *(read.path for read in answer.parameters)):
+                    sent_in.setdefault(path, {})[field] = None
             if message.stream is not None:
                 sent_in.setdefault(message.stream.name, {})[message.name] = None
     return Traces(old, new, {name: tuple(fields) for name, fields in sent_in.items()})

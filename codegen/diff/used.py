@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from codegen.diff.change import Change
-from codegen.model.system import FixedBinding, FlagsBinding, PartBinding, System
+from codegen.model.system import System
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,11 +36,6 @@ def used_of(systems: Iterable[System]) -> Used:
         for component in system.components.values():
             enums.update(quantity.enum.name for quantity in component.quantities.values() if quantity.enum)
         for message in system.messages:
-            for binding in message.bindings:
-                if isinstance(binding, FlagsBinding):
-                    entries.update(binding.names)
-                    entries.update(name for name, _, _ in binding.conditional)
-                for fixed in binding.values if isinstance(binding, PartBinding) else (binding,):
-                    if isinstance(fixed, FixedBinding):
-                        entries.add(fixed.meaning)
+            for answer in message.answers:
+                entries.update(answer.entries)
     return Used(frozenset(messages), frozenset(enums), frozenset(entries))

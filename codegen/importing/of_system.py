@@ -6,7 +6,7 @@ import re
 from codegen.importing.answer import Sources
 from codegen.importing.comparison import Number, TableAnswer, table_answers
 from codegen.model.dialect import Dialect
-from codegen.model.system import FixedBinding, PartBinding, PopulatedMessage, System
+from codegen.model.system import PopulatedMessage, System
 
 
 def sources_of(dialect: Dialect, system: System | None, for_each: str | None = None) -> Sources:
@@ -42,17 +42,7 @@ def answers_of(message: PopulatedMessage) -> tuple[TableAnswer, ...]:
     """The answers of a message's table, with the numbers of those that are known now."""
     fields = message.population.fields
     fixed: dict[str, tuple[Number | str, ...]] = {}
-    for binding in message.bindings:
-        values = _fixed_values(binding)
-        if values is not None:
-            fixed |= {key: values for key, answer in fields.items() if answer is binding.covers.answer}
+    for answer in message.answers:
+        if answer.always is not None:
+            fixed |= {key: answer.always for key, written in fields.items() if written is answer.covers.written}
     return table_answers(message.wire, fields, fixed)
-
-
-def _fixed_values(binding: object) -> tuple[Number | str, ...] | None:
-    """The values of a binding that never change; a fact of the board counts if it is the same for all instances."""
-    if isinstance(binding, FixedBinding):
-        return binding.values
-    if isinstance(binding, PartBinding) and len({part.values for part in binding.values}) == 1:
-        return binding.values[0].values
-    return None

@@ -4,24 +4,13 @@ Counted are whole, unsigned frames of MAVLink 2, which cuts the zeros at the end
 never cut, and has no extensions. What depends on the state makes a range. Requests and announcements are not counted.
 """
 
-import struct
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from codegen.model.dialect import Kind
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Generation
-from codegen.model.system import (
-    Binding,
-    FixedBinding,
-    FlagsBinding,
-    Generations,
-    InstanceBinding,
-    LiveBinding,
-    PopulatedMessage,
-    System,
-)
+from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.vehicle import Component, by_instance
 
 HEAD_V1 = 8
@@ -62,9 +51,9 @@ def frame_size(message: PopulatedMessage, instance: int, protocol: int) -> Range
         whole = Fraction(HEAD_V1 + message.wire.base_length)
         return Range(whole, whole)
     surely, maybe = 1, 1  # a payload keeps its first byte
-    for binding in message.bindings:
-        start = binding.covers.offset
-        least, most = _used(binding, _numbers(message, instance))
+    for answer in message.answers:
+        start = answer.covers.offset
+        least, most = answer.used_bytes(*_numbers(message, instance))
         surely = max(surely, start + least if least else 0)
         maybe = max(maybe, start + most if most else 0)
     return Range(Fraction(HEAD_V2 + surely), Fraction(HEAD_V2 + max(surely, maybe)))
@@ -74,52 +63,6 @@ def _numbers(message: PopulatedMessage, instance: int) -> tuple[int, int]:
     """The least and the largest number of an instance in messages: a parameter may have that of the first one."""
     first = message.component.first_number if message.component else None
     return (instance, instance) if first is None else (instance + first.minimum, instance + first.maximum)
-
-
-def _used(binding: Binding, numbers: tuple[int, int]) -> tuple[int, int]:
-    """Bytes up to the last that is not zero: at least, and at most. 0 where all may be, or are, zero."""
-    covers = binding.covers
-    size = covers.field.type.size
-    if isinstance(binding, FixedBinding):
-        used = len(_packed(binding).rstrip(b"\0"))
-        return used, used
-    if isinstance(binding, InstanceBinding):
-        return _bytes_of(numbers[0]), _bytes_of(numbers[1])
-    if isinstance(binding, FlagsBinding):
-        every = binding.mask
-        for _, value, _ in binding.conditional:
-            every |= value
-        return _bytes_of(binding.mask), _bytes_of(every)
-    if isinstance(binding, LiveBinding):
-        return _live(binding)
-    return 0, size * covers.count
-
-
-def _packed(binding: FixedBinding) -> bytes:
-    code = binding.covers.field.type.code
-    if binding.covers.field.type.kind is Kind.CHAR:
-        return b"".join(str(value).encode() for value in binding.values)
-    return b"".join(struct.pack(f"<{code}", value) for value in binding.values)
-
-
-def _live(binding: LiveBinding) -> tuple[int, int]:
-    size = binding.covers.field.type.size
-    unknown = binding.unknown
-    if not binding.covers.field.type.is_integer:
-        is_zero = binding.low <= 0 <= binding.high and binding.hole != 0
-        return 0 if is_zero or unknown == 0 else size, size
-    numbers = [int(binding.low), int(binding.high), *([] if unknown is None else [int(unknown)])]
-    most = size if min(numbers) < 0 else _bytes_of(max(numbers))
-    values = numbers if binding.low > 0 else [0] if binding.high >= 0 else numbers
-    if binding.low <= 0 <= binding.high and binding.hole == 0:
-        values = [1]
-    if unknown == 0:
-        values = [0]
-    return min(_bytes_of(value) if value >= 0 else size for value in values), most
-
-
-def _bytes_of(number: int) -> int:
-    return (number.bit_length() + 7) // 8
 
 
 def on_by_default(component: Component | None, system: System) -> tuple[bool, ...]:

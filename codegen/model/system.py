@@ -3,190 +3,17 @@
 Rules, targets, ``explain`` and the documents read this model; none of them looks at files again.
 """
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
-from fractions import Fraction
 
-from codegen.model.dialect import Dialect, WireField, WireMessage
-from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
+from codegen.model.answer import Answer
+from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
-from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Citation, Component, Parameter, Quantity, Stream
-
-FLOAT_DIVISOR_MAX = 2**25
-"""Largest divisor of a value that goes out as a float by integer arithmetic: the firmware's ``put_float``."""
-
-
-@dataclass(frozen=True, slots=True)
-class Elements:
-    """The elements ``first`` to ``first + count - 1`` of a field, and the answer of the table for them."""
-
-    field: WireField
-    first: int
-    count: int
-    answer: FieldAnswer
-    citation: Citation
-
-    @property
-    def offset(self) -> int:
-        """Byte offset of the first element in the payload."""
-        return self.field.offset + self.first * self.field.type.size
-
-    @property
-    def label(self) -> str:
-        """``voltages``, ``voltages[0]`` or ``voltages[1..9]``."""
-        return self.field.label(self.first, self.count)
-
-
-@dataclass(frozen=True, slots=True)
-class FixedBinding:
-    """Values known at build time, one per element (a char array has one ``str``), with the words for reviewers."""
-
-    covers: Elements
-    values: tuple[int | float | str, ...]
-    meaning: str
-    is_unknown: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class PartBinding:
-    """A fact that differs between the instances of the component: the binding of each, by number."""
-
-    covers: Elements
-    values: tuple[FixedBinding, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class InstanceBinding:
-    """The index of the component's instance, from 0, or from the number that the parameter ``first`` has at start."""
-
-    covers: Elements
-    component: str
-    first: Parameter | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class TextBinding:
-    """A text that the running board knows, cut to the field. ``source``: unique_id, the chip's number in hex."""
-
-    covers: Elements
-    source: str
-
-
-@dataclass(frozen=True, slots=True)
-class PageBinding:
-    """The number of the first value on a page of ``size`` values."""
-
-    covers: Elements
-    size: int
-
-
-@dataclass(frozen=True, slots=True)
-class FlagsBinding:
-    """Bits of a bitmask: ``mask`` is always set, each of ``conditional`` only while its quantity is true."""
-
-    covers: Elements
-    mask: int
-    names: tuple[str, ...]
-    conditional: tuple[tuple[str, int, Quantity], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class LiveBinding:
-    """A value that is read when the message is built: a quantity of the state, or a parameter.
-
-    wire = ``source * factor``, rounded, limited to ``low``..``high`` (wire units, sentinel excluded), and where it
-    still equals ``hole``, the sentinel within these limits, moved to ``beside``. Unknown becomes ``unknown``.
-    For integer fields ``low`` and ``high`` are whole numbers.
-    """
-
-    covers: Elements
-    source: Quantity | Parameter
-    factor: Fraction
-    rounding: Rounding
-    low: Fraction
-    high: Fraction
-    unknown: int | float | None
-    hole: Fraction | None = None
-    beside: Fraction | None = None
-
-    @property
-    def steps(self) -> tuple[int, int]:
-        """The smallest and the largest stored value that goes out as it is."""
-        return math.ceil(self.low / self.factor), math.floor(self.high / self.factor)
-
-    @property
-    def makes_float(self) -> bool:
-        """Whether a builder has to make a float of the value, for which MicroPython allocates.
-
-        A float of 32 bits comes of integer arithmetic while value times numerator, and the shifted rest of the division
-        by the denominator, fit a board's small integers.
-        """
-        wire_type, factor = self.covers.field.type, self.factor
-        if wire_type.is_integer:
-            return False
-        largest = max(map(abs, self.steps)) * factor.numerator
-        return wire_type.size != 4 or largest > SMALL_INT_MAX or factor.denominator > FLOAT_DIVISOR_MAX
-
-
-@dataclass(frozen=True, slots=True)
-class SplitBinding:
-    """A quantity spread over elements: each holds up to ``cell_high``, the rest spills into the next.
-
-    ``unused`` is the sentinel of elements that are not reached, ``low`` the smallest value that is sent.
-    Source: the dialect's text for BATTERY_STATUS.voltages.
-    """
-
-    covers: Elements
-    source: Quantity
-    factor: Fraction
-    rounding: Rounding
-    low: int
-    high: int
-    cell_high: int
-    unused: int
-
-
-@dataclass(frozen=True, slots=True)
-class EachBinding:
-    """One value of a quantity with elements for each covered element, from the value ``first`` on.
-
-    On pages (``is_paged``) ``first`` counts from the begin of the page. The conversion is that of ``LiveBinding``;
-    what is unknown, and what lies beyond the last value, becomes ``unknown``, the sentinel of every element. With a
-    ``room`` the values go out together or not at all: only while all of them are known and no more than the ``room``
-    that the message has; otherwise ``fallback`` goes out, or ``unknown`` in every element.
-    Source: the dialect's text for BATTERY_STATUS.voltages.
-    """
-
-    covers: Elements
-    source: Quantity
-    first: int
-    factor: Fraction
-    rounding: Rounding
-    low: Fraction
-    high: Fraction
-    unknown: int
-    hole: Fraction | None = None
-    beside: Fraction | None = None
-    is_paged: bool = False
-    fallback: SplitBinding | None = None
-    room: int | None = None
-
-
-Binding = (
-    FixedBinding
-    | PartBinding
-    | TextBinding
-    | InstanceBinding
-    | PageBinding
-    | FlagsBinding
-    | LiveBinding
-    | SplitBinding
-    | EachBinding
-)
+from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
 
 
 class Policy(Enum):
@@ -212,20 +39,9 @@ class Representation:
     quantity: Quantity | None = None
 
 
-def read_quantities(binding: Binding) -> tuple[Quantity, ...]:
-    """The quantities of the state that a builder reads for a binding."""
-    if isinstance(binding, FlagsBinding):
-        return tuple(quantity for _, _, quantity in binding.conditional)
-    if isinstance(binding, EachBinding):
-        return (binding.source, *(read_quantities(binding.fallback) if binding.fallback else ()))
-    if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
-        return (binding.source,)
-    return ()
-
-
 @dataclass(frozen=True, slots=True)
 class PopulatedMessage:
-    """A message with a binding for every element; ``bindings`` are in the order of their offsets.
+    """A message with an answer for every element; ``answers`` are in the order of their offsets.
 
     ``component`` is the component that each instance of the message belongs to, or None for a single message.
     Without a ``stream`` it is sent when a ground station asks for it. With ``on_connection`` it is announced, which is
@@ -235,7 +51,7 @@ class PopulatedMessage:
     """
 
     wire: WireMessage
-    bindings: tuple[Binding, ...]
+    answers: tuple[Answer, ...]
     stream: Stream | None
     component: Component | None
     citation: Citation
@@ -261,9 +77,9 @@ class PopulatedMessage:
         return self.component.instances if self.component else 1
 
     @property
-    def made_floats(self) -> tuple[LiveBinding, ...]:
-        """The bindings that make a float at each build, which allocates on MicroPython."""
-        return tuple(binding for binding in self.bindings if isinstance(binding, LiveBinding) and binding.makes_float)
+    def makes_floats(self) -> bool:
+        """Whether building it makes floats, which allocates on MicroPython."""
+        return any(answer.makes_float for answer in self.answers)
 
 
 @dataclass(frozen=True, slots=True)

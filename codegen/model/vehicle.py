@@ -213,6 +213,12 @@ class Instance:
     prefix: str
     facts: Mapping[str, str | Fraction]
 
+    @property
+    def cells(self) -> int | None:
+        """How many cells in series it has; None where no fact says so."""
+        cells = self.facts.get("cells")
+        return int(cells) if isinstance(cells, Fraction) and cells.denominator == 1 and cells > 0 else None
+
 
 @dataclass(frozen=True, slots=True)
 class Component(Cited):

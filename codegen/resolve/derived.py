@@ -5,13 +5,12 @@ from fractions import Fraction
 from itertools import pairwise
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.measure import UNIT_MISMATCH, read_time
 from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.unit import NUMBER, UNITS, Unit, read_measure
 from codegen.model.vehicle import Estimate, Instance, Quantity, Trend
-from codegen.resolve.instances import cells_of
-from codegen.resolve.measure import UNIT_MISMATCH, read_time
 from codegen.source import Place
 
 BAD_TREND = Rule(
@@ -95,7 +94,7 @@ def resolve_estimate(
         curve = _curve(component, part, place, whole, dialect, report)
         if curve is None:
             return None
-        cells = cells_of(part) or 1
+        cells = part.cells or 1
         curves.append(tuple((round(cell * cells * volts), percent) for cell, percent in curve))
     return Estimate(spec.estimate_from, tuple(curves))
 
@@ -105,7 +104,7 @@ def _curve(
 ) -> list[tuple[Fraction, int]] | None:
     """Volts of one cell and percent for the chemistry of an instance; None after a finding."""
     chemistry = part.facts.get("chemistry")
-    if not isinstance(chemistry, str) or cells_of(part) is None:
+    if not isinstance(chemistry, str) or part.cells is None:
         message = f"board.yaml does not state the chemistry and the cells of {component}"
         report.add(BAD_ESTIMATE, place, message, f"facts: {{{component}: {{chemistry: ..., cells: 3}}}}")
         return None

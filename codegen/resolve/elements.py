@@ -4,10 +4,10 @@ import re
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.answer import Elements
 from codegen.model.dialect import Kind, WireField, WireMessage
 from codegen.model.population_spec import FieldAnswer, PopulationSpec
 from codegen.model.spec import Requirement
-from codegen.model.system import Elements
 from codegen.model.vehicle import Citation
 from codegen.resolve.citation import cite
 from codegen.source import Place
@@ -58,12 +58,12 @@ def answered_elements(
         if earlier is not None:
             report.add(
                 ANSWERED_TWICE,
-                found.answer.place,
+                found.written.place,
                 f"{message.name}.{found.field.name} is answered twice",
                 related=[(earlier, "the first answer is here")],
             )
             continue
-        owners.update(((found.field.name, element), found.answer.place) for element in _elements(found))
+        owners.update(((found.field.name, element), found.written.place) for element in _elements(found))
         kept.append(found)
     for field in message.fields:
         missing = [element for element in range(_element_count(field)) if (field.name, element) not in owners]

@@ -3,13 +3,13 @@
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean, shortened_list
+from codegen.measure import read_time
 from codegen.model.program import Failsafe, FailsafeLevel
 from codegen.model.program_spec import ActionSpec, FailsafeLevelSpec, FailsafeSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite, cite_optional
-from codegen.resolve.measure import read_time
 from codegen.resolve.state import UNKNOWN_QUANTITY
 from codegen.resolve.vehicle import find_parameter
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.spec import ParameterSpec, Spec
 from codegen.model.vehicle import Instance, Parameter
-from codegen.resolve.instances import BAD_INSTANCES, cells_of
+from codegen.resolve.instances import BAD_INSTANCES
 from codegen.source import Place
 
 BAD_FAMILY = Rule(
@@ -87,7 +87,7 @@ class ParameterFamilies:
             return each.defaults[own], each.at(f"defaults.{own}")
         if not spec.per_cell:
             return spec.default, None
-        cells = cells_of(part)
+        cells = part.cells
         if cells is None:
             message = f"{name} has a default per cell, and {spec.for_each} {part.number + 1} has no number of cells"
             self._report.add(BAD_FAMILY, spec.at("per_cell"), message, "state it in board.yaml: facts: {cells: 3}")

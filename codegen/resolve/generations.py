@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
-from codegen.model.system import Generations, PopulatedMessage, read_quantities
+from codegen.model.system import Generations, PopulatedMessage
 from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.resolve.citation import cite_optional
 from codegen.resolve.families import is_single
-from codegen.resolve.fixed import find_quantity
+from codegen.resolve.state import find_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
 
@@ -87,7 +87,7 @@ def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, Pop
             if listed not in messages:
                 continue
             owner = messages[listed].component
-            read = {quantity.component for each in messages[listed].bindings for quantity in read_quantities(each)}
+            read = {quantity.component for answer in messages[listed].answers for quantity in answer.quantities}
             if owner is None and read and name not in read:
                 yield spec.at(f"{key}[{number}]"), f"{listed} says nothing about a {name}", None, []
             if owner is not None and owner.name != name:

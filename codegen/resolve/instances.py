@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping
-from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.spec import Spec
@@ -58,12 +57,6 @@ def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
         if first is not place:
             related = [(first, "it is taken here")]
             report.add(BAD_INSTANCES, place, f"{each.prefix} is the prefix of another {name}", related=related)
-
-
-def cells_of(instance: Instance) -> int | None:
-    """How many cells in series an instance has; None where no fact says so."""
-    cells = instance.facts.get("cells")
-    return int(cells) if isinstance(cells, Fraction) and cells.denominator == 1 and cells > 0 else None
 
 
 def known_facts(spec: Spec, components: Mapping[str, Component]) -> list[str]:

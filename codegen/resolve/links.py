@@ -5,12 +5,12 @@ import re
 from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule
+from codegen.measure import read_time
 from codegen.model.board_spec import BoardSpec, LinkSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Requirement
 from codegen.model.unit import UNITS
 from codegen.resolve.citation import cite_optional
-from codegen.resolve.measure import read_time
 from codegen.source import Place
 
 BAD_LINK = Rule(

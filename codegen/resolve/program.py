@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
+from codegen.measure import read_rate, read_time
 from codegen.model.dialect import Dialect
 from codegen.model.program import Program
 from codegen.model.program_spec import CodeSpec, VehicleSpec
@@ -14,7 +15,6 @@ from codegen.model.unit import UNITS
 from codegen.model.vehicle import Component, Parameter
 from codegen.resolve.citation import cite_optional
 from codegen.resolve.failsafe import FailsafeResolver
-from codegen.resolve.measure import read_rate, read_time
 from codegen.resolve.services import SENT, service_constants, service_messages
 from codegen.source import Place
 

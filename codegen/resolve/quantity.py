@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.measure import UNIT_MISMATCH, find_unit, read_time
 from codegen.model.dialect import Dialect, EnumDefinition
 from codegen.model.spec import Requirement, Spec
 from codegen.model.state_spec import QuantitySpec
@@ -14,7 +15,6 @@ from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Conversion, Instanc
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import resolve_estimate, resolve_trend
 from codegen.resolve.following import count_cells, resolve_elements, resolve_following
-from codegen.resolve.measure import UNIT_MISMATCH, find_unit, read_time
 from codegen.resolve.vehicle import find_parameter
 
 BAD_QUANTITY = Rule(

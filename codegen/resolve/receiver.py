@@ -3,14 +3,14 @@
 from collections.abc import Iterable, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.measure import read_time
 from codegen.model.receiver import Receiver
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.spec import Requirement
-from codegen.model.system import InstanceBinding, PopulatedMessage
+from codegen.model.system import PopulatedMessage
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import Component
 from codegen.resolve.citation import cite_optional
-from codegen.resolve.measure import read_time
 
 BAD_RECEIVER = Rule(
     "bad-receiver",
@@ -53,5 +53,4 @@ def resolve_receiver(
 def _is_received(message: PopulatedMessage, component: Component) -> bool:
     if message.component is None or message.component.name != component.name:
         return False
-    bindings = (binding for binding in message.bindings if isinstance(binding, InstanceBinding))
-    return any(not binding.covers.field.is_array for binding in bindings)
+    return any(answer.is_instance_number and not answer.covers.field.is_array for answer in message.answers)

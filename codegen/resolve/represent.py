@@ -3,10 +3,11 @@
 from collections.abc import Iterable, Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.model.answer import Answer
 from codegen.model.population_spec import PopulationSpec, RepresentationSpec
 from codegen.model.spec import ParametersSpec
 from codegen.model.state_spec import StateSpec
-from codegen.model.system import Binding, Policy, Representation, read_quantities
+from codegen.model.system import Policy, Representation
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Component, Parameter, QuantityKind
 from codegen.resolve.vehicle import find_parameter
@@ -25,7 +26,7 @@ BAD_REPRESENTATION = Rule(
 
 def resolve_representations(
     population: PopulationSpec,
-    bindings: Iterable[Binding],
+    answers: Iterable[Answer],
     components: Mapping[str, Component],
     state: StateSpec,
     written: ParametersSpec,
@@ -33,7 +34,7 @@ def resolve_representations(
     report: Report,
 ) -> dict[str, Representation]:
     """The choices of a message by component; components of several instances that lack one are reported."""
-    read = {quantity.component for binding in bindings for quantity in read_quantities(binding)}
+    read = {quantity.component for answer in answers for quantity in answer.quantities}
     chosen = {}
     for name, policy in population.represents.items():
         place = population.at(f"represents.{name}")
@@ -49,7 +50,7 @@ def resolve_representations(
         elif (choice := _choice(component, policy, written, parameters, report)) is not None:
             chosen[name] = choice
     # Where a choice could not be read, or the number of an instance was asked for in vain, that has been reported.
-    reported = {answer.state.removesuffix(".instance") for answer in population.fields.values() if answer.state}
+    reported = {written.state.removesuffix(".instance") for written in population.fields.values() if written.state}
     for name in sorted(read - {population.for_each} - population.represents.keys() - reported):
         if components[name].instances > 1 and f"represents.{name}" not in population.places:
             report.add(

@@ -4,10 +4,10 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
+from codegen.measure import DAY_S, read_amount
 from codegen.model.scenario import Battery, Point
 from codegen.model.scenario_spec import BatterySpec, Points
 from codegen.model.unit import UNITS
-from codegen.resolve.measure import DAY_S, read_amount
 from codegen.source import Place
 
 SCENARIO_POINTS = Rule(

@@ -3,17 +3,18 @@
 from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.measure import read_rate
 from codegen.model.dialect import Dialect
 from codegen.model.population_spec import Rounding
 from codegen.model.spec import Requirement, Spec
-from codegen.model.state_spec import ComponentSpec
+from codegen.model.state_spec import ComponentSpec, StateSpec
 from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.derived import check_derived
-from codegen.resolve.measure import read_rate
 from codegen.resolve.quantity import BAD_QUANTITY, QuantityResolver, is_name
 from codegen.resolve.returns import resolve_returns
 from codegen.resolve.vehicle import find_parameter
+from codegen.source import Place
 
 BAD_COMPONENT = Rule(
     "bad-component",
@@ -110,3 +111,17 @@ def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], r
             "a component has one quantity that an ADC measures",
             related=[(measured[0].spec.at("adc"), f"{measured[0].name} is measured, too")],
         )
+
+
+def find_quantity(
+    path: str, components: Mapping[str, Component], state: StateSpec, place: Place, report: Report
+) -> Quantity | None:
+    """The quantity written as ``component.quantity``; one that is written but broken has been reported already."""
+    component, _, name = path.partition(".")
+    if component in components and name in components[component].quantities:
+        return components[component].quantities[name]
+    if component in state.components and name in state.components[component].quantities:
+        return None
+    known = [f"{owner.name}.{quantity}" for owner in components.values() for quantity in owner.quantities]
+    report.add(UNKNOWN_QUANTITY, place, f"the state has no quantity {path}", did_you_mean(path, known))
+    return None

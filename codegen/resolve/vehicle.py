@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.measure import DAY_S, find_unit, read_amount, read_rate, read_time
 from codegen.model.board_spec import AdcSpec, BoardSpec
 from codegen.model.dialect import Dialect
 from codegen.model.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
@@ -12,7 +13,6 @@ from codegen.model.unit import UNITS, decimal
 from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
-from codegen.resolve.measure import DAY_S, find_unit, read_amount, read_rate, read_time
 from codegen.source import Place
 
 BAD_ADC = Rule(

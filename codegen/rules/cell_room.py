@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.system import EachBinding, PopulatedMessage, System
+from codegen.model.answer import Answer
+from codegen.model.system import PopulatedMessage, System
 from codegen.source import Place
 
 RULE = Rule(
@@ -18,14 +19,14 @@ RULE = Rule(
 def check(system: System) -> Iterator[Diagnostic]:
     """Every message whose fields take a value for each element, without pages."""
     for message in system.messages:
-        rooms = {binding.source.path: binding for binding in message.bindings if isinstance(binding, EachBinding)}
-        for binding in rooms.values():
-            if binding.room is not None and not binding.is_paged:
-                yield from _beyond(system, message, binding, binding.room)
+        found = {answer.together.source.path: answer for answer in message.answers if answer.together is not None}
+        for answer in found.values():
+            yield from _beyond(system, message, answer)
 
 
-def _beyond(system: System, message: PopulatedMessage, binding: EachBinding, room: int) -> Iterator[Diagnostic]:
-    source = binding.source
+def _beyond(system: System, message: PopulatedMessage, answer: Answer) -> Iterator[Diagnostic]:
+    assert answer.together is not None
+    source, room = answer.together.source, answer.together.room
     several = len(source.elements or ()) > 1
     reported: set[Place] = set()
     for number, count in enumerate(source.elements or ()):
@@ -34,8 +35,9 @@ def _beyond(system: System, message: PopulatedMessage, binding: EachBinding, roo
             continue
         reported.add(place)
         owner = f"{source.component} {number + 1}" if several else source.component
-        instead = next((each.fallback for each in message.bindings if isinstance(each, EachBinding)), None)
-        sent = f"{instead.source.path} is sent instead" if instead else "they are sent as unknown"
+        others = (other.together.instead for other in message.answers if other.together is not None)
+        instead = next((quantity for quantity in others if quantity is not None), None)
+        sent = f"{instead.path} is sent instead" if instead else "they are sent as unknown"
         text = f"{owner} has {count} {source.name}, and {message.name} has room for {room}: {sent}"
-        related = ((binding.covers.answer.place, "the field is answered here"),)
+        related = ((answer.covers.written.place, "the field is answered here"),)
         yield Diagnostic(place, RULE, text, None, related)

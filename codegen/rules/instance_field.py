@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.system import Binding, InstanceBinding, PartBinding, System
+from codegen.model.system import System
 
 RULE = Rule(
     "same-instance",
@@ -12,23 +12,17 @@ RULE = Rule(
 )
 
 
-def _tells_apart(binding: Binding) -> bool:
-    if isinstance(binding, PartBinding):
-        return len({part.values for part in binding.values}) == len(binding.values)
-    return isinstance(binding, InstanceBinding)
-
-
 def check(system: System) -> Iterator[Diagnostic]:
     """The instance fields of every message that exists more than once."""
     for message in system.messages:
         if message.component is None or message.instances == 1:
             continue
-        for binding in message.bindings:
-            if binding.covers.field.definition.is_instance and not _tells_apart(binding):
+        for answer in message.answers:
+            if answer.covers.field.definition.is_instance and not answer.tells_apart:
                 yield Diagnostic(
-                    binding.covers.answer.place,
+                    answer.covers.written.place,
                     RULE,
-                    f"{message.instances} {message.name} messages have the same {binding.covers.field.name}",
+                    f"{message.instances} {message.name} messages have the same {answer.covers.field.name}",
                     f"write {{state: {message.component.name}.instance}}",
-                    ((binding.covers.field.definition.place, "the dialect marks it as the instance here"),),
+                    ((answer.covers.field.definition.place, "the dialect marks it as the instance here"),),
                 )

@@ -3,7 +3,9 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.system import FLOAT_DIVISOR_MAX, LiveBinding, System
+from codegen.model.answer import Answer
+from codegen.model.scaling import FLOAT_DIVISOR_MAX
+from codegen.model.system import System
 from codegen.model.vehicle import SMALL_INT_MAX
 
 RULE = Rule(
@@ -19,22 +21,24 @@ RULE = Rule(
 def check(system: System) -> Iterator[Diagnostic]:
     """Every value that only a float can carry to its field."""
     for message in system.messages:
-        for binding in message.made_floats:
-            covers = binding.covers
+        for answer in message.answers:
+            if not answer.makes_float:
+                continue
+            covers = answer.covers
             yield Diagnostic(
-                covers.answer.place,
+                covers.written.place,
                 RULE,
                 f"{message.name}.{covers.label} is a {covers.field.type.name} and allocates at each build",
-                _way_out(binding),
+                _way_out(answer),
                 ((covers.field.definition.place, "it is declared here"),),
             )
 
 
-def _way_out(binding: LiveBinding) -> str | None:
+def _way_out(answer: Answer) -> str | None:
     """What would make it a value that integer arithmetic can send; None for a double, which always takes a float."""
-    if binding.covers.field.type.size != 4:
+    if answer.covers.field.type.size != 4:
         return None
-    numerator, denominator = binding.factor.numerator, binding.factor.denominator
+    numerator, denominator = answer.scalings[0].factor.numerator, answer.scalings[0].factor.denominator
     if denominator > FLOAT_DIVISOR_MAX:
         return f"it is divided by {denominator}: keep it in a coarser unit"
     return f"limit it with min and max: times {numerator} it has to stay within {SMALL_INT_MAX}"

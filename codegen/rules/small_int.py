@@ -1,10 +1,10 @@
 """Integers of the steady path stay below 2**30, above which 32-bit MicroPython allocates."""
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.system import EachBinding, LiveBinding, SplitBinding, System
+from codegen.model.answer import Answer
+from codegen.model.system import System
 from codegen.model.vehicle import SMALL_INT_MAX, Quantity
 
 RULE = Rule(
@@ -19,9 +19,9 @@ def check(system: System) -> Iterator[Diagnostic]:
     for _, quantity in system.measured():
         yield from _conversion(quantity)
     for message in system.messages:
-        for binding in message.bindings:
-            if isinstance(binding, LiveBinding | SplitBinding | EachBinding) and binding.covers.field.type.is_integer:
-                yield from _scaling(binding)
+        for answer in message.answers:
+            if answer.covers.field.type.is_integer:
+                yield from _scalings(answer)
 
 
 def _conversion(quantity: Quantity) -> Iterator[Diagnostic]:
@@ -41,15 +41,12 @@ def _conversion(quantity: Quantity) -> Iterator[Diagnostic]:
         )
 
 
-def _scaling(binding: LiveBinding | SplitBinding | EachBinding) -> Iterator[Diagnostic]:
-    if binding.factor == 1:
-        return
-    reach = max(abs(Fraction(binding.low)), abs(Fraction(binding.high))) / binding.factor + 2
-    worst = int(reach * binding.factor.numerator) + binding.factor.denominator
-    if worst > SMALL_INT_MAX:
-        yield Diagnostic(
-            binding.covers.answer.place,
-            RULE,
-            f"{binding.covers.label}: the scaling by {binding.factor} reaches {worst}",
-            "limit the value with min and max, or keep the quantity in the unit of the field",
-        )
+def _scalings(answer: Answer) -> Iterator[Diagnostic]:
+    for scaling in answer.scalings:
+        if scaling.worst > SMALL_INT_MAX:
+            yield Diagnostic(
+                answer.covers.written.place,
+                RULE,
+                f"{answer.covers.label}: the scaling by {scaling.factor} reaches {scaling.worst}",
+                "limit the value with min and max, or keep the quantity in the unit of the field",
+            )

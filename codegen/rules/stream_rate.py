@@ -3,9 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.system import LiveBinding, PopulatedMessage, SplitBinding, System
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Quantity
 
 RULE = Rule(
     "rate-above-update",
@@ -33,8 +32,4 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _components(message: PopulatedMessage) -> set[str]:
-    return {
-        binding.source.component
-        for binding in message.bindings
-        if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity)
-    }
+    return {quantity.component for answer in message.answers for quantity in answer.carried}

@@ -171,7 +171,7 @@ def parameter_row(parameter: Parameter, system: System) -> ParameterRow:
 def _criteria(system: System) -> list[CitedCriterion]:
     cited: dict[str, Citation] = {}
     for message in system.messages:
-        for citation in (message.citation, *(binding.covers.citation for binding in message.bindings)):
+        for citation in (message.citation, *(answer.covers.citation for answer in message.answers)):
             cited[str(citation)] = citation
     return [
         CitedCriterion(name, in_table(citation.criterion.text if citation.criterion else citation.requirement.title))

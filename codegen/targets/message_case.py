@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 
+from codegen.model.known import Stored
 from codegen.model.vehicle import Quantity, QuantityKind
-from codegen.targets.expected import Stored, Wire
+from codegen.targets.expected import Wire
 
 Setting = tuple[str, str, int | float | str | list[int | None] | None, int]
 """Component, attribute, value and instance; ``"nan"``, ``"inf"`` and ``"-inf"`` stand for the floats.

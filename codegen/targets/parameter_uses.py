@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from codegen.model.system import InstanceBinding, LiveBinding, PopulatedMessage, System
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Parameter
 
 
@@ -48,11 +48,9 @@ def _messages(parameter: Parameter, system: System) -> Iterator[str]:
             yield f"which generation of {generations.component.name} messages is sent"
     for message in system.messages:
         yield from _choices(message, parameter)
-        for binding in message.bindings:
-            if isinstance(binding, InstanceBinding) and binding.first is parameter:
-                yield f"{message.name}.{binding.covers.label}"
-            if isinstance(binding, LiveBinding) and binding.source is parameter:
-                yield f"{message.name}.{binding.covers.label}"
+        for answer in message.answers:
+            if any(read is parameter for read in answer.parameters):
+                yield f"{message.name}.{answer.covers.label}"
 
 
 def _program(parameter: Parameter, system: System) -> Iterator[str]:

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from codegen.model.known import Known, Stored
 from codegen.model.system import Policy, PopulatedMessage, Representation
 from codegen.model.vehicle import Quantity, QuantityKind
-from codegen.targets.expected import Known, Stored, chosen_instance, expected_fields, nominal, nominal_values
+from codegen.targets.expected import chosen_instance, expected_fields, nominal, nominal_values
 from codegen.targets.message_case import MessageCase, Setting, set_to
 from codegen.targets.naming import parameter_attribute
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from codegen.model.system import System, read_quantities
+from codegen.model.system import System
 from codegen.render import render_template
 from codegen.targets.behaviour_checks import BehaviourCheck, behaviour_checks
 from codegen.targets.cases_file import cases_text
@@ -50,7 +50,7 @@ def render_suite(system: System) -> dict[str, str]:
         state=state,
         measured=measured,
         builders=tuple(message.name.lower() for message in system.messages),
-        steady=tuple(message.name.lower() for message in system.messages if not message.made_floats),
+        steady=tuple(message.name.lower() for message in system.messages if not message.makes_floats),
         streams=streams,
         choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
         has_program=system.program is not None,
@@ -74,5 +74,5 @@ def _readers(component: str, system: System) -> tuple[str, ...]:
     return tuple(
         message.name.lower()
         for message in system.messages
-        if any(quantity.component == component for binding in message.bindings for quantity in read_quantities(binding))
+        if any(quantity.component == component for answer in message.answers for quantity in answer.quantities)
     )

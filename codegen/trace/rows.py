@@ -47,12 +47,12 @@ def _rows(system: System) -> Iterator[Row]:
 def _messages(system: System, symbols: Symbols) -> Iterator[Row]:
     for message in system.messages:
         yield from _whole(Kind.MESSAGE, message.name, message.citation, message.population, symbols.message(message))
-        for binding in message.bindings:
-            covers = binding.covers
+        for answer in message.answers:
+            covers = answer.covers
             name = f"{message.name}.{covers.field.name}"
             part = covers.label.removeprefix(covers.field.name)
-            place = covers.answer.place
-            yield Row(Kind.FIELD, name, part, str(covers.citation), place, symbols.field(message, binding))
+            place = covers.written.place
+            yield Row(Kind.FIELD, name, part, str(covers.citation), place, symbols.field(message, answer))
 
 
 def _state(system: System, symbols: Symbols) -> Iterator[Row]:

@@ -7,19 +7,9 @@ attribute of the state and, with a unit, a property for people.
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from codegen.model.answer import Answer
 from codegen.model.program import BoardLink, LinkKind
-from codegen.model.system import (
-    Binding,
-    EachBinding,
-    FlagsBinding,
-    InstanceBinding,
-    LiveBinding,
-    PageBinding,
-    PopulatedMessage,
-    SplitBinding,
-    System,
-    read_quantities,
-)
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Parameter, Quantity, Stream
 from codegen.targets.naming import (
     builder_name,
@@ -59,7 +49,6 @@ _PORTS = {
     LinkKind.USB: ("firmware/serial_port.py", "open_usb"),
     LinkKind.UDP: ("firmware/udp_port.py", "UdpPort"),
 }
-_BUILT = (LiveBinding, SplitBinding, EachBinding, PageBinding)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,20 +64,17 @@ class Symbols:
         found = [(MESSAGES, self.classes[message.name]), (TELEMETRY, builder_name(message))]
         return self._all([*found, *self._read_by_receiver(message)])
 
-    def field(self, message: PopulatedMessage, binding: Binding) -> tuple[Symbol, ...]:
-        """Where its value is written, and the quantities of the state or the parameter that it reads."""
+    def field(self, message: PopulatedMessage, answer: Answer) -> tuple[Symbol, ...]:
+        """Where its value is written, and the quantities of the state and the parameters that it reads."""
         found = []
-        is_flagged = isinstance(binding, FlagsBinding)
-        is_numbered = isinstance(binding, InstanceBinding) and binding.first is not None
-        if not isinstance(binding, _BUILT) and not is_numbered:
+        if answer.is_prefilled:
             found.append((TELEMETRY, prefill_name(message)))
-        if isinstance(binding, _BUILT) or is_numbered or (is_flagged and read_quantities(binding)):
+        if answer.is_built:
             found.append((TELEMETRY, builder_name(message)))
-        for quantity in read_quantities(binding):
+        for quantity in answer.quantities:
             found += self._quantity(quantity)
-        source = binding.first if isinstance(binding, InstanceBinding) else getattr(binding, "source", None)
-        if isinstance(source, Parameter):
-            found += self._parameter(source)
+        for parameter in answer.parameters:
+            found += self._parameter(parameter)
         return self._all([*found, *self._read_by_receiver(message)])
 
     def parameter(self, parameter: Parameter) -> tuple[Symbol, ...]:

@@ -9,13 +9,14 @@ from typing import Any
 
 import pytest
 
+from codegen.answers.live import LiveAnswer
 from codegen.diagnostics import Report
 from codegen.diff.change import Notice
 from codegen.diff.reach import traces, with_reach
 from codegen.diff.system import compare_systems
 from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.price import Price
-from codegen.model.system import LiveBinding, PopulatedMessage, System
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import UNITS, Unit
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
 from codegen.pipeline import read_systems, read_trace
@@ -46,7 +47,7 @@ UNSEEN = {
     "PopulatedMessage.population": "what was written",
     "PopulatedMessage.wire": "of the dialect",
     "Elements.field": "of the dialect",
-    "Elements.answer": "what was written; its note is compared",
+    "Elements.written": "what was written; its note is compared",
     "Elements.first": "which elements: every one of them is compared",
     "Elements.count": "which elements: every one of them is compared",
     "Quantity.component": "part of the name by which it is found",
@@ -61,7 +62,7 @@ UNSEEN = {
     "Receiver.messages": "named by their own tables",
     "Conversion.channel": "has its own attributes",
     "Parameter.instance": "part of the family, compared with the component",
-    "FixedBinding.meaning": "words for the value that is compared",
+    "FixedAnswer.meaning": "words for the value that is compared",
 }
 """Attributes that are not changed here, and why."""
 
@@ -144,7 +145,7 @@ def systems() -> tuple[System, ...]:
 def siblings_of(system: System) -> dict[type, list[Any]]:
     """Records of each kind that others can be exchanged for."""
     quantities = [quantity for component in system.components.values() for quantity in component.quantities.values()]
-    citations = [binding.covers.citation for message in system.messages for binding in message.bindings]
+    citations = [answer.covers.citation for message in system.messages for answer in message.answers]
     wires = list(system.dialect.messages.values())
     found: dict[type, list[Any]] = {
         Parameter: sorted(system.parameters.values(), key=lambda each: each.default),  # some choose by it
@@ -194,16 +195,16 @@ def test_a_parameter_of_a_family_reaches_what_the_family_does(systems: tuple[Sys
 
 
 EXPECTED = {
-    "LiveBinding.source": {"population-source-changed"},
-    "LiveBinding.factor": {"population-conversion-changed"},
-    "LiveBinding.rounding": {"population-conversion-changed"},
-    "LiveBinding.low": {"population-limits-changed"},
-    "LiveBinding.high": {"population-limits-changed"},
-    "LiveBinding.unknown": {"population-unknown-changed"},
-    "EachBinding.first": {"population-source-changed"},
-    "FlagsBinding.mask": {"population-flags-changed"},
-    "FlagsBinding.names": {"population-flags-changed"},
-    "FixedBinding.values": {"population-constant-changed"},
+    "LiveAnswer.source": {"population-source-changed"},
+    "Scaling.factor": {"population-conversion-changed"},
+    "Scaling.rounding": {"population-conversion-changed"},
+    "Scaling.low": {"population-limits-changed"},
+    "Scaling.high": {"population-limits-changed"},
+    "LiveAnswer.unknown": {"population-unknown-changed"},
+    "EachAnswer.first": {"population-source-changed"},
+    "FlagsAnswer.mask": {"population-flags-changed"},
+    "FlagsAnswer.names": {"population-flags-changed"},
+    "FixedAnswer.fixed": {"population-constant-changed"},
     "Elements.citation": {"citation-changed"},
     "PopulatedMessage.stream": {"message-schedule-changed"},
     "PopulatedMessage.component": {"message-instances-changed"},
@@ -241,9 +242,9 @@ def test_what_a_table_says_of_frames_that_are_dropped_is_not_silent(systems: tup
     """Another unknown in a message with the same CRC_EXTRA is believed, in one with another it is not."""
     main = systems[0]
     message = next(one for one in main.messages if one.name == "BATTERY_STATUS")
-    live = next(one for one in message.bindings if isinstance(one, LiveBinding) and one.unknown is not None)
-    bindings = tuple(replace(one, unknown=7) if one is live else one for one in message.bindings)
-    messages = tuple(replace(one, bindings=bindings) if one is message else one for one in main.messages)
+    live = next(one for one in message.answers if isinstance(one, LiveAnswer) and one.unknown is not None)
+    answers = tuple(replace(one, unknown=7) if one is live else one for one in message.answers)
+    messages = tuple(replace(one, answers=answers) if one is message else one for one in main.messages)
     wire = replace(message.wire, crc_extra=message.wire.crc_extra ^ 1)
     dialect = replace(main.dialect, messages={**main.dialect.messages, wire.name: wire})
     for head, notice in (

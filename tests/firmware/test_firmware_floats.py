@@ -19,7 +19,7 @@ from firmware_runs import tool
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from codegen.model.system import FLOAT_DIVISOR_MAX
+from codegen.model.scaling import FLOAT_DIVISOR_MAX
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import SMALL_INT_MAX
 

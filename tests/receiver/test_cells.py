@@ -8,10 +8,14 @@ from pathlib import Path
 import pytest
 from projects import BIN, HERE, ROOT, run
 
+from codegen.answers.each.answer import EachAnswer
+from codegen.answers.page import PageAnswer
+from codegen.answers.split import SplitAnswer
 from codegen.diagnostics import Report
-from codegen.model.system import EachBinding, Elements, PageBinding, SplitBinding, System
+from codegen.model.answer import Answer, Elements
+from codegen.model.scaling import Scaling
+from codegen.model.system import System
 from codegen.pipeline import read_system
-from codegen.targets.receiver.cells import cell_readings
 
 
 @pytest.mark.requirement("FR-00075.1")
@@ -30,58 +34,49 @@ def system() -> System:
     return found
 
 
-def binding_of(system: System, field: str) -> SplitBinding:
+def split_into(system: System, field: str) -> SplitAnswer:
     """What fills an array of BATTERY_STATUS with the voltage, or would."""
     message = next(message for message in system.messages if message.name == "BATTERY_STATUS")
-    voltages = next(binding for binding in message.bindings if binding.covers.field.name == "voltages")
-    if isinstance(voltages, EachBinding):
+    voltages = next(answer for answer in message.answers if answer.covers.field.name == "voltages")
+    if isinstance(voltages, EachAnswer):
         voltages = voltages.fallback or voltages
-    assert isinstance(voltages, SplitBinding)
+    assert isinstance(voltages, SplitAnswer)
     wire = message.wire.field(field)
     assert wire is not None
-    covers = Elements(wire, 0, wire.count, voltages.covers.answer, voltages.covers.citation)
+    covers = Elements(wire, 0, wire.count, voltages.covers.written, voltages.covers.citation)
     return replace(voltages, covers=covers)
 
 
-def each(split: SplitBinding, first: int, unknown: int, *, is_paged: bool, has_sum: bool) -> EachBinding:
+def each(split: SplitAnswer, first: int, unknown: int, *, is_paged: bool, has_sum: bool) -> EachAnswer:
     """One value for each element of a field."""
-    return EachBinding(
+    return EachAnswer(
         covers=split.covers,
         source=split.source,
         first=first,
-        factor=Fraction(1),
-        rounding=split.rounding,
-        low=Fraction(1),
-        high=Fraction(65534),
+        scaling=Scaling(Fraction(1), split.scaling.rounding, Fraction(1), Fraction(65534)),
         unknown=unknown,
         is_paged=is_paged,
         fallback=split if has_sum else None,
     )
 
 
-def expressions(bindings: tuple[object, ...]) -> dict[str, str]:
+def expressions(answers: tuple[Answer, ...]) -> dict[str, str]:
     """The expression of each reading."""
-
-    class Message:
-        """A message, as far as the readings of cells need one."""
-
-    message = Message()
-    message.bindings = bindings  # type: ignore[attr-defined]
-    return {reading.name: reading.expression for reading in cell_readings(message)}  # type: ignore[arg-type]
+    return {reading.name: reading.expression for answer in answers for reading in answer.joint_readings(answers)}
 
 
 def test_fields_follow_one_another(system: System) -> None:
     """Cells from 10 on stand in the second field, whichever comes first on the wire."""
-    first, rest = binding_of(system, "voltages"), binding_of(system, "voltages_ext")
-    bindings = (each(rest, 10, 0, is_paged=False, has_sum=False), each(first, 0, 65535, is_paged=False, has_sum=False))
+    first, rest = split_into(system, "voltages"), split_into(system, "voltages_ext")
+    answers = (each(rest, 10, 0, is_paged=False, has_sum=False), each(first, 0, 65535, is_paged=False, has_sum=False))
     values = 'values_of(raw("voltages"), 0, 10, 65535, 1, 1000) + values_of(raw("voltages_ext"), 0, 4, 0, 1, 1000)'
-    assert expressions(bindings) == {"voltage": f"single({values}, None)"}
+    assert expressions(answers) == {"voltage": f"single({values}, None)"}
 
 
 def test_pages_are_numbered(system: System) -> None:
     """A page says where its values belong; single ones may be unknown."""
-    split = binding_of(system, "voltages")
-    index = binding_of(system, "voltages_ext").covers
-    bindings = (PageBinding(index, 10), each(split, 0, 0, is_paged=True, has_sum=False))
+    split = split_into(system, "voltages")
+    index = split_into(system, "voltages_ext").covers
+    answers = (PageAnswer(index, 10), each(split, 0, 0, is_paged=True, has_sum=False))
     wanted = 'page(get("voltages_ext"), values_of(raw("voltages"), 0, 10, 0, 1, 1000, keep=True))'
-    assert expressions(bindings) == {"voltage": wanted}
+    assert expressions(answers) == {"voltage": wanted}

@@ -6,16 +6,17 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from codegen.answers.limits import EMPTY_LIMITS, Bounds, scaling_of
+from codegen.answers.live import LiveAnswer
 from codegen.diagnostics import Report
+from codegen.model.answer import Elements
 from codegen.model.dialect import FieldDefinition, WireField
 from codegen.model.population_spec import FieldAnswer, Rounding
-from codegen.model.system import Elements, LiveBinding
+from codegen.model.scaling import rounded
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Citation, Parameter
 from codegen.model.wire_types import WIRE_TYPES
-from codegen.resolve.limits import EMPTY_LIMITS, Bounds, limits_of
 from codegen.source import Place
-from codegen.targets.expected import _wire_value, rounded
 
 PLACE = Place("table.yaml")
 INTEGERS = [name for name, wire_type in WIRE_TYPES.items() if wire_type.is_integer]
@@ -26,11 +27,11 @@ def field_of(type_name: str) -> WireField:
     return WireField(definition, WIRE_TYPES[type_name], 0, 1, None)
 
 
-def limits(type_name, sentinel, low, high):
+def limits(type_name, sentinel, low, high, factor=Fraction(1), rounding=Rounding.NEAREST):
     report = Report()
-    answer = FieldAnswer(place=PLACE, state="a.b")
+    answer = FieldAnswer(place=PLACE, state="a.b", rounding=rounding)
     bounds = Bounds(Fraction(low), Fraction(high))
-    return limits_of(field_of(type_name), sentinel, bounds, Fraction(1), answer, report), report
+    return scaling_of(field_of(type_name), sentinel, bounds, factor, answer, report), report
 
 
 @given(st.sampled_from(INTEGERS), st.integers(), st.integers(), st.data())
@@ -41,14 +42,11 @@ def test_no_stored_value_reaches_the_sentinel_or_wraps(type_name, low, high, dat
     factor = data.draw(st.fractions(min_value=Fraction(1, 1000), max_value=1000))
     stored = data.draw(st.integers(-(2**30) + 1, 2**30 - 1))
     rounding = data.draw(st.sampled_from(Rounding))
-    found, _ = limits(type_name, sentinel, low, high)
+    found, _ = limits(type_name, sentinel, low, high, factor, rounding)
     assume(found is not None)
     covers = Elements(field_of(type_name), 0, 1, FieldAnswer(place=PLACE, parameter="P"), Citation(None, None))
     parameter = Parameter("P", NUMBER, Fraction(1), stored, 0, 0, {}, None, None)
-    binding = LiveBinding(
-        covers, parameter, factor, rounding, found.low, found.high, sentinel, found.hole, found.beside
-    )
-    value = _wire_value(binding, {"P": stored})
+    (value,) = LiveAnswer(covers, parameter, found, sentinel).values({"P": stored}, 0, 0)
     assert wire_type.minimum <= value <= wire_type.maximum
     assert value != sentinel
     assert found.low <= value <= found.high

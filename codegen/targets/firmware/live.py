@@ -5,18 +5,16 @@ import struct
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
+from codegen.answers.each.answer import EachAnswer
+from codegen.answers.flags import FlagsAnswer
+from codegen.answers.instance import InstanceAnswer
+from codegen.answers.live import LiveAnswer
+from codegen.answers.page import PageAnswer
+from codegen.answers.split import SplitAnswer
+from codegen.model.answer import Answer
 from codegen.model.dialect import Kind
 from codegen.model.population_spec import Rounding
-from codegen.model.system import (
-    Binding,
-    EachBinding,
-    FlagsBinding,
-    InstanceBinding,
-    LiveBinding,
-    PageBinding,
-    PopulatedMessage,
-    SplitBinding,
-)
+from codegen.model.system import PopulatedMessage
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.firmware.live_view import EachView, ExpressionView, FlagByteView, LiveView, SpillView, View
 from codegen.targets.naming import number, parameter_attribute
@@ -25,7 +23,7 @@ from codegen.targets.naming import number, parameter_attribute
 def live_names(message: PopulatedMessage) -> tuple[str, ...]:
     """The fields, or elements of fields, that a message keeps as live values, in the order of its bindings."""
     names: list[str] = []
-    for binding in message.bindings:
+    for binding in message.answers:
         if _live_count(binding):
             covers = binding.covers
             is_whole = covers.count == covers.field.count
@@ -36,7 +34,7 @@ def live_names(message: PopulatedMessage) -> tuple[str, ...]:
 
 def writes_payload(message: PopulatedMessage) -> bool:
     """Whether a builder writes a value into the payload: a float, or an integer that is too long to be live."""
-    return any(isinstance(binding, LiveBinding) and not _live_count(binding) for binding in message.bindings)
+    return any(isinstance(binding, LiveAnswer) and not _live_count(binding) for binding in message.answers)
 
 
 def live_views(message: PopulatedMessage, reach: Mapping[str, str]) -> tuple[View, ...]:
@@ -46,54 +44,54 @@ def live_views(message: PopulatedMessage, reach: Mapping[str, str]) -> tuple[Vie
     """
     views: list[View] = []
     index = 0
-    for binding in message.bindings:
+    for binding in message.answers:
         views += _views(binding, index, message, reach)
         index += _live_count(binding)
     return tuple(views)
 
 
-def _live_count(binding: Binding) -> int:
+def _live_count(binding: Answer) -> int:
     """How many live values a binding takes: none where nothing changes, or where the field is too long for one."""
     is_short = binding.covers.field.type.is_integer and binding.covers.field.type.size <= 4
-    if isinstance(binding, EachBinding | PageBinding):
+    if isinstance(binding, EachAnswer | PageAnswer):
         return binding.covers.count
-    if isinstance(binding, InstanceBinding):
+    if isinstance(binding, InstanceAnswer):
         return int(binding.first is not None)
-    if isinstance(binding, LiveBinding | SplitBinding):
+    if isinstance(binding, LiveAnswer | SplitAnswer):
         return binding.covers.count if is_short else 0
-    if isinstance(binding, FlagsBinding):
+    if isinstance(binding, FlagsAnswer):
         return int(bool(binding.conditional) and binding.covers.field.type.size <= 2)
     return 0
 
 
-def _views(binding: Binding, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> Iterator[View]:
-    if isinstance(binding, LiveBinding):
+def _views(binding: Answer, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> Iterator[View]:
+    if isinstance(binding, LiveAnswer):
         is_float = binding.covers.field.type.kind is Kind.FLOAT
         source = _source(binding.source, reach)
         at = index if _live_count(binding) else None
         yield _float_view(binding, source) if is_float else _integer_view(binding, source, at)
-    elif isinstance(binding, EachBinding):
+    elif isinstance(binding, EachAnswer):
         yield _each_view(binding, index, message, reach)
-    elif isinstance(binding, PageBinding):
+    elif isinstance(binding, PageAnswer):
         comment = (f"{binding.covers.label}: number of the first value on the page ({binding.covers.citation})",)
         yield ExpressionView(comment, index, f"page * {binding.size}")
-    elif isinstance(binding, InstanceBinding) and binding.first is not None:
+    elif isinstance(binding, InstanceAnswer) and binding.first is not None:
         comment = (f"{binding.covers.label}: {binding.first.name}, counted on ({binding.covers.citation})",)
         yield ExpressionView(comment, index, f"{reach[binding.component]}.number")
-    elif isinstance(binding, SplitBinding):
+    elif isinstance(binding, SplitAnswer):
         yield _spill_view(binding, index, message, reach)
-    elif isinstance(binding, FlagsBinding) and binding.conditional:
+    elif isinstance(binding, FlagsAnswer) and binding.conditional:
         if _live_count(binding):
             yield _flags_view(binding, index, reach)
         else:
             yield from _flag_bytes(binding, reach)
 
 
-def _comment(binding: LiveBinding | SplitBinding) -> str:
+def _comment(binding: LiveAnswer | SplitAnswer) -> str:
     covers, source = binding.covers, binding.source
     units = covers.field.definition.units
     kept = source.stored.name if isinstance(source, Quantity) else source.unit.name
-    spread = f", spilling above {binding.cell_high}" if isinstance(binding, SplitBinding) else ""
+    spread = f", spilling above {binding.cell_high}" if isinstance(binding, SplitAnswer) else ""
     target = f"{covers.label} [{units}]" if units else covers.label
     origin = f"{source.path} [{kept}]" if kept and kept != units else source.path
     return f"{target}: {origin}{spread} ({covers.citation})"
@@ -121,7 +119,7 @@ def _stand_in(source: Quantity | Parameter) -> str | None:
     return None if initial is None else str(initial)
 
 
-def _integer_view(binding: LiveBinding, source: str, index: int | None) -> LiveView:
+def _integer_view(binding: LiveAnswer, source: str, index: int | None) -> LiveView:
     assert binding.unknown is None or isinstance(binding.unknown, int)
     unknown = _stand_in(binding.source) if binding.unknown is None else str(binding.unknown)
     return LiveView(
@@ -132,23 +130,23 @@ def _integer_view(binding: LiveBinding, source: str, index: int | None) -> LiveV
         offset=binding.covers.offset,
         unknown=unknown,
         unknown_comment="unknown" if binding.unknown is not None else "until it is set",
-        before=_before(binding.factor, binding.low, binding.high),
-        scale=_scale(binding.factor, binding.rounding),
-        low=str(binding.low),
-        high=str(binding.high),
-        hole=None if binding.hole is None else str(binding.hole),
-        beside=str(binding.beside),
+        before=_before(binding.scaling.factor, binding.scaling.low, binding.scaling.high),
+        scale=_scale(binding.scaling.factor, binding.scaling.rounding),
+        low=str(binding.scaling.low),
+        high=str(binding.scaling.high),
+        hole=None if binding.scaling.hole is None else str(binding.scaling.hole),
+        beside=str(binding.scaling.beside),
     )
 
 
-def _float_view(binding: LiveBinding, source: str) -> LiveView:
+def _float_view(binding: LiveAnswer, source: str) -> LiveView:
     """A float field: everything up to the last division happens in stored steps.
 
     What stands in for None is in steps, too; what tells that a value is unknown is the number on the wire.
     """
-    factor = binding.factor
-    low, high = binding.steps
-    hole = None if binding.hole is None else binding.hole / factor
+    factor = binding.scaling.factor
+    low, high = binding.scaling.steps
+    hole = None if binding.scaling.hole is None else binding.scaling.hole / factor
     divided = f" * {factor.numerator}" if factor.numerator != 1 else ""
     return LiveView(
         comment=_comment(binding),
@@ -163,15 +161,15 @@ def _float_view(binding: LiveBinding, source: str) -> LiveView:
         low=str(low),
         high=str(high),
         hole=str(hole) if hole is not None and hole.denominator == 1 else None,
-        beside="" if binding.beside is None else str(binding.beside / factor),
+        beside="" if binding.scaling.beside is None else str(binding.scaling.beside / factor),
         stand_in=_stand_in(binding.source) if binding.unknown is None else None,
         divisor=f"{divided} / {factor.denominator}" if binding.makes_float else None,
         ratio=None if binding.makes_float else (factor.numerator, factor.denominator),
     )
 
 
-def _spill_view(binding: SplitBinding, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> SpillView:
-    low, high = Fraction(binding.low), Fraction(binding.high)
+def _spill_view(binding: SplitAnswer, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> SpillView:
+    low, high = binding.scaling.low, binding.scaling.high
     return SpillView(
         comment=_comment(binding),
         source=_source(binding.source, reach),
@@ -179,16 +177,16 @@ def _spill_view(binding: SplitBinding, index: int, message: PopulatedMessage, re
         cells=binding.covers.count,
         function=f"_spill_{message.name.lower()}_{binding.covers.field.name}",
         stand_in=_stand_in(binding.source),
-        low=binding.low,
-        high=binding.high,
-        before=_before(binding.factor, low, high),
-        scale=_scale(binding.factor, binding.rounding),
+        low=int(low),
+        high=int(high),
+        before=_before(binding.scaling.factor, low, high),
+        scale=_scale(binding.scaling.factor, binding.scaling.rounding),
         cell_high=binding.cell_high,
         unused=binding.unused,
     )
 
 
-def _each_view(binding: EachBinding, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> EachView:
+def _each_view(binding: EachAnswer, index: int, message: PopulatedMessage, reach: Mapping[str, str]) -> EachView:
     covers, fallback = binding.covers, binding.fallback
     units = covers.field.definition.units
     words = binding.source.path + (f", from {binding.first}" if binding.first else "")
@@ -205,22 +203,22 @@ def _each_view(binding: EachBinding, index: int, message: PopulatedMessage, reac
         is_paged=binding.is_paged,
         room=binding.room,
         spill=None if fallback is None else _spill_view(fallback, index, message, reach),
-        before=_before(binding.factor, binding.low, binding.high),
-        scale=_scale(binding.factor, binding.rounding),
+        before=_before(binding.scaling.factor, binding.scaling.low, binding.scaling.high),
+        scale=_scale(binding.scaling.factor, binding.scaling.rounding),
         unknown=binding.unknown,
-        low=str(binding.low),
-        high=str(binding.high),
-        hole=None if binding.hole is None else str(binding.hole),
-        beside=str(binding.beside),
+        low=str(binding.scaling.low),
+        high=str(binding.scaling.high),
+        hole=None if binding.scaling.hole is None else str(binding.scaling.hole),
+        beside=str(binding.scaling.beside),
     )
 
 
-def _flags_view(binding: FlagsBinding, index: int, reach: Mapping[str, str]) -> ExpressionView:
+def _flags_view(binding: FlagsAnswer, index: int, reach: Mapping[str, str]) -> ExpressionView:
     terms = [(value, _source(quantity, reach)) for _, value, quantity in binding.conditional]
     return ExpressionView(_flag_comment(binding), index, _or(binding.mask, terms))
 
 
-def _flag_bytes(binding: FlagsBinding, reach: Mapping[str, str]) -> Iterator[FlagByteView]:
+def _flag_bytes(binding: FlagsAnswer, reach: Mapping[str, str]) -> Iterator[FlagByteView]:
     size = binding.covers.field.type.size
     comment = _flag_comment(binding)
     masks = struct.pack("<Q", binding.mask)
@@ -241,7 +239,7 @@ def _or(always: int, terms: Iterable[tuple[int, str]]) -> str:
     return " | ".join(parts) if len(parts) > 1 else parts[0].strip("()")
 
 
-def _flag_comment(binding: FlagsBinding) -> tuple[str, ...]:
+def _flag_comment(binding: FlagsAnswer) -> tuple[str, ...]:
     """One line, or, where that gets long, a line for each flag."""
     label, citation = f"{binding.covers.label}:", f"({binding.covers.citation})"
     words = [f"{name} if {quantity.path}" for name, _, quantity in binding.conditional]

@@ -4,22 +4,15 @@ from collections import Counter
 from dataclasses import dataclass
 from textwrap import wrap
 
+from codegen.answers.fact import FactAnswer
+from codegen.answers.fixed import FixedAnswer
+from codegen.answers.flags import FlagsAnswer
+from codegen.answers.instance import InstanceAnswer
+from codegen.answers.page import PageAnswer
+from codegen.answers.text import TextAnswer
+from codegen.model.answer import Answer, Elements
 from codegen.model.dialect import Kind, WireField
-from codegen.model.system import (
-    Binding,
-    Elements,
-    FixedBinding,
-    FlagsBinding,
-    InstanceBinding,
-    PageBinding,
-    PartBinding,
-    Policy,
-    PopulatedMessage,
-    Representation,
-    System,
-    TextBinding,
-    read_quantities,
-)
+from codegen.model.system import Policy, PopulatedMessage, Representation, System
 from codegen.model.vehicle import Component
 from codegen.targets.firmware.live import live_names, live_views, writes_payload
 from codegen.targets.firmware.live_view import EachView, FlagByteView, LiveView, SpillView, View
@@ -112,7 +105,7 @@ def telemetry_view(system: System) -> TelemetryView:
     classes = class_names(wire.name for wire in system.wires)
     builders = tuple(_builder(message, classes[message.name], system) for message in system.messages)
     used: set[str] = set()
-    bindings = [binding for message in system.messages for binding in message.bindings]
+    bindings = [binding for message in system.messages for binding in message.answers]
     for builder in builders:
         views = [part for view in builder.live for part in (view, getattr(view, "spill", None)) if part]
         for view in views:
@@ -131,7 +124,7 @@ def telemetry_view(system: System) -> TelemetryView:
         builders=builders,
         conversions=tuple(sorted(used)),
         uses_nan="NAN" in unknowns or any("NAN" in statement for statement in prefilled),
-        uses_chip=any(isinstance(binding, TextBinding) for binding in bindings),
+        uses_chip=any(isinstance(binding, TextAnswer) for binding in bindings),
         packs=any(view.packs for view in values) or any("pack_into" in statement for statement in prefilled),
         puts_floats=any(view.ratio for view in values),
         machine_code=system.spec.project.machine_code,
@@ -139,7 +132,7 @@ def telemetry_view(system: System) -> TelemetryView:
 
 
 def _builder(message: PopulatedMessage, class_name: str, system: System) -> BuilderView:
-    read = Counter(quantity.component for binding in message.bindings for quantity in read_quantities(binding))
+    read = Counter(quantity.component for binding in message.answers for quantity in binding.quantities)
     expiring = tuple(name for name in sorted(read) if _expires(system.components[name]))
     reach = {}
     for name in [*read, *([message.component.name] if message.component else [])]:
@@ -167,11 +160,11 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
         citation=str(message.citation),
         instances=message.instances,
         is_for_each=message.component is not None,
-        is_paged=any(isinstance(binding, PageBinding) for binding in message.bindings),
+        is_paged=any(isinstance(binding, PageAnswer) for binding in message.answers),
         chosen=chosen,
         components=locals_,
         expiring=tuple(reach[name] for name in expiring),
-        fixed=tuple(fixed for binding in message.bindings if (fixed := _fixed(binding)) is not None),
+        fixed=tuple(fixed for binding in message.answers if (fixed := _fixed(binding)) is not None),
         live_names=live_names(message),
         live=live,
         uses_wire=writes_payload(message) or any(isinstance(view, FlagByteView) for view in live),
@@ -202,30 +195,30 @@ def _choice(choice: Representation, message: PopulatedMessage) -> ChoiceView:
     )
 
 
-def _fixed(binding: Binding) -> FixedView | None:
+def _fixed(binding: Answer) -> FixedView | None:
     """The line of the prefilled payload; None for what is written at each build."""
     covers = binding.covers
     field = covers.field
-    if isinstance(binding, FixedBinding):
-        return _prefilled(covers, binding.values, binding.meaning)
-    if isinstance(binding, PartBinding):
+    if isinstance(binding, FixedAnswer):
+        return _prefilled(covers, binding.fixed, binding.meaning)
+    if isinstance(binding, FactAnswer):
         return _by_instance(binding)
-    if isinstance(binding, TextBinding):
+    if isinstance(binding, TextAnswer):
         text = f"hexlify(machine.unique_id()).decode()[:{field.count}]"
         return FixedView(f'message.set("{field.name}", {text})', f"{covers.label}: number of the chip")
-    if isinstance(binding, InstanceBinding) and binding.first is None:
+    if isinstance(binding, InstanceAnswer) and binding.first is None:
         return FixedView(_packed(field, covers.offset, "instance"), f"{covers.label}: the {binding.component}'s number")
-    if isinstance(binding, FlagsBinding):
+    if isinstance(binding, FlagsAnswer):
         words = " | ".join(binding.names) or "no flag"
         return _prefilled(covers, (binding.mask,) * covers.count, words)
     return None
 
 
-def _by_instance(binding: PartBinding) -> FixedView:
+def _by_instance(binding: FactAnswer) -> FixedView:
     """A fact that differs: the prefilled payload of each instance picks its own."""
     covers, field = binding.covers, binding.covers.field
-    values = [part.values[0] for part in binding.values]
-    comment = f"{covers.label}: {', '.join(part.meaning for part in binding.values)}"
+    values = [part.fixed[0] for part in binding.parts]
+    comment = f"{covers.label}: {', '.join(part.meaning for part in binding.parts)}"
     if field.type.kind is Kind.CHAR:
         texts = ", ".join(quoted(str(value)) for value in values)
         return FixedView(f'message.set("{field.name}", ({texts})[instance])', f"{covers.label}: text")

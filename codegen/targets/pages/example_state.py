@@ -3,11 +3,12 @@
 from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Quantity
 from codegen.targets.cases import used_quantities
-from codegen.targets.expected import Known, Stored, converted, nominal_values
+from codegen.targets.expected import converted, nominal_values
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from codegen.model.account import FLAGS, Step
 from codegen.model.price import frame_size, message_price
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
@@ -11,8 +12,8 @@ from codegen.targets.pages.byte_map import ByteMap, byte_map
 from codegen.targets.pages.example_state import example_states
 from codegen.targets.pages.navigation import Navigation, message_path, navigation
 from codegen.targets.pages.value_text import kind_of
-from codegen.targets.pages.way import Step, way_of
-from codegen.targets.table import FLAGS, FieldRow, field_rows
+from codegen.targets.pages.way import way_of
+from codegen.targets.table import FieldRow, field_rows
 
 _KINDS = {
     "unsigned": "unsigned integer (u)",
@@ -62,9 +63,9 @@ class MessagePage:
 def message_page(message: PopulatedMessage, system: System, origin: Origin) -> MessagePage:
     """The page of a message."""
     numbers = {
-        (binding.covers.field.name, binding.covers.first + index): number
-        for number, binding in enumerate(message.bindings, 1)
-        for index in range(binding.covers.count)
+        (answer.covers.field.name, answer.covers.first + index): number
+        for number, answer in enumerate(message.answers, 1)
+        for index in range(answer.covers.count)
     }
     maps = tuple(
         byte_map(message, state, numbers, system, f"state-{index}")
@@ -73,14 +74,14 @@ def message_page(message: PopulatedMessage, system: System, origin: Origin) -> M
     fields = tuple(
         FieldView(
             number=number,
-            kind=kind_of(binding.covers.field, system.dialect.enums),
+            kind=kind_of(answer.covers.field, system.dialect.enums),
             row=row,
             sources=tuple(row.source.split(FLAGS)),
             place=f"{source_name(system, row.place.file)}:{row.place.line}",
             line=row.place.line,
-            steps=way_of(binding, row, message, system),
+            steps=way_of(answer, row, system),
         )
-        for number, (binding, row) in enumerate(zip(message.bindings, field_rows(message), strict=True), 1)
+        for number, (answer, row) in enumerate(zip(message.answers, field_rows(message), strict=True), 1)
     )
     used = {field.kind for field in fields}
     pieces = [piece for shown in maps for line in shown.lines for block in line for piece in block.pieces]

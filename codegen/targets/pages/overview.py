@@ -136,9 +136,9 @@ def _criterion(name: str, system: System) -> CriterionRow:
 def _answers(name: str, system: System) -> Iterator[Link]:
     """The fields, parameters, streams and links that cite a criterion."""
     for message in system.messages:
-        for index, binding in enumerate(message.bindings, 1):
-            if str(binding.covers.citation) == name:
-                label = f"{message.name}.{binding.covers.label}"
+        for index, answer in enumerate(message.answers, 1):
+            if str(answer.covers.citation) == name:
+                label = f"{message.name}.{answer.covers.label}"
                 yield Link(f"{message_path(message.name)}#field-{index}", label)
     for parameter in system.parameters.values():
         if str(parameter.citation) == name:

@@ -6,9 +6,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 
 from codegen.model.receiver import Receiver
-from codegen.model.system import Binding, EachBinding, FlagsBinding, LiveBinding, PopulatedMessage, SplitBinding, System
-from codegen.model.vehicle import Quantity, QuantityKind
-from codegen.targets.expected import is_settable
+from codegen.model.system import PopulatedMessage, System
 from codegen.targets.origin import copied_files, origin_of, specification_file
 from codegen.targets.receiver.view import ReceiverView
 from codegen.template_files import copied
@@ -49,41 +47,12 @@ def render_receiver_suite(system: System, receiver: Receiver, view: ReceiverView
 def _attributes(message: PopulatedMessage, receiver: Receiver) -> Iterator[tuple[str, dict[str, object]]]:
     """What a message says about each quantity: where the state keeps it, and how exactly it must come back."""
     seen: set[str] = set()
-    for binding in message.bindings:
-        for quantity, about in _abouts(binding):
-            if quantity.component == receiver.component.name and quantity.name not in seen:
-                seen.add(quantity.name)
-                about["is_extension"] = binding.covers.field.definition.is_extension
-                yield quantity.name, about
-
-
-def _abouts(binding: Binding) -> Iterator[tuple[Quantity, dict[str, object]]]:
-    if isinstance(binding, LiveBinding | SplitBinding) and isinstance(binding.source, Quantity):
-        yield binding.source, _number(binding, binding.source)
-    elif isinstance(binding, EachBinding):
-        # Pages, and what is spread where single values are unknown, have tests of their own.
-        if binding.fallback is not None:
-            about = _number(binding.fallback, binding.fallback.source)
-            yield binding.fallback.source, {**about, "unless": binding.source.attribute}
-    elif isinstance(binding, FlagsBinding):
-        for _, value, quantity in binding.conditional:
-            alone = sum(other == value for _, other, _ in binding.conditional) == 1
-            if is_settable(quantity) and quantity.enabled_by is None and alone:
-                yield quantity, {"stored": quantity.attribute, "boolean": True}
-
-
-def _number(binding: LiveBinding | SplitBinding, source: Quantity) -> dict[str, object]:
-    """All in the unit of the quantity; ``within`` is one unit of the wire, or what a float of the wire resolves."""
-    to_unit = 1 / (binding.factor * source.steps)
-    one = to_unit if binding.covers.field.type.is_integer else 1 / source.steps / 2
-    return {
-        "stored": source.attribute,
-        "steps": float(source.steps) if source.kind is QuantityKind.NUMBER else 1,
-        "low": float(binding.low * to_unit),
-        "high": float(binding.high * to_unit),
-        "within": float(one),
-        "stands_in": None if source.initial is None else float(source.initial / source.steps),
-    }
+    for answer in message.answers:
+        for read in answer.read_back():
+            name = read.quantity.name
+            if read.quantity.component == receiver.component.name and name not in seen:
+                seen.add(name)
+                yield name, {**read.about, "is_extension": answer.covers.field.definition.is_extension}
 
 
 @cache

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.model.reading import Reading
 from codegen.model.receiver import Receiver
-from codegen.model.system import InstanceBinding, PopulatedMessage, System
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import Component
 from codegen.targets.naming import class_name, class_names, prose, quoted
-from codegen.targets.receiver.reading import Reading
 from codegen.targets.receiver.readings import CHARGING, FACT, readings_of
 from codegen.targets.receiver.roles import ROLES, role_of
 
@@ -206,7 +206,7 @@ def _example(component: Component, readings: Iterable[Reading]) -> str:
 
 
 def _number_field(message: PopulatedMessage) -> str:
-    return next(binding.covers.field.name for binding in message.bindings if isinstance(binding, InstanceBinding))
+    return next(answer.covers.field.name for answer in message.answers if answer.is_instance_number)
 
 
 def stale_after_ms(message: PopulatedMessage, receiver: Receiver) -> int:

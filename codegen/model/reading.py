@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.model.dialect import EnumDefinition, WireField
+
 
 @dataclass(frozen=True, slots=True)
 class Reading:
@@ -28,3 +30,9 @@ def scaled(expression: str, factor: Fraction) -> tuple[str, frozenset[str]]:
     if factor == 1:
         return expression, frozenset()
     return f"scaled({expression}, {factor.numerator}, {factor.denominator})", frozenset({"scaled"})
+
+
+def flag_names(field: WireField, enum: EnumDefinition) -> Reading:
+    """The names of the bits that are set in a field."""
+    expression = f'flags(enum_names.{enum.name}, get("{field.name}"))'
+    return Reading(field.name, expression, "", "", field.name, uses=frozenset({"flags", enum.name}))

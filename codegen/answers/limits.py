@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
+from codegen.measure import read_number
+from codegen.model.answer import Elements
 from codegen.model.dialect import WireField
 from codegen.model.population_spec import FieldAnswer
-from codegen.model.system import Elements
+from codegen.model.scaling import Scaling
 from codegen.model.unit import Unit
-from codegen.resolve.measure import read_number
 
 EMPTY_LIMITS = Rule(
     "empty-limits",
@@ -25,16 +26,6 @@ LIMIT_BEYOND_FIELD = Rule(
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
-    """The values of a field in wire units: ``low`` to ``high``, without ``hole``, which is moved to ``beside``."""
-
-    low: Fraction
-    high: Fraction
-    hole: Fraction | None = None
-    beside: Fraction | None = None
-
-
-@dataclass(frozen=True, slots=True)
 class Bounds:
     """Inclusive bounds in wire units, not yet rounded; None where there is none."""
 
@@ -46,6 +37,12 @@ class Bounds:
         lows = [low for low in (self.low, other.low) if low is not None]
         highs = [high for high in (self.high, other.high) if high is not None]
         return Bounds(max(lows, default=None), min(highs, default=None))
+
+    def whole(self) -> tuple[Fraction, Fraction]:
+        """The smallest and the largest whole number within; both bounds are there."""
+        assert self.low is not None
+        assert self.high is not None
+        return Fraction(math.ceil(self.low)), Fraction(math.floor(self.high))
 
 
 def written_bounds(answer: FieldAnswer, unit: Unit, factor: Fraction, report: Report) -> Bounds:
@@ -69,15 +66,15 @@ def _number(text: str | None) -> Fraction | None:
         return None
 
 
-def limits_of(
+def scaling_of(
     field: WireField,
     sentinel: int | float | None,
     bounds: Bounds,
     factor: Fraction,
-    answer: FieldAnswer,
+    written: FieldAnswer,
     report: Report,
-) -> Limits | None:
-    """The limits of a live value: ``bounds`` within the wire type, sentinel excluded; None if nothing is left.
+) -> Scaling | None:
+    """The scaling of a live value: ``bounds`` within the wire type, sentinel excluded; None if nothing is left.
 
     A sentinel at an end shortens the range by one step. One inside becomes a hole: the value that would read as
     unknown is moved by one step away from zero, so that it keeps its sign. A step is 1 in an integer field, and in a
@@ -85,9 +82,7 @@ def limits_of(
     """
     low, high, step = bounds.low, bounds.high, factor
     if field.type.is_integer:
-        bounds = bounds.within(Bounds(Fraction(field.type.minimum), Fraction(field.type.maximum)))
-        low = None if bounds.low is None else Fraction(math.ceil(bounds.low))
-        high = None if bounds.high is None else Fraction(math.floor(bounds.high))
+        low, high = bounds.within(Bounds(Fraction(field.type.minimum), Fraction(field.type.maximum))).whole()
         step = Fraction(1)
     assert low is not None
     assert high is not None
@@ -102,19 +97,21 @@ def limits_of(
             hole = unknown
             beside = unknown - step if unknown < 0 else unknown + step
     if low > high:
-        where = "min" if answer.min is not None else "max"
-        report.add(EMPTY_LIMITS, answer.at(where), f"no value is left for {field.name}: {low} to {high}")
+        where = "min" if written.min is not None else "max"
+        report.add(EMPTY_LIMITS, written.at(where), f"no value is left for {field.name}: {low} to {high}")
         return None
-    return Limits(low, high, hole, beside)
+    return Scaling(factor, written.rounding, low, high, hole, beside)
 
 
-def check_reach(covers: Elements, written: Bounds, limits: Limits, unknown: int | float | None, report: Report) -> None:
-    """Report limits of the table (``written``) that what is left (``limits``) does not reach."""
+def check_reach(
+    covers: Elements, written: Bounds, scaling: Scaling, unknown: int | float | None, report: Report
+) -> None:
+    """Report limits of the table (``written``) that what is left of them does not reach."""
     reaches = (
-        ("min", written.low, written.low is not None and limits.low > written.low + 1),
-        ("max", written.high, written.high is not None and limits.high < written.high - 1),
+        ("min", written.low, written.low is not None and scaling.low > written.low + 1),
+        ("max", written.high, written.high is not None and scaling.high < written.high - 1),
     )
     for key, value, is_beyond in reaches:
         if value is not None and (is_beyond or value == unknown):
-            message = f"{key} of {covers.label} is {value}, but it carries {limits.low} to {limits.high} only"
-            report.add(LIMIT_BEYOND_FIELD, covers.answer.at(key), message)
+            message = f"{key} of {covers.label} is {value}, but it carries {scaling.low} to {scaling.high} only"
+            report.add(LIMIT_BEYOND_FIELD, covers.written.at(key), message)

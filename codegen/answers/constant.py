@@ -3,12 +3,13 @@
 import math
 from fractions import Fraction
 
+from codegen.answers.fitting import field_unit
 from codegen.diagnostics import Report, Rule
-from codegen.model.dialect import Kind, WireField
-from codegen.model.system import Elements, FixedBinding
-from codegen.model.unit import NUMBER, UNITS, Unit
-from codegen.resolve.measure import UNIT_MISMATCH, read_amount
-from codegen.source import Place
+from codegen.measure import read_amount
+from codegen.model.answer import Elements
+from codegen.model.dialect import Kind
+from codegen.model.known import Value
+from codegen.model.unit import NUMBER
 
 CONSTANT_RANGE = Rule("constant-out-of-range", "A constant is beyond what the field can carry; it would wrap.")
 BAD_CONSTANT = Rule(
@@ -27,30 +28,14 @@ SENTINEL_CONTRADICTION = Rule(
 )
 
 
-def field_unit(field: WireField, place: Place, report: Report) -> Unit | None:
-    """The unit of a field; the multiplier attribute of the dialect is not supported by tables."""
-    name = field.definition.units
-    if name is None:
-        return NUMBER
-    unit = UNITS.get(name)
-    if unit is None:
-        report.add(
-            UNIT_MISMATCH,
-            place,
-            f"{field.name} is in {name}, a unit that the generator does not know",
-            related=[(field.definition.place, f"{field.name} is declared here")],
-        )
-    return unit
-
-
-def bind_constant(covers: Elements, written: str | Fraction, key: str, report: Report) -> FixedBinding | None:
-    """A number in the field's unit, an amount converted to it, or text for a char field."""
-    field, place = covers.field, covers.answer.at(key)
+def read_constant(covers: Elements, written: str | Fraction, key: str, report: Report) -> tuple[Value, str] | None:
+    """A number in the field's unit, an amount converted to it, or text for a char field: with words for it."""
+    field, place = covers.field, covers.written.at(key)
     if field.type.kind is Kind.CHAR:
         if not isinstance(written, str) or not written.isascii() or len(written) > field.count:
             report.add(BAD_CONSTANT, place, f"{field.name} is text of at most {field.count} ASCII characters")
             return None
-        return FixedBinding(covers, (written,), "text")
+        return written, "text"
     unit = field_unit(field, place, report)
     if unit is None:
         return None
@@ -68,7 +53,7 @@ def bind_constant(covers: Elements, written: str | Fraction, key: str, report: R
         return None
     if not _agrees_with_sentinel(covers, number, isinstance(written, str), key, report):
         return None
-    return FixedBinding(covers, (number,) * covers.count, str(written) if isinstance(written, str) else f"{number}")
+    return number, written if isinstance(written, str) else f"{number}"
 
 
 def fits(covers: Elements, value: int | float, key: str, written: str, report: Report) -> bool:
@@ -79,7 +64,7 @@ def fits(covers: Elements, value: int | float, key: str, written: str, report: R
         return True
     report.add(
         CONSTANT_RANGE,
-        covers.answer.at(key),
+        covers.written.at(key),
         f"{written} is {value}, but {covers.field.name} ({wire_type.name}) carries {low} to {high}",
         related=[(covers.field.definition.place, f"{covers.field.name} is declared here")],
     )
@@ -92,7 +77,7 @@ def _agrees_with_sentinel(covers: Elements, value: int | float, has_unit: bool, 
         return True
     sentinels = field.sentinel.values[covers.first : covers.first + covers.count]
     related = [(field.sentinel.place, f"invalid={field.sentinel.written!r} is stated here")]
-    place = covers.answer.at(key)
+    place = covers.written.at(key)
     if value in sentinels:
         report.add(SENTINEL_CONSTANT, place, f"{value} means unknown in {field.name}", "write 'unknown'", related)
         return False

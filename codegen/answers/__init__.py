@@ -1,0 +1,28 @@
+"""What a field of a table can be answered with. Each kind of answer has a module here, which knows all about it.
+
+Stages know none of them: they ask the methods of ``codegen.model.answer.Answer``.
+"""
+
+from codegen.answers.each.answer import EachAnswer
+from codegen.answers.fact import FactAnswer
+from codegen.answers.fixed import FixedAnswer
+from codegen.answers.flags import FlagsAnswer
+from codegen.answers.instance import InstanceAnswer
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.live import LiveAnswer
+from codegen.answers.page import PageAnswer
+from codegen.answers.split import SplitAnswer
+from codegen.answers.text import TextAnswer
+
+KINDS: tuple[type[KindOfAnswer], ...] = (
+    EachAnswer,
+    PageAnswer,
+    InstanceAnswer,
+    SplitAnswer,
+    LiveAnswer,
+    TextAnswer,
+    FactAnswer,
+    FlagsAnswer,
+    FixedAnswer,
+)
+"""The kinds. An answer is of the first one that takes what is written: the particular ones come first."""

@@ -1,0 +1,258 @@
+"""The answer: a value for each element, limited as every live value, over the fields of a message or its pages."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from codegen.answers.each.reading import cell_readings
+from codegen.answers.fitting import NO_SENTINEL
+from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
+from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_cases, limit_words, sentinel_cases
+from codegen.answers.scope import Scope
+from codegen.answers.source import taken
+from codegen.answers.split import SplitAnswer
+from codegen.diagnostics import Rule
+from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Step, Together, Trait, Words
+from codegen.model.answer import Answer, Elements
+from codegen.model.dialect import Kind
+from codegen.model.known import Known, Stored, Value
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.reading import Reading
+from codegen.model.scaling import Scaling
+from codegen.model.vehicle import Quantity
+
+BAD_EACH = Rule(
+    "bad-each",
+    "each takes a quantity with elements into the elements of an integer field of at most 32 bits; from counts from 0. "
+    "Where one field has a fallback (state, with split), the fields of the message take the values from 0 on without a "
+    "gap, because they go out together or not at all.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class EachAnswer(KindOfAnswer):
+    """One value of a quantity with elements for each covered element, from the value ``first`` on.
+
+    On pages (``is_paged``) ``first`` counts from the begin of the page. What is unknown, and what lies beyond the last
+    value, becomes ``unknown``, the sentinel of every element. With a ``room`` the values go out together or not at all:
+    only while all of them are known and no more than the ``room`` that the message has; otherwise ``fallback`` goes
+    out, or ``unknown`` in every element.
+    Source: the dialect's text for BATTERY_STATUS.voltages.
+    """
+
+    SHAPED_BY = frozenset({"from", "split", "min", "max", "rounding"})
+
+    covers: Elements
+    source: Quantity
+    first: int
+    scaling: Scaling
+    unknown: int
+    is_paged: bool = False
+    fallback: SplitAnswer | None = None
+    room: int | None = None
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``each: component.quantity``."""
+        return written.each is not None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "EachAnswer | None":
+        """The values from the one that the table names on, and what is split in their place."""
+        written, report = covers.written, scope.report
+        if written.state is None and "split" in written.places:
+            report.add(POINTLESS_KEY, written.at("split"), "split says nothing without state beside each")
+        place = written.at("each")
+        quantity = scope.quantity(written.each or "", place)
+        fallback = None
+        if written.state is not None:
+            if not written.split:
+                report.add(BAD_EACH, written.at("state"), "state beside each is what is split instead", "split: true")
+                return None
+            fallback = SplitAnswer.bind(covers, scope)
+        if quantity is None or (written.state is not None and fallback is None):
+            return None
+        is_paged = scope.pages is not None and scope.pages.quantity is quantity
+        if not _can_take(covers, quantity, is_paged, scope):
+            return None
+        found = taken(covers, quantity, "each", report)
+        if found is None:
+            return None
+        unknown = _unknown(covers, quantity, scope)
+        if unknown is None:
+            return None
+        scaling = scaling_of(covers.field, unknown, found.bounds, found.factor, written, report)
+        if scaling is None:
+            return None
+        check_reach(covers, found.written, scaling, unknown, report)
+        room = None if is_paged else _room(covers, scope)
+        return cls(covers, quantity, written.first, scaling, unknown, is_paged, fallback, room)
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The one with the values, and the one that goes out in their place."""
+        return (self.source, *(self.fallback.quantities if self.fallback else ()))
+
+    @property
+    def carried(self) -> tuple[Quantity, ...]:
+        """The same."""
+        return self.quantities
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The values that are known, and the sentinel."""
+        stored = known[self.source.path]
+        values = stored if isinstance(stored, tuple) else ()
+        count = self.covers.count
+        if self.room is not None and (None in values or not 0 < len(values) <= self.room):
+            return self.fallback.values(known, instance, page) if self.fallback else (self.unknown,) * count
+        first = page * count if self.is_paged else self.first
+        row = values[first : first + count]
+        sent = [self.unknown if value is None else self.scaling.whole(value) for value in row]
+        return (*sent, *[self.unknown] * (count - len(sent)))
+
+    @property
+    def scalings(self) -> tuple[Scaling, ...]:
+        """That of the values, and that of what goes out in their place."""
+        return (self.scaling, *(self.fallback.scalings if self.fallback else ()))
+
+    @property
+    def together(self) -> Together | None:
+        """The values, where they go out together or not at all."""
+        if self.room is None or self.is_paged:
+            return None
+        return Together(self.source, self.room, self.fallback.source if self.fallback else None)
+
+    @property
+    def is_built(self) -> bool:
+        """They are read then."""
+        return True
+
+    def words(self) -> Words:
+        """Which values, how each is scaled, and its limits on the wire."""
+        source = f"each of {self.source.path}"
+        source += f", from {self.first}" if self.first else ""
+        source += ", by pages" if self.is_paged else ""
+        conversion = conversion_words(self.covers, self.source, self.scaling)
+        if self.fallback is not None:
+            source += f", else {self.fallback.source.path}"
+            conversion += f"; else spills above {self.fallback.cell_high}"
+        elif self.room is not None:
+            source += ", while all are known"
+        return Words(source, conversion, limit_words(self.scaling))
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The values; where they stand in for a quantity that is spread over the elements, that one first."""
+        words = self.words()
+        own = (str(self.covers.citation),)
+        all_known = (f"while all are known and no more than {self.room}",) if self.room is not None else ()
+        if self.fallback is None:
+            yield from origins.steps(self.source)
+            yield Step("elements", words.source, all_known, own)
+        else:
+            yield from origins.steps(self.fallback.source)
+            *source, state = origins.steps(self.source)
+            details = (*all_known, *(step.text for step in source), *state.details)
+            criteria = tuple(dict.fromkeys((*own, *state.criteria)))
+            yield Step("instead", f"each of {self.source.path}, if there are such", details, criteria)
+        cell_high = self.fallback.cell_high if self.fallback else None
+        yield from fitting(self.covers, self.scaling, words.conversion, self.unknown, cell_high)
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Which value is in which element, scaling, limits and sentinel, and what goes out otherwise."""
+        shift = self.first - self.covers.first  # so that the elements of a field say the same
+        number = "i" if not shift else f"i {'+' if shift > 0 else '-'} {abs(shift)}"
+        paged = " of the page" if self.is_paged else ""
+        room = "" if self.room is None else f", while all of at most {self.room} are known"
+        yield Trait("source", f"value {number}{paged} of {self.source.path} in element i{room}", Aspect.SOURCE)
+        yield conversion_trait(self.covers, self.source, self.scaling)
+        yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
+        yield Trait("unknown", str(self.unknown), Aspect.UNKNOWN)
+        for trait in self.fallback.traits(position) if self.fallback else ():
+            yield trait._replace(attribute=f"otherwise {trait.attribute}")
+
+    def joint_readings(self, answers: Sequence[Answer]) -> Iterator[Reading]:
+        """The values of all fields of the message that take some of them, and their sum."""
+        takers = [other for other in answers if isinstance(other, EachAnswer) and other.source.path == self.source.path]
+        if takers[0] is self:
+            yield from cell_readings(takers, answers)
+
+    def read_back(self) -> Iterator[ReadBack]:
+        """The sum. Pages, and what is spread where single values are unknown, have tests of their own."""
+        for one in self.fallback.read_back() if self.fallback else ():
+            yield ReadBack(one.quantity, {**one.about, "unless": self.source.attribute})
+
+    @property
+    def varies(self) -> bool:
+        """With its source."""
+        return True
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """All values at the ends of the range and beyond, each of them unknown, only one of them known."""
+        path = self.source.path
+        values = plain[path]
+        assert isinstance(values, tuple)
+        rows: dict[str, Stored] = {}
+        for case in (*limit_cases(self.scaling, path), *sentinel_cases(self.covers, self.scaling, path)):
+            value = case.changes[path]
+            if isinstance(value, int):
+                rows[case.name] = (value,) * len(values)
+        for index in range(len(values)):
+            rows[f"without-{index}"] = tuple(None if place == index else one for place, one in enumerate(values))
+            rows[f"only-{index}"] = tuple(one if place == index else None for place, one in enumerate(values))
+        for name, row in rows.items():
+            for page in range(pages):
+                yield StateCase(f"{name}-page-{page}" if pages > 1 else name, {path: row}, page=page)
+        for case in self.fallback.value_cases() if self.fallback else ():
+            yield StateCase(f"fallback-{case.name}", {path: rows["without-0"], **case.changes})
+
+
+def _can_take(covers: Elements, quantity: Quantity, is_paged: bool, scope: Scope) -> bool:
+    """Whether the field takes values one by one, and the quantity has such; a finding if not."""
+    written, field, report = covers.written, covers.field, scope.report
+    place = written.at("each")
+    if quantity.elements is None:
+        report.add(BAD_EACH, place, f"{quantity.path} is one value for all", f"write {{state: {quantity.path}}}")
+        return False
+    if written.first < 0 or (is_paged and written.first):
+        problem = "from has no meaning on pages" if is_paged else f"from is {written.first}"
+        report.add(BAD_EACH, written.at("from"), problem)
+        return False
+    if field.type.kind is not Kind.CHAR and not (field.type.is_integer and field.type.size <= 4):
+        report.add(BAD_EACH, place, f"{field.name} is a {field.type.name}, which cannot take values one by one")
+        return False
+    return True
+
+
+def _unknown(covers: Elements, quantity: Quantity, scope: Scope) -> int | None:
+    """The sentinel that every element has; None, with a finding, where they do not have the same one."""
+    field = covers.field
+    sentinels = set(field.sentinel.values[covers.first : covers.first + covers.count]) if field.sentinel else {None}
+    unknown = sentinels.pop()
+    if sentinels or not isinstance(unknown, int):
+        scope.report.add(
+            NO_SENTINEL,
+            covers.written.at("each"),
+            f"a value of {quantity.path} can be unknown or not there, and not every element of {field.name} can say so",
+            "add the sentinel to the corrections file: invalid: '[0]'",
+            [(field.definition.place, f"{field.name} is declared here")],
+        )
+        return None
+    return unknown
+
+
+def _room(covers: Elements, scope: Scope) -> int | None:
+    """How many values the fields of the message take together; None where none of them has a fallback.
+
+    A finding where this field does not go on where the one before it ends.
+    """
+    written = covers.written
+    takers = [other for other in scope.elements if other.written.each == written.each and other.written.first >= 0]
+    if all(other.written.state is None for other in takers):
+        return None
+    room = 0
+    for taker in sorted(takers, key=lambda other: other.written.first):
+        if taker is covers and written.first != room:
+            message = f"{covers.label} goes on at {written.first}, the fields before it end at {room}"
+            scope.report.add(BAD_EACH, written.place, message, f"from: {room}")
+        room = taker.written.first + taker.count
+    return room

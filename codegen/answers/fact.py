@@ -1,0 +1,142 @@
+"""Facts of the board: one for all, or one that differs between the instances of a component."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.answers.constant import read_constant
+from codegen.answers.fixed import UNKNOWN_FACT, FixedAnswer, read_entry, repeated
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.scope import Scope
+from codegen.answers.text import UNIQUE_ID
+from codegen.diagnostics import did_you_mean
+from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.dialect import Kind
+from codegen.model.known import Known, Value, shown_value
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.unit import decimal, read_measure
+from codegen.model.vehicle import Component, Instance
+
+
+@dataclass(frozen=True, slots=True)
+class FactAnswer(KindOfAnswer):
+    """A fact that differs between the instances of the component: what is fixed for each, by number."""
+
+    SHAPED_BY = frozenset({"per_cell"})
+
+    covers: Elements
+    parts: tuple[FixedAnswer, ...]
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``board: component.fact``."""
+        return written.board is not None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "FactAnswer | FixedAnswer | None":
+        """An enum entry, a number or an amount; of a message for each instance, that of each.
+
+        A message that is not sent for each instance has the fact of the first one.
+        """
+        facts = _facts(covers, scope)
+        answers = {fact: _fixed(covers, fact, scope) for fact in dict.fromkeys(facts or ())}
+        parts = [answer for answer in answers.values() if answer is not None]
+        if not facts or len(parts) < len(answers):
+            return None
+        if len(parts) == 1:
+            return parts[0]
+        return cls(covers, tuple(part for fact in facts if (part := answers[fact]) is not None))
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """Those of the instance."""
+        return self.parts[instance].fixed
+
+    @property
+    def constants(self) -> tuple[Value, ...]:
+        """Those of every instance."""
+        return tuple(value for part in self.parts for value in part.fixed)
+
+    @property
+    def always(self) -> tuple[Value, ...] | None:
+        """The values, where only the words for them differ."""
+        return self.parts[0].fixed if len({part.fixed for part in self.parts}) == 1 else None
+
+    def words(self) -> Words:
+        """The fact of each."""
+        return Words("fact of each", ", ".join(f"{part.meaning} = {shown_value(part.fixed[0])}" for part in self.parts))
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The fact of each instance."""
+        owner = (self.covers.written.board or "").partition(".")[0]
+        parts = (f"{owner} {number}: {part.meaning} = {part.fixed[0]!r}" for number, part in enumerate(self.parts, 1))
+        yield Step("board", f"a fact of each {owner}", tuple(parts), (str(self.covers.citation),))
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """The value of each instance."""
+        yield Trait("source", "a fact of each instance", Aspect.SOURCE)
+        for number, part in enumerate(self.parts, 1):
+            for trait in part.traits(position):
+                if trait.attribute == "value":
+                    yield Trait(f"value of instance {number}", trait.text, trait.aspect)
+
+    @property
+    def entries(self) -> tuple[str, ...]:
+        """The entries that the facts name."""
+        return tuple(part.meaning for part in self.parts)
+
+    @property
+    def tells_apart(self) -> bool:
+        """Whether no two instances have the same."""
+        return len({part.fixed for part in self.parts}) == len(self.parts)
+
+    def is_fact(self, component: Component) -> bool:
+        """It is one by its name."""
+        return True
+
+
+def _facts(covers: Elements, scope: Scope) -> list[str | Fraction] | None:
+    """The fact of each instance that the message is sent for, or of the first one; None after a finding."""
+    path = covers.written.board or ""
+    owner, _, name = path.partition(".")
+    place = covers.written.at("board")
+    parts = scope.components[owner].parts if owner in scope.components else ()
+    facts = [part.facts.get(name) for part in parts] or [scope.board.facts.get(owner, {}).get(name)]
+    if scope.component is None or scope.component.name != owner:
+        facts = facts[:1]
+    found = [fact for fact in facts if fact is not None]
+    if not found:
+        hint = did_you_mean(path, [*scope.facts(), UNIQUE_ID])
+        scope.report.add(UNKNOWN_FACT, place, f"board.yaml has no fact {path}", hint)
+        return None
+    if len(found) < len(facts):
+        message = f"board.yaml has no fact {name} of {owner} {facts.index(None) + 1}"
+        hint = f"state it under instances, or under facts for every {owner}"
+        scope.report.add(UNKNOWN_FACT, place, message, hint)
+        return None
+    return _of_packs(covers, found, parts, scope) if covers.written.per_cell else found
+
+
+def _of_packs(
+    covers: Elements, facts: list[str | Fraction], parts: tuple[Instance, ...], scope: Scope
+) -> list[str | Fraction] | None:
+    """Facts of one cell, by instance, as those of the packs: numbers or amounts times the fact cells."""
+    packs: list[str | Fraction] = []
+    for fact, part in zip(facts, parts, strict=False):
+        cells = part.cells
+        measure = read_measure(fact) if isinstance(fact, str) else None
+        if cells is None or (isinstance(fact, str) and measure is None):
+            number = part.facts.get("cells", "no number of")
+            message = f"{covers.written.board} of {fact} cannot be multiplied with {number} cells"
+            scope.report.add(UNKNOWN_FACT, covers.written.at("per_cell"), message)
+            return None
+        packs.append(f"{decimal(measure.value * cells)} {measure.unit.name}" if measure else Fraction(fact) * cells)
+    return packs
+
+
+def _fixed(covers: Elements, fact: str | Fraction, scope: Scope) -> FixedAnswer | None:
+    if isinstance(fact, str) and read_measure(fact) is None and covers.field.type.kind is not Kind.CHAR:
+        value = read_entry(covers, fact, "board", scope)
+        return None if value is None else repeated(covers, value, fact)
+    found = read_constant(covers, fact, "board", scope.report)
+    return None if found is None else repeated(covers, *found)

@@ -1,0 +1,46 @@
+"""What a field asks of its answer: its unit, its enum, its sentinel."""
+
+from codegen.answers.scope import Scope
+from codegen.diagnostics import Report, Rule
+from codegen.measure import UNIT_MISMATCH
+from codegen.model.answer import Elements
+from codegen.model.dialect import EnumDefinition, WireField
+from codegen.model.unit import NUMBER, UNITS, Unit
+from codegen.source import Place
+
+NO_SENTINEL = Rule(
+    "no-sentinel",
+    "A table says unknown, or a quantity can become unknown, where the dialect has no value that means unknown. "
+    "Give the quantity an initial value, answer the field otherwise, or, where the dialect states the sentinel only "
+    "in words, add it to the corrections file.",
+)
+NOT_AN_ENUM_FIELD = Rule("not-an-enum-field", "An enum entry or flags are given for a field that has no such enum.")
+BAD_SOURCE = Rule(
+    "bad-source",
+    "A source does not fit its field: a boolean, a text field, or one value for several elements without split.",
+)
+
+
+def field_enum(covers: Elements, key: str, scope: Scope) -> EnumDefinition | None:
+    """The enum of the field, of which the table names entries under ``key``."""
+    name = covers.field.definition.enum
+    if name is None:
+        scope.report.add(NOT_AN_ENUM_FIELD, covers.written.at(key), f"{covers.field.name} has no enum in the dialect")
+        return None
+    return scope.enum(name, covers.written.at(key))
+
+
+def field_unit(field: WireField, place: Place, report: Report) -> Unit | None:
+    """The unit of a field; the multiplier attribute of the dialect is not supported by tables."""
+    name = field.definition.units
+    if name is None:
+        return NUMBER
+    unit = UNITS.get(name)
+    if unit is None:
+        report.add(
+            UNIT_MISMATCH,
+            place,
+            f"{field.name} is in {name}, a unit that the generator does not know",
+            related=[(field.definition.place, f"{field.name} is declared here")],
+        )
+    return unit

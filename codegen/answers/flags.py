@@ -1,0 +1,190 @@
+"""Bits of a bitmask: always set, or while a boolean of the state is true."""
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from codegen.answers.constant import fits
+from codegen.answers.fitting import NOT_AN_ENUM_FIELD, field_enum
+from codegen.answers.instance import bytes_of
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.scope import Scope
+from codegen.diagnostics import Rule
+from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Step, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.dialect import Dialect
+from codegen.model.known import Known, Value, single
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.reading import Reading, flag_names
+from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.source import Place
+
+NOT_A_BOOLEAN = Rule("not-a-boolean", "Only a boolean quantity can decide whether a flag is set.")
+
+
+@dataclass(frozen=True, slots=True)
+class FlagsAnswer(KindOfAnswer):
+    """Bits of a bitmask: ``mask`` is always set, each of ``conditional`` only while its quantity is true."""
+
+    covers: Elements
+    mask: int
+    names: tuple[str, ...]
+    conditional: tuple[tuple[str, int, Quantity], ...]
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``flags: [ENTRY, ENTRY if component.quantity]``."""
+        return written.flags is not None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "FlagsAnswer | None":
+        """Entries of the field's bitmask; those that cannot be are left out with a finding."""
+        enum = field_enum(covers, "flags", scope)
+        if enum is None:
+            return None
+        place = covers.written.at("flags")
+        if not (enum.is_bitmask or covers.field.definition.is_bitmask):
+            message = f"{enum.name} is not a bitmask"
+            scope.report.add(NOT_AN_ENUM_FIELD, place, message, "give one entry with 'enum'")
+            return None
+        mask, names, conditional = 0, [], []
+        for flag in covers.written.flags or ():
+            name, separator, path = flag.partition(" if ")
+            value = scope.entry(enum, name.strip(), place)
+            quantity = _condition(path.strip(), place, scope) if separator else None
+            if (
+                value is None
+                or (separator and quantity is None)
+                or not fits(covers, value, "flags", name, scope.report)
+            ):
+                continue
+            if quantity is None:
+                mask |= value
+                names.append(name.strip())
+            else:
+                conditional.append((name.strip(), value, quantity))
+        return cls(covers, mask, tuple(names), tuple(conditional))
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The conditions."""
+        return tuple(quantity for _, _, quantity in self.conditional)
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The bits of those conditions that hold, in each element."""
+        mask = self.mask
+        for _, value, quantity in self.conditional:
+            mask |= value if _holds(quantity, known, instance) else 0
+        return (mask,) * self.covers.count
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """Those of what is always set, and those of all flags."""
+        every = self.mask
+        for _, value, _ in self.conditional:
+            every |= value
+        return bytes_of(self.mask), bytes_of(every)
+
+    @property
+    def is_prefilled(self) -> bool:
+        """What is always set is."""
+        return True
+
+    @property
+    def is_built(self) -> bool:
+        """Where the state decides over a bit."""
+        return bool(self.conditional)
+
+    def words(self) -> Words:
+        """The flags, each with its condition."""
+        flags = [*self.names, *(f"{name} if {quantity.path}" for name, _, quantity in self.conditional)]
+        always = f"= {self.mask:#x}" if self.mask or not self.conditional else ""
+        return Words(FLAGS.join(flags) or "no flag", always)
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """What is always set, then each condition."""
+        if self.names or not self.conditional:
+            own = (str(self.covers.citation),)
+            yield Step("table", f"always {FLAGS.join(self.names) or 'no flag'}", (f"= {self.mask:#x}",), own)
+        for name, value, quantity in self.conditional:
+            details = (f"{value:#x} while {quantity.path} is true", origins.words(quantity))
+            cited = (str(quantity.citation),) if quantity.citation else ()
+            yield Step("condition", f"{name} if {quantity.path}", details, cited)
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Each flag with its condition."""
+        yield Trait("source", "flags", Aspect.SOURCE)
+        for name in self.names:
+            yield Trait(name, "always", Aspect.FLAGS)
+        for name, value, quantity in self.conditional:
+            yield Trait(name, f"({value:#x}) if {quantity.path}", Aspect.FLAGS)
+        yield Trait("bits always set", f"{self.mask:#x}", Aspect.FLAGS)
+
+    @property
+    def entries(self) -> tuple[str, ...]:
+        """The flags."""
+        return (*self.names, *(name for name, _, _ in self.conditional))
+
+    def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
+        """The names of the bits that are set, and each boolean of the component that alone decides some bits."""
+        field = self.covers.field
+        enum = dialect.enums.get(field.definition.enum or "")
+        if field.is_array or enum is None:
+            return
+        yield flag_names(field, enum)
+        for name, value, quantity in self._deciding():
+            if quantity.component == component.name and not value & self.mask:
+                expression = f'is_set(get("{field.name}"), {value:#x})'
+                yield Reading(quantity.name, expression, "", quantity.spec.doc, name, uses=frozenset({"is_set"}))
+
+    def read_back(self) -> Iterator[ReadBack]:
+        """The booleans that tests can set and that alone decide some bits."""
+        for _, _, quantity in self._deciding():
+            if quantity.followed is None and quantity.enabled_by is None:
+                yield ReadBack(quantity, {"stored": quantity.attribute, "boolean": True})
+
+    def _deciding(self) -> list[tuple[str, int, Quantity]]:
+        """The conditions of bits over which no other decides."""
+        deciding = Counter(value for _, value, _ in self.conditional)
+        return [condition for condition in self.conditional if deciding[condition[1]] == 1]
+
+    @property
+    def varies(self) -> bool:
+        """Flags have a case for each condition, if there is one."""
+        return True
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """Each condition true and false, and of a limit also unknown: with the limit of every instance."""
+        flags = [flag for flag, _, _ in self.conditional]
+        for flag, _, quantity in self.conditional:
+            path = f"{quantity.component}.{quantity.followed}" if quantity.followed else quantity.path
+            name = flag + (f"-{quantity.name}" if flags.count(flag) > 1 else "")
+            limits = quantity.follows.limits if quantity.follows else ()
+            numbers = range(instances) if len(set(limits)) > 1 else range(1)
+            for number in numbers:
+                values: dict[str, int | None] = {"set": 1, "clear": 0}
+                if quantity.follows is not None:
+                    at, below = ("clear", "set") if quantity.follows.is_below else ("set", "clear")
+                    values = {at: limits[number], below: limits[number] - 1, "unknown": None}
+                elif quantity.followed is not None:
+                    values = {"set": single(plain, path), "clear": None}
+                suffix = f"-{number}" if len(numbers) > 1 else ""
+                for state, value in values.items():
+                    yield StateCase(f"{name}-{state}{suffix}", {path: value}, number)
+
+
+def _condition(path: str, place: Place, scope: Scope) -> Quantity | None:
+    quantity = scope.quantity(path, place)
+    if quantity is not None and quantity.kind is not QuantityKind.BOOLEAN:
+        scope.report.add(NOT_A_BOOLEAN, place, f"{path} is not a boolean")
+        return None
+    return quantity
+
+
+def _holds(quantity: Quantity, known: Known, instance: int) -> bool:
+    """Whether a boolean is true: one that follows another is not stored itself."""
+    if quantity.follows is not None:
+        number = instance if instance < len(quantity.follows.limits) else 0
+        return quantity.follows.holds(single(known, f"{quantity.component}.{quantity.followed}"), number)
+    if quantity.while_known is not None:
+        return known[f"{quantity.component}.{quantity.while_known}"] is not None
+    return bool(known[quantity.path])

@@ -1,0 +1,93 @@
+"""The number of the instance that a message is about."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from codegen.answers.fitting import BAD_SOURCE
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.scope import Scope
+from codegen.diagnostics import Rule
+from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.known import Known, Value, stored_value
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.vehicle import Parameter
+
+BAD_INSTANCE = Rule(
+    "bad-instance",
+    "Only a message that is sent for_each component can carry the number of the instance, and of that component.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class InstanceAnswer(KindOfAnswer):
+    """The index of the component's instance, from 0, or from the number that the parameter ``first`` has at start."""
+
+    covers: Elements
+    component: str
+    first: Parameter | None = None
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``state: component.instance``."""
+        owner, _, name = (written.state or "").partition(".")
+        return name == "instance" and owner in scope.components and written.each is None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "InstanceAnswer | None":
+        """The number of the instance that the message is sent for, in one integer that can count so far."""
+        owner = (covers.written.state or "").partition(".")[0]
+        place, component = covers.written.at("state"), scope.component
+        if component is None or component.name != owner:
+            scope.report.add(BAD_INSTANCE, place, f"the message is not sent for each {owner}", f"for_each: {owner}")
+            return None
+        field_type, first = covers.field.type, component.first_number
+        last = component.instances - 1 + (first.maximum if first else 0)
+        if not field_type.is_integer or covers.count != 1 or field_type.maximum < last:
+            message = f"{covers.field.name} cannot carry an instance number"
+            scope.report.add(BAD_SOURCE, place, f"{message} up to {last}" if first else message)
+            return None
+        return cls(covers, component.name, first)
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The one that has the number of the first instance."""
+        return (self.first,) if self.first else ()
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The number."""
+        first = stored_value(self.first, known) if self.first else 0
+        return ((first or 0) + instance,)
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """As many as the number takes."""
+        return bytes_of(first), bytes_of(last)
+
+    @property
+    def is_built(self) -> bool:
+        """Only a number that is counted from a parameter can change."""
+        return self.first is not None
+
+    def words(self) -> Words:
+        """Whose number, and from where it is counted."""
+        counted = f", from {self.first.name} on" if self.first else ""
+        return Words(f"number of the {self.component}{counted}")
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The program knows it."""
+        yield Step("program", self.words().source, (), (str(self.covers.citation),))
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Whose number, and from where it is counted."""
+        counted = f", counted from {self.first.name}" if self.first else ""
+        yield Trait("source", f"number of the {self.component}{counted}", Aspect.SOURCE)
+
+    @property
+    def is_instance_number(self) -> bool:
+        """It is."""
+        return True
+
+
+def bytes_of(number: int) -> int:
+    """Bytes that a number from 0 on takes without the zeros in front."""
+    return (number.bit_length() + 7) // 8

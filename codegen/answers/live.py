@@ -1,0 +1,200 @@
+"""A value that is read when the message is built: a quantity of the state, or a parameter."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from codegen.answers.fitting import BAD_SOURCE, NO_SENTINEL
+from codegen.answers.instance import bytes_of
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.scaled import (
+    conversion_trait,
+    conversion_words,
+    fitting,
+    limit_cases,
+    limit_words,
+    property_cases,
+    read_back,
+    sentinel_cases,
+    to_unit,
+)
+from codegen.answers.scope import Scope
+from codegen.answers.source import take
+from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Step, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.dialect import Dialect
+from codegen.model.known import Known, Value, shown_value, stored_value
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.reading import Reading, scaled
+from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
+from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity, QuantityKind
+
+
+@dataclass(frozen=True, slots=True)
+class LiveAnswer(KindOfAnswer):
+    """A value that is read when the message is built, and scaled. Unknown becomes ``unknown``.
+
+    Where ``unknown`` is None the source has a value at all times: one stands in for what is not known.
+    """
+
+    SHAPED_BY = frozenset({"min", "max", "rounding"})
+
+    covers: Elements
+    source: Quantity | Parameter
+    scaling: Scaling
+    unknown: int | float | None
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``state: component.quantity`` or ``parameter: NAME``."""
+        return written.state is not None or written.parameter is not None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "LiveAnswer | None":
+        """The source, converted exactly to the unit of the field and limited to what it can carry."""
+        report = scope.report
+        taken = take(covers, scope)
+        if taken is None:
+            return None
+        source = taken.source
+        if covers.count != 1:
+            report.add(
+                BAD_SOURCE,
+                covers.written.at(taken.key),
+                f"{covers.label} has {covers.count} elements and gets one value",
+                "add 'split: true', or answer the elements one by one",
+            )
+            return None
+        sentinel = covers.field.sentinel.values[covers.first] if covers.field.sentinel else None
+        may_be_unknown = isinstance(source, Quantity) and source.initial is None
+        if may_be_unknown and sentinel is None:
+            report.add(
+                NO_SENTINEL,
+                covers.written.at(taken.key),
+                f"{covers.written.state} can be unknown, and {covers.field.name} has no value that says so",
+                "give the quantity an 'initial' value, or add the sentinel to the corrections file",
+                [(covers.field.definition.place, f"{covers.field.name} is declared here")],
+            )
+            return None
+        scaling = scaling_of(covers.field, sentinel, taken.bounds, taken.factor, covers.written, report)
+        if scaling is None:
+            return None
+        unknown = sentinel if may_be_unknown else None
+        check_reach(covers, taken.written, scaling, unknown, report)
+        return cls(covers, source, scaling, unknown)
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The source, where it is one."""
+        return (self.source,) if isinstance(self.source, Quantity) else ()
+
+    @property
+    def carried(self) -> tuple[Quantity, ...]:
+        """The same."""
+        return self.quantities
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The source, where it is one."""
+        return (self.source,) if isinstance(self.source, Parameter) else ()
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The number that comes of what is stored, or the sentinel."""
+        stored = stored_value(self.source, known)
+        if stored is None:
+            assert self.unknown is not None
+            return (self.unknown,)
+        return (self.scaling.whole(stored) if self.covers.field.type.is_integer else self.scaling.real(stored),)
+
+    @property
+    def scalings(self) -> tuple[Scaling, ...]:
+        """The one."""
+        return (self.scaling,)
+
+    @property
+    def makes_float(self) -> bool:
+        """Whether the value needs a float to be made.
+
+        A float of 32 bits comes of integer arithmetic while value times numerator, and the shifted rest of the division
+        by the denominator, fit a board's small integers.
+        """
+        wire_type, factor = self.covers.field.type, self.scaling.factor
+        if wire_type.is_integer:
+            return False
+        largest = max(map(abs, self.scaling.steps)) * factor.numerator
+        return wire_type.size != 4 or largest > SMALL_INT_MAX or factor.denominator > FLOAT_DIVISOR_MAX
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """Those of the limits and of the sentinel; a negative number takes all."""
+        scaling, unknown, size = self.scaling, self.unknown, self.covers.field.type.size
+        can_be_zero = scaling.low <= 0 <= scaling.high and scaling.hole != 0
+        if not self.covers.field.type.is_integer:
+            return 0 if can_be_zero or unknown == 0 else size, size
+        numbers = [int(scaling.low), int(scaling.high), *([] if unknown is None else [int(unknown)])]
+        most = size if min(numbers) < 0 else bytes_of(max(numbers))
+        values = numbers if scaling.low > 0 else [0] if scaling.high >= 0 else numbers
+        if scaling.low <= 0 <= scaling.high and scaling.hole == 0:
+            values = [1]
+        if unknown == 0:
+            values = [0]
+        return min(bytes_of(value) if value >= 0 else size for value in values), most
+
+    @property
+    def is_built(self) -> bool:
+        """It is read then."""
+        return True
+
+    def words(self) -> Words:
+        """The path of the source, how it is scaled, and its limits on the wire."""
+        conversion = conversion_words(self.covers, self.source, self.scaling)
+        return Words(self.source.path, conversion, limit_words(self.scaling))
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The source, then what is done so that it fits."""
+        yield from origins.steps(self.source)
+        yield from fitting(self.covers, self.scaling, self.words().conversion, self.unknown)
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Source, scaling, limits and sentinel."""
+        yield Trait("source", self.source.path, Aspect.SOURCE)
+        yield conversion_trait(self.covers, self.source, self.scaling)
+        yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
+        unknown = "" if self.unknown is None else shown_value(self.unknown)
+        yield Trait("unknown", unknown, Aspect.UNKNOWN)
+
+    def is_fact(self, component: Component) -> bool:
+        """Unless it is a quantity of the component itself."""
+        return not self._is_of(component)
+
+    def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
+        """The quantity."""
+        if not self._is_of(component) or not isinstance(self.source, Quantity):
+            return
+        source, covers = self.source, self.covers
+        got = f'get("{covers.field.name}")'
+        uses = frozenset({"element"}) if covers.field.is_array else frozenset()
+        expression, used = scaled(
+            f"element({got}, {covers.first})" if covers.field.is_array else got, to_unit(source, self.scaling)
+        )
+        enum = source.enum.name if source.kind is QuantityKind.ENUM and source.enum else ""
+        yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, used | uses)
+
+    def read_back(self) -> Iterator[ReadBack]:
+        """The quantity."""
+        if isinstance(self.source, Quantity):
+            yield read_back(self.covers, self.source, self.scaling)
+
+    @property
+    def varies(self) -> bool:
+        """With its source."""
+        return True
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """A quantity at its limits and beyond, and set through its property."""
+        if isinstance(self.source, Quantity):
+            yield from limit_cases(self.scaling, self.source.path)
+            yield from sentinel_cases(self.covers, self.scaling, self.source.path)
+            yield from property_cases(self.source, plain)
+
+    def _is_of(self, component: Component) -> bool:
+        return isinstance(self.source, Quantity) and self.source.component == component.name

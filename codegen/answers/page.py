@@ -1,0 +1,63 @@
+"""The number of the first value on a page, in a message that is sent in pages."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.pages import BAD_PAGES
+from codegen.answers.scope import Scope
+from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.known import Known, Value
+from codegen.model.population_spec import FieldAnswer
+
+
+@dataclass(frozen=True, slots=True)
+class PageAnswer(KindOfAnswer):
+    """The number of the first value on a page of ``size`` values."""
+
+    covers: Elements
+    size: int
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``page: true``."""
+        return written.page is not None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "PageAnswer | None":
+        """The number, in one integer that can count to the last page."""
+        place, pages = covers.written.at("page"), scope.pages
+        if pages is None:
+            if scope.population.pages is None:
+                scope.report.add(BAD_PAGES, place, "the message has no pages", "pages: component.quantity")
+            return None
+        field = covers.field
+        last = (pages.count - 1) * pages.size
+        if not field.type.is_integer or covers.count != 1 or field.type.maximum < last:
+            message = f"{field.name} cannot carry the number {last}, the first of the last page"
+            scope.report.add(BAD_PAGES, place, message)
+            return None
+        return cls(covers, pages.size)
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The values on the pages before."""
+        return (page * self.size,)
+
+    @property
+    def is_built(self) -> bool:
+        """Each page has another one."""
+        return True
+
+    def words(self) -> Words:
+        """What it counts, and in which steps."""
+        return Words("number of the first value", f"{self.size} on a page")
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The program counts the pages."""
+        words = self.words()
+        yield Step("program", words.source, (words.conversion,), (str(self.covers.citation),))
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """What it counts, and in which steps."""
+        yield Trait("source", f"number of the first value of a page of {self.size}", Aspect.SOURCE)

@@ -1,0 +1,142 @@
+"""What answers have in common that take a number and scale it: their words, their bytes, their cases."""
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.model.account import Aspect, ReadBack, StateCase, Step, Trait
+from codegen.model.answer import Elements
+from codegen.model.known import Known
+from codegen.model.population_spec import Rounding
+from codegen.model.scaling import Scaling
+from codegen.model.unit import decimal
+from codegen.model.vehicle import SMALL_INT_MAX, Parameter, Quantity, QuantityKind
+
+_ROUNDING = {
+    Rounding.NEAREST: "to nearest",
+    Rounding.DOWN: "down",
+    Rounding.UP: "up",
+    Rounding.TOWARD_ZERO: "toward zero",
+}
+
+
+def unit_kept(source: Quantity | Parameter) -> str:
+    """The name of the unit that a source is kept in; a parameter in its own, though in steps."""
+    return source.stored.name if isinstance(source, Quantity) else source.unit.name
+
+
+def conversion_words(covers: Elements, source: Quantity | Parameter, scaling: Scaling) -> str:
+    """``mV * 0.1 = cV, to nearest``, or ``kept in mV``."""
+    kept = unit_kept(source)
+    if scaling.factor == 1:
+        return f"kept in {kept}" if kept else ""
+    unit = covers.field.definition.units or ""
+    return f"{kept} * {decimal(scaling.factor)} = {unit}, {_ROUNDING[scaling.rounding]}"
+
+
+def limit_words(scaling: Scaling, arrow: str = "->") -> str:
+    """``0..65534``, and what a value becomes that would read as unknown."""
+    text = f"{decimal(scaling.low)}..{decimal(scaling.high)}"
+    if scaling.hole is not None and scaling.beside is not None:
+        text += f", {decimal(scaling.hole)} {arrow} {decimal(scaling.beside)}"
+    return text
+
+
+def fitting(
+    covers: Elements,
+    scaling: Scaling,
+    conversion: str,
+    unknown: int | float | None,
+    cell_high: int | None = None,
+) -> Iterator[Step]:
+    """The steps of unit, limits and what stands for unknown; ``cell_high`` is what an element holds before it spills.
+
+    Source: the dialect's units, limits and sentinels.
+    """
+    unit = covers.field.definition.units or ""
+    if scaling.factor != 1:
+        yield Step("unit", conversion, (), ())
+    details = []
+    if scaling.hole is not None and scaling.beside is not None:
+        details.append(f"{decimal(scaling.hole)} would read as unknown and becomes {decimal(scaling.beside)}")
+    if cell_high is not None:
+        details.append(f"what is above {cell_high} spills into the next element")
+    limits = f"{decimal(scaling.low)}..{decimal(scaling.high)}"
+    yield Step("limits", f"{limits} {unit}".strip(), tuple(details), (str(covers.citation),))
+    if unknown is not None:
+        shown = "NaN" if math.isnan(unknown) else f"{unknown}"
+        sentinel = covers.sentinel
+        written = f", the dialect's {sentinel}" if sentinel and sentinel != shown else ""
+        yield Step("unknown", f"{shown}{written}", ("goes out while the value is not known",), ())
+
+
+def conversion_trait(covers: Elements, source: Quantity | Parameter, scaling: Scaling) -> Trait:
+    """Unit, factor and rounding."""
+    unit = covers.field.definition.units or ""
+    factor = "" if scaling.factor == 1 else f" * {decimal(scaling.factor)}"
+    rounding = "" if scaling.rounding is Rounding.NEAREST else f", rounded {scaling.rounding.value.replace('_', ' ')}"
+    text = f"{unit_kept(source) or 'value'}{factor}{f' = {unit}' if unit else ''}{rounding}"
+    return Trait("conversion", text, Aspect.CONVERSION)
+
+
+def limit_cases(scaling: Scaling, path: str) -> Iterator[StateCase]:
+    """The ends of the range, beyond both, unknown and zero, of what is stored under a path."""
+    low, high = scaling.steps
+    for name, value in (
+        ("minimum", low),
+        ("maximum", high),
+        ("below-minimum", max(low - 1, -SMALL_INT_MAX)),
+        ("above-maximum", min(high + 1, SMALL_INT_MAX)),
+        ("far-below", -SMALL_INT_MAX),
+        ("far-above", SMALL_INT_MAX),
+        ("unknown", None),
+        ("zero", 0),
+    ):
+        yield StateCase(name, {path: value})
+
+
+def sentinel_cases(covers: Elements, scaling: Scaling, path: str) -> Iterator[StateCase]:
+    """The stored value that would become the sentinel, and -1, which people take for one."""
+    sentinel = covers.field.sentinel.values[covers.first] if covers.field.sentinel else None
+    if isinstance(sentinel, int):
+        yield StateCase("sentinel", {path: scaling.to_stored(sentinel)})
+    yield StateCase("minus-one", {path: -1})
+
+
+def property_cases(quantity: Quantity, plain: Known) -> Iterator[StateCase]:
+    """The same field set through the property for people: None, NaN, the infinities and a plain number."""
+    if quantity.attribute == quantity.name or quantity.kind is not QuantityKind.NUMBER:
+        return
+    stored = plain[quantity.path]
+    assert isinstance(stored, int)
+    settings: tuple[tuple[str, float | str | None, int | None], ...] = (
+        ("nan", "nan", None),
+        ("none", None, None),
+        ("infinity", "inf", SMALL_INT_MAX),
+        ("minus-infinity", "-inf", -SMALL_INT_MAX),
+        ("in-its-unit", float(stored / quantity.steps), stored),
+    )
+    for name, value, becomes in settings:
+        yield StateCase(name, {quantity.path: becomes}, written=(quantity, value))
+
+
+def read_back(covers: Elements, source: Quantity, scaling: Scaling) -> ReadBack:
+    """All in the unit of the quantity; ``within`` is one unit of the wire, or what a float of the wire resolves."""
+    to_unit = 1 / (scaling.factor * source.steps)
+    one = to_unit if covers.field.type.is_integer else 1 / source.steps / 2
+    return ReadBack(
+        source,
+        {
+            "stored": source.attribute,
+            "steps": float(source.steps) if source.kind is QuantityKind.NUMBER else 1,
+            "low": float(scaling.low * to_unit),
+            "high": float(scaling.high * to_unit),
+            "within": float(one),
+            "stands_in": None if source.initial is None else float(source.initial / source.steps),
+        },
+    )
+
+
+def to_unit(source: Quantity, scaling: Scaling) -> Fraction:
+    """What a number on the wire is multiplied with to get the unit of the quantity: ``steps`` stored make one unit."""
+    return 1 / (scaling.factor * source.steps)

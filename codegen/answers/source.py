@@ -1,0 +1,98 @@
+"""A quantity or a parameter that is read when a message is built: found, and held against its field."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.answers.fitting import BAD_SOURCE, NOT_AN_ENUM_FIELD, field_unit
+from codegen.answers.limits import Bounds, dialect_bounds, written_bounds
+from codegen.answers.scope import Scope
+from codegen.diagnostics import Report
+from codegen.measure import UNIT_MISMATCH
+from codegen.model.answer import Elements
+from codegen.model.dialect import Kind
+from codegen.model.unit import Unit
+from codegen.model.vehicle import Parameter, Quantity, QuantityKind
+
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """A source that fits: the key of the table that names it, and what one stored step is on the wire.
+
+    ``bounds`` are those of source, dialect and table in wire units; ``written`` those of the table alone.
+    """
+
+    source: Quantity | Parameter
+    key: str
+    factor: Fraction
+    bounds: Bounds
+    written: Bounds
+
+
+def take(covers: Elements, scope: Scope) -> Taken | None:
+    """What ``state`` or ``parameter`` names; None after a finding."""
+    written = covers.written
+    source: Quantity | Parameter | None
+    if written.state is not None:
+        key, source = "state", scope.quantity(written.state, written.at("state"))
+    else:
+        key, source = "parameter", scope.parameter(written.parameter or "", written.at("parameter"))
+    return None if source is None else taken(covers, source, key, scope.report)
+
+
+def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Taken | None:
+    """A source that the table names under ``key``; None, with a finding, where it does not fit."""
+    unit = _unit(covers, source, key, report)
+    factor = None if unit is None else _factor(covers, source, unit, key, report)
+    if unit is None or factor is None:
+        return None
+    in_wire = Fraction(1)
+    if isinstance(source, Parameter) or source.kind is QuantityKind.NUMBER:
+        in_wire = source.unit.to(unit) or in_wire
+    written = written_bounds(covers.written, source.unit, in_wire, report)
+    own = Bounds(source.minimum * factor, source.maximum * factor)
+    return Taken(source, key, factor, own.within(dialect_bounds(covers.field)).within(written), written)
+
+
+def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Unit | None:
+    """The unit of the field, if the kind of the source fits the kind of the field."""
+    place = covers.written.at(key)
+    if covers.field.type.kind is Kind.CHAR:
+        report.add(BAD_SOURCE, place, f"{covers.field.name} is a text, the source is a number")
+        return None
+    if isinstance(source, Quantity) and source.kind is QuantityKind.BOOLEAN:
+        report.add(BAD_SOURCE, place, f"{source.path} is a boolean", "use it in 'flags': ENTRY if component.quantity")
+        return None
+    if isinstance(source, Quantity) and source.elements is not None and key != "each":
+        message = f"{source.path} has a value for each of its elements"
+        report.add(BAD_SOURCE, place, message, f"write {{each: {source.path}}}")
+        return None
+    if isinstance(source, Quantity) and source.enum is not None and source.enum.name != covers.field.definition.enum:
+        wanted = covers.field.definition.enum or "no enum"
+        report.add(
+            NOT_AN_ENUM_FIELD, place, f"{source.path} is a {source.enum.name}, {covers.field.name} takes {wanted}"
+        )
+        return None
+    return field_unit(covers.field, place, report)
+
+
+def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str, report: Report) -> Fraction | None:
+    """What one stored step is in wire units."""
+    if isinstance(source, Parameter):
+        to_wire, step = source.unit.to(unit), source.step
+    elif source.kind is QuantityKind.NUMBER:
+        to_wire, step = source.stored.to(unit), Fraction(1)
+    else:
+        to_wire, step = Fraction(1), Fraction(1)
+    if to_wire is None:
+        report.add(
+            UNIT_MISMATCH,
+            covers.written.at(key),
+            f"{source.path} is a {source.unit.dimension} ({source.unit.name or 'no unit'}), "
+            f"{covers.field.name} is a {unit.dimension} ({unit.name or 'no unit'})",
+            related=[
+                (source.spec.at("unit"), f"{source.path} gets its unit here"),
+                (covers.field.definition.place, f"{covers.field.name} is declared here"),
+            ],
+        )
+        return None
+    return step * to_wire

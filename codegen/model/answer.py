@@ -1,0 +1,178 @@
+"""The contract of answers: what every kind of answer of a table tells the stages."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from codegen.model.account import Origins, ReadBack, StateCase, Step, Together, Trait, Words
+from codegen.model.dialect import Dialect, WireField
+from codegen.model.known import Known, Value
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.reading import Reading
+from codegen.model.scaling import Scaling
+from codegen.model.vehicle import Citation, Component, Parameter, Quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Elements:
+    """The elements ``first`` to ``first + count - 1`` of a field, and what the table has ``written`` for them."""
+
+    field: WireField
+    first: int
+    count: int
+    written: FieldAnswer
+    citation: Citation
+
+    @property
+    def offset(self) -> int:
+        """Byte offset of the first element in the payload."""
+        return self.field.offset + self.first * self.field.type.size
+
+    @property
+    def label(self) -> str:
+        """``voltages``, ``voltages[0]`` or ``voltages[1..9]``."""
+        return self.field.label(self.first, self.count)
+
+    @property
+    def sentinel(self) -> str:
+        """The dialect's sentinel of the field as it is written, or nothing."""
+        return "" if self.field.sentinel is None else self.field.sentinel.written
+
+
+class Answer(ABC):
+    """Where some elements of a field take their value from. ``codegen/answers/`` has a module for each kind.
+
+    The stages ask these methods and know no kind. What most kinds have in common is the default.
+    """
+
+    __slots__ = ()
+
+    covers: Elements
+
+    # What it reads.
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The quantities of the state that decide what goes out."""
+        return ()
+
+    @property
+    def carried(self) -> tuple[Quantity, ...]:
+        """Those quantities the numbers of which go out themselves."""
+        return ()
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The parameters that decide what goes out; of a family the first one."""
+        return ()
+
+    # What goes out.
+
+    @abstractmethod
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """What the elements carry while the state is ``known``, by exact arithmetic: one value for each; a text is one.
+
+        ``instance`` and ``page`` count from 0.
+        """
+
+    @property
+    def constants(self) -> tuple[Value, ...]:
+        """The values that the table or the board states, of any instance; not what stands for unknown."""
+        return ()
+
+    @property
+    def always(self) -> tuple[Value, ...] | None:
+        """What the elements carry in every message; None where it can differ."""
+        return None
+
+    @property
+    def scalings(self) -> tuple[Scaling, ...]:
+        """The scalings of what is read when the message is built."""
+        return ()
+
+    @property
+    def makes_float(self) -> bool:
+        """Whether a builder has to make a float of the value, for which MicroPython allocates."""
+        return False
+
+    @property
+    def together(self) -> Together | None:
+        """The values that go out together or not at all, where the answer has such."""
+        return None
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """Bytes up to the last that is not zero, at least and at most; 0 where all may be, or are, zero.
+
+        The instance has a number from ``first`` to ``last`` in messages: a parameter may have that of the first one.
+        """
+        return 0, self.covers.field.type.size * self.covers.count
+
+    # Where the firmware writes it.
+
+    @property
+    def is_prefilled(self) -> bool:
+        """Whether the function that prefills a payload writes something for it."""
+        return not self.is_built
+
+    @property
+    def is_built(self) -> bool:
+        """Whether the builder writes it anew in every message."""
+        return False
+
+    # How it is told.
+
+    @abstractmethod
+    def words(self) -> Words:
+        """Source, conversion and limits, for tables of documents, pages and ``explain``."""
+
+    @abstractmethod
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The steps from the source to the number on the wire; the bytes are not among them."""
+
+    @abstractmethod
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Everything that a change of the answer could be about, for its element at ``position``, from 0."""
+
+    @property
+    def entries(self) -> tuple[str, ...]:
+        """The names of entries of enums that it uses."""
+        return ()
+
+    # What it is for receivers.
+
+    @property
+    def is_instance_number(self) -> bool:
+        """Whether it is the number by which receivers know the instance."""
+        return False
+
+    @property
+    def tells_apart(self) -> bool:
+        """Whether it is another one for each instance."""
+        return self.is_instance_number
+
+    def is_fact(self, component: Component) -> bool:
+        """Whether a receiver for ``component`` takes the field as it stands, for a fact."""
+        return False
+
+    def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
+        """What the field says to a receiver for ``component``: quantities of it, and flags."""
+        yield from ()
+
+    def joint_readings(self, answers: Sequence["Answer"]) -> Iterator[Reading]:
+        """What several fields of a message say together; ``answers`` are all of it. The first of them tells it."""
+        yield from ()
+
+    def read_back(self) -> Iterator[ReadBack]:
+        """The quantities that a receiver must know again, and how exactly."""
+        yield from ()
+
+    # How it is tested.
+
+    @property
+    def varies(self) -> bool:
+        """Whether the state decides what goes out: such a field has cases of its own."""
+        return False
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """States that show it at its limits and beyond; ``plain`` is a state in which all it reads is known."""
+        yield from ()

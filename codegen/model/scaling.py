@@ -1,0 +1,69 @@
+"""From stored steps to the number on the wire: exact factor, rounding, limits, and the sentinel out of reach."""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.population_spec import Rounding
+
+FLOAT_DIVISOR_MAX = 2**25
+"""Largest divisor of a value that goes out as a float by integer arithmetic: the firmware's ``put_float``."""
+
+
+def rounded(value: Fraction, rounding: Rounding) -> int:
+    """``value`` as a whole number; with ``NEAREST`` a half goes away from zero."""
+    if rounding is Rounding.DOWN:
+        return math.floor(value)
+    if rounding is Rounding.UP:
+        return math.ceil(value)
+    if rounding is Rounding.TOWARD_ZERO:
+        return math.trunc(value)
+    return math.floor(value + Fraction(1, 2)) if value >= 0 else math.ceil(value - Fraction(1, 2))
+
+
+@dataclass(frozen=True, slots=True)
+class Scaling:
+    """wire = ``stored * factor``, rounded, and limited to ``low``..``high`` (wire units, sentinel excluded).
+
+    Where it still equals ``hole``, the sentinel within these limits, it is moved to ``beside``. For integer fields
+    ``low`` and ``high`` are whole numbers.
+    """
+
+    factor: Fraction
+    rounding: Rounding
+    low: Fraction
+    high: Fraction
+    hole: Fraction | None = None
+    beside: Fraction | None = None
+
+    @property
+    def steps(self) -> tuple[int, int]:
+        """The smallest and the largest stored value that goes out as it is."""
+        return math.ceil(self.low / self.factor), math.floor(self.high / self.factor)
+
+    @property
+    def worst(self) -> int:
+        """The largest number that comes up when a stored value is scaled by whole numbers; 0 where nothing is."""
+        if self.factor == 1:
+            return 0
+        reach = max(abs(self.low), abs(self.high)) / self.factor + 2
+        return int(reach * self.factor.numerator) + self.factor.denominator
+
+    def whole(self, stored: int) -> int:
+        """The number that an integer field carries for a stored value."""
+        value = Fraction(rounded(self._limited(stored), self.rounding))
+        return int(self._beside(value))
+
+    def real(self, stored: int) -> float:
+        """The number that a float field carries for a stored value, before the wire's precision cuts it."""
+        return float(self._beside(self._limited(stored)))
+
+    def to_stored(self, wire: int | Fraction) -> int:
+        """The stored value that comes nearest to a number on the wire, in the direction of the rounding."""
+        return rounded(wire * (1 / self.factor), self.rounding)
+
+    def _limited(self, stored: int) -> Fraction:
+        return max(self.low, min(self.high, stored * self.factor))
+
+    def _beside(self, value: Fraction) -> Fraction:
+        return self.beside if self.beside is not None and value == self.hole else value

@@ -1,0 +1,52 @@
+"""The names that tables use, looked up among what has been resolved."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from codegen.answers.scope import Scope
+from codegen.diagnostics import did_you_mean
+from codegen.model.dialect import EnumDefinition
+from codegen.model.spec import Spec
+from codegen.model.vehicle import Parameter, Quantity
+from codegen.resolve.instances import known_facts
+from codegen.resolve.quantity import UNKNOWN_ENTRY, UNKNOWN_ENUM
+from codegen.resolve.state import find_quantity
+from codegen.resolve.vehicle import find_parameter
+from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class ResolvedScope(Scope):
+    """The scope of a table in a specification the vehicle of which is resolved."""
+
+    spec: Spec
+    parameters: Mapping[str, Parameter]
+
+    def quantity(self, path: str, place: Place) -> Quantity | None:
+        """The quantity that is written as ``component.quantity``."""
+        return find_quantity(path, self.components, self.spec.state, place, self.report)
+
+    def parameter(self, name: str, place: Place) -> Parameter | None:
+        """The parameter of a name."""
+        return find_parameter(name, place, self.spec.parameters, self.parameters, self.report)
+
+    def enum(self, name: str, place: Place) -> EnumDefinition | None:
+        """The enum of a name in the dialect."""
+        enum = self.dialect.enums.get(name)
+        if enum is None:
+            self.report.add(UNKNOWN_ENUM, place, f"the dialect has no enum {name}")
+        return enum
+
+    def entry(self, enum: EnumDefinition, name: str, place: Place) -> int | None:
+        """The value of an entry of an enum."""
+        entry = enum.entry(name)
+        if entry is not None:
+            return entry.value
+        owner = next((other.name for other in self.dialect.enums.values() if other.entry(name)), None)
+        hint = f"{name} belongs to {owner}" if owner else did_you_mean(name, [entry.name for entry in enum.entries])
+        self.report.add(UNKNOWN_ENTRY, place, f"{enum.name} has no entry {name}", hint)
+        return None
+
+    def facts(self) -> list[str]:
+        """Every fact that board.yaml states."""
+        return known_facts(self.spec, self.components)
