@@ -13,8 +13,7 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
-from codegen.targets.quantity_words import becomes_unknown
-from codegen.targets.table import FieldRow, field_rows, limit_text
+from codegen.targets.table import FieldRow, field_rows
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
@@ -262,22 +261,11 @@ def _quantity(quantity: Quantity, system: System) -> str:
         for answer in message.answers
         if quantity in answer.quantities
     ]
-    conversion = quantity.conversion
-    measured = ""
-    if conversion is not None:
-        channel = conversion.channel
-        pins = dict.fromkeys(map(str, system.gpios(system.components[quantity.component], channel)))
-        measured = (
-            f"mean of {channel.samples} samples on GPIO {' and '.join(pins)}, count / {channel.full_scale} "
-            f"* {decimal(channel.reference)} V * {conversion.multiplier.name}"
-        )
     facts = [
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
-        ("measured", measured),
+        *quantity.derivation.story(quantity, system),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
-        ("unknown", becomes_unknown(quantity)),
-        ("follows", _followed(quantity)),
-        ("warning", _warning(quantity)),
+        ("unknown", quantity.trust.words()),
         ("sent in", ", ".join(fields)),
         ("criterion", _cited(quantity.citation)),
         ("declared at", quantity.spec.place.shown()),
@@ -317,33 +305,6 @@ def _stream(stream: Stream, system: System) -> str:
         ("declared at", stream.spec.place.shown()),
     ]
     return "\n".join([stream.name, stream.spec.doc.strip(), "", *_facts(facts)]) + "\n"
-
-
-def _followed(quantity: Quantity) -> str:
-    """What a quantity is computed from."""
-    if quantity.trend is not None:
-        return (
-            f"the change of {quantity.trend.quantity} over {quantity.spec.window}, {quantity.trend.readings} readings"
-        )
-    if quantity.estimate is not None:
-        return f"{quantity.estimate.quantity}, by the discharge curve of {len(quantity.estimate.curves[0])} points"
-    if quantity.enabled_by is not None:
-        return f"true while {quantity.enabled_by.name} is not 0"
-    if quantity.follows is not None:
-        return f"true while {quantity.followed} is {limit_text(quantity)}"
-    if quantity.spec.counts_returns_of is not None:
-        return f"counts up when {quantity.spec.counts_returns_of} was true and a reading shows that it is no longer"
-    if quantity.spec.restarts_with is not None:
-        return f"begins anew when {quantity.spec.restarts_with} counts up"
-    return f"true while {quantity.while_known} is known" if quantity.while_known else ""
-
-
-def _warning(quantity: Quantity) -> str:
-    if quantity.warn_above is None:
-        return ""
-    pause = "" if quantity.warn_every_ms is None else f", every {quantity.warn_every_ms} ms at most"
-    limits = ", ".join(str(limit) for limit in dict.fromkeys(quantity.warn_above))
-    return f"above {limits} {quantity.stored.name}{pause}"
 
 
 def _cited(citation: Citation | None) -> str:

@@ -10,11 +10,12 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.text import UNIQUE_ID
 from codegen.diagnostics import did_you_mean
-from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
 from codegen.model.known import Known, Value, shown_value
 from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
 from codegen.model.unit import decimal, read_measure
 from codegen.model.vehicle import Component, Instance
 

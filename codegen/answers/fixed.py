@@ -9,11 +9,12 @@ from codegen.answers.fitting import NO_SENTINEL, field_enum
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule
-from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind, SentinelForm
 from codegen.model.known import Known, Value, shown_value
 from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
 from codegen.model.vehicle import Component
 
 UNKNOWN_FACT = Rule("unknown-fact", "A table names a fact that board.yaml, or the dialect, does not have.")

@@ -10,12 +10,13 @@ from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
-from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Step, Trait, Words
+from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, single
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, flag_names
+from codegen.model.step import Step
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.source import Place
 
@@ -74,7 +75,7 @@ class FlagsAnswer(KindOfAnswer):
         """The bits of those conditions that hold, in each element."""
         mask = self.mask
         for _, value, quantity in self.conditional:
-            mask |= value if _holds(quantity, known, instance) else 0
+            mask |= value if quantity.derivation.value(quantity, known, instance) else 0
         return (mask,) * self.covers.count
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
@@ -106,7 +107,7 @@ class FlagsAnswer(KindOfAnswer):
             own = (str(self.covers.citation),)
             yield Step("table", f"always {FLAGS.join(self.names) or 'no flag'}", (f"= {self.mask:#x}",), own)
         for name, value, quantity in self.conditional:
-            details = (f"{value:#x} while {quantity.path} is true", origins.words(quantity))
+            details = (f"{value:#x} while {quantity.path} is true", quantity.derivation.words(quantity))
             cited = (str(quantity.citation),) if quantity.citation else ()
             yield Step("condition", f"{name} if {quantity.path}", details, cited)
 
@@ -139,7 +140,7 @@ class FlagsAnswer(KindOfAnswer):
     def read_back(self) -> Iterator[ReadBack]:
         """The booleans that tests can set and that alone decide some bits."""
         for _, _, quantity in self._deciding():
-            if quantity.followed is None and quantity.enabled_by is None:
+            if quantity.derivation.is_set_by_code:
                 yield ReadBack(quantity, {"stored": quantity.attribute, "boolean": True})
 
     def _deciding(self) -> list[tuple[str, int, Quantity]]:
@@ -156,19 +157,12 @@ class FlagsAnswer(KindOfAnswer):
         """Each condition true and false, and of a limit also unknown: with the limit of every instance."""
         flags = [flag for flag, _, _ in self.conditional]
         for flag, _, quantity in self.conditional:
-            path = f"{quantity.component}.{quantity.followed}" if quantity.followed else quantity.path
+            derivation, path = quantity.derivation, quantity.decided_by
             name = flag + (f"-{quantity.name}" if flags.count(flag) > 1 else "")
-            limits = quantity.follows.limits if quantity.follows else ()
-            numbers = range(instances) if len(set(limits)) > 1 else range(1)
+            numbers = range(instances) if derivation.differs_by_instance else range(1)
             for number in numbers:
-                values: dict[str, int | None] = {"set": 1, "clear": 0}
-                if quantity.follows is not None:
-                    at, below = ("clear", "set") if quantity.follows.is_below else ("set", "clear")
-                    values = {at: limits[number], below: limits[number] - 1, "unknown": None}
-                elif quantity.followed is not None:
-                    values = {"set": single(plain, path), "clear": None}
                 suffix = f"-{number}" if len(numbers) > 1 else ""
-                for state, value in values.items():
+                for state, value in derivation.deciding(number, single(plain, path)).items():
                     yield StateCase(f"{name}-{state}{suffix}", {path: value}, number)
 
 
@@ -178,13 +172,3 @@ def _condition(path: str, place: Place, scope: Scope) -> Quantity | None:
         scope.report.add(NOT_A_BOOLEAN, place, f"{path} is not a boolean")
         return None
     return quantity
-
-
-def _holds(quantity: Quantity, known: Known, instance: int) -> bool:
-    """Whether a boolean is true: one that follows another is not stored itself."""
-    if quantity.follows is not None:
-        number = instance if instance < len(quantity.follows.limits) else 0
-        return quantity.follows.holds(single(known, f"{quantity.component}.{quantity.followed}"), number)
-    if quantity.while_known is not None:
-        return known[f"{quantity.component}.{quantity.while_known}"] is not None
-    return bool(known[quantity.path])

@@ -7,10 +7,11 @@ from codegen.answers.fitting import BAD_SOURCE
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
-from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value, stored_value
 from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
 from codegen.model.vehicle import Parameter
 
 BAD_INSTANCE = Rule(

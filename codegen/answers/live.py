@@ -20,13 +20,14 @@ from codegen.answers.scaled import (
 )
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, shown_value, stored_value
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
+from codegen.model.step import Step
 from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity, QuantityKind
 
 

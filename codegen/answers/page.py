@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.pages import BAD_PAGES
 from codegen.answers.scope import Scope
-from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value
 from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,11 +4,12 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.model.account import Aspect, ReadBack, StateCase, Step, Trait
+from codegen.model.account import Aspect, ReadBack, StateCase, Trait
 from codegen.model.answer import Elements
 from codegen.model.known import Known
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import Scaling
+from codegen.model.step import Step
 from codegen.model.unit import decimal
 from codegen.model.vehicle import SMALL_INT_MAX, Parameter, Quantity, QuantityKind
 

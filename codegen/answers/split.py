@@ -19,13 +19,14 @@ from codegen.answers.scaled import (
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
 from codegen.diagnostics import Rule
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, stored_value
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import Scaling
+from codegen.model.step import Step
 from codegen.model.vehicle import Component, Parameter, Quantity
 
 BAD_SPLIT = Rule(

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from codegen.answers.constant import BAD_CONSTANT
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
-from codegen.model.account import Aspect, Origins, Step, Trait, Words
+from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
 from codegen.model.known import Known, Value
 from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
 from codegen.model.vehicle import Component
 
 UNIQUE_ID = "unique_id"

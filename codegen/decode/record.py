@@ -7,6 +7,7 @@ from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mi
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
 from codegen.model.shape import (
+    Group,
     ListOf,
     MappingOf,
     RecordOf,
@@ -61,6 +62,7 @@ class _RecordDecoder(Generic[Record]):
         if not isinstance(node, MappingNode):
             return self._short_form(node)
         values: dict[str, Any] = {}
+        grouped: dict[Group, dict[str, Any]] = {}
         usable = True
         for written, value_node in node.entries:
             key = self._keys.get(written.text)
@@ -69,12 +71,16 @@ class _RecordDecoder(Generic[Record]):
             self._places[key.name] = value_node.place
             value = self._value(value_node, key.shape, key.name)
             if value is not None:
-                values[key.attribute] = value
+                into = values if key.group is None else grouped.setdefault(key.group, {})
+                into[key.attribute] = value
             elif key.is_required or key.name in one_of(self._cls):
                 usable = False
         missing = self._check_keys(node)
         if missing or not usable:
             return None
+        for group, given in grouped.items():
+            record = group.model(place=self._place, places=self._places, **given)
+            values[group.attribute] = (*values.get(group.attribute, ()), record)
         return self._cls(place=self._place, places=self._places, **values)
 
     def _short_form(self, node: ScalarNode | SequenceNode) -> Record | None:

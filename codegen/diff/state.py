@@ -102,7 +102,7 @@ def _component(component: Component) -> Subject:
 
 
 def _quantity(quantity: Quantity) -> Subject:
-    spec, stored = quantity.spec, quantity.stored.name
+    spec, stored, trust = quantity.spec, quantity.stored.name, quantity.trust
     smallest, largest = _limit(quantity.minimum, stored), _limit(quantity.maximum, stored)
     facts = (
         Fact("unit", quantity.unit.name, rules.QUANTITY_UNIT, spec.at("unit")),
@@ -119,11 +119,9 @@ def _quantity(quantity: Quantity) -> Subject:
         Fact("maximum", largest, rules.QUANTITY_RANGE, spec.at("max")),
         Fact("values", _counts(quantity), rules.QUANTITY_RANGE, spec.at("elements")),
         Fact("initially", amount(quantity.initial, stored) or "unknown", rules.QUANTITY_SOURCE, spec.at("initial")),
-        *(Fact(name, text, rules.QUANTITY_SOURCE, spec.at(key)) for name, key, text in _origins(quantity)),
-        Fact("warns above", _warning(quantity), rules.QUANTITY_AGE, spec.at("warn_above")),
-        Fact("warns every", amount(quantity.warn_every_ms, "ms"), rules.QUANTITY_AGE, spec.at("warn_every")),
-        Fact("unknown after", amount(quantity.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
-        Fact("failures until unknown:", str(spec.invalid_after or ""), rules.QUANTITY_AGE, spec.at("invalid_after")),
+        *_derivation(quantity),
+        Fact("unknown after", amount(trust.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
+        Fact("failures until unknown:", amount(trust.invalid_after), rules.QUANTITY_AGE, spec.at("invalid_after")),
         Fact("answers to", _citations(quantity), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
@@ -147,36 +145,10 @@ def _counts(quantity: Quantity) -> str:
     return ", ".join(str(count) for count in quantity.elements or ())
 
 
-def _origins(quantity: Quantity) -> Iterator[tuple[str, str, str]]:
-    """Where the value comes from: name, key of the table, text."""
-    conversion, spec = quantity.conversion, quantity.spec
-    if conversion is not None:
-        text = f"ADC {conversion.channel.name} * {conversion.multiplier.name} steps"
-        yield "measured", "adc", f"{text} * {conversion.numerator} / {conversion.denominator}"
-    if quantity.while_known:
-        yield "true while known:", "while_known", quantity.while_known
-    if quantity.enabled_by:
-        yield "enabled by", "enabled_by", quantity.enabled_by.name
-    if quantity.follows:
-        word = "below" if quantity.follows.is_below else "at least"
-        limits = ", ".join(str(limit) for limit in quantity.follows.limits)
-        yield "true while", "follows", f"{quantity.follows.quantity} is {word} {limits}"
-    if quantity.trend:
-        yield "trend of", "trend_of", f"{quantity.trend.quantity} over {quantity.trend.readings} readings"
-    if quantity.estimate:
-        for number, curve in enumerate(quantity.estimate.curves, 1):
-            points = ", ".join(f"{stored}: {percent}" for stored, percent in curve)
-            yield f"estimate of instance {number}:", "estimate_from", f"by {quantity.estimate.quantity}, {points}"
-    if spec.counts_returns_of:
-        yield "counts returns of", "counts_returns_of", spec.counts_returns_of
-    if spec.restarts_with:
-        yield "restarts with", "restarts_with", spec.restarts_with
-
-
-def _warning(quantity: Quantity) -> str:
-    if quantity.warn_above is None:
-        return ""
-    return ", ".join(amount(limit, quantity.stored.name) for limit in dict.fromkeys(quantity.warn_above))
+def _derivation(quantity: Quantity) -> Iterator[Fact]:
+    for fact in quantity.derivation.facts(quantity):
+        rule = rules.QUANTITY_AGE if fact.is_trust else rules.QUANTITY_SOURCE
+        yield Fact(fact.attribute, fact.text, rule, quantity.spec.at(fact.key))
 
 
 def _citations(part: Component | Quantity) -> str:

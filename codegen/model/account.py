@@ -7,6 +7,7 @@ from enum import Enum, auto
 from typing import NamedTuple
 
 from codegen.model.known import Stored
+from codegen.model.step import Step
 from codegen.model.vehicle import Parameter, Quantity
 
 FLAGS = " + "
@@ -22,26 +23,12 @@ class Words:
     limits: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
-    """A step from sensor to wire: a word for its kind, what happens, more about it, the criteria that ask for it."""
-
-    kind: str
-    text: str
-    details: tuple[str, ...]
-    criteria: tuple[str, ...]
-
-
 class Origins(ABC):
     """How the steps up to a quantity or a parameter are told; whoever prints the steps of an answer gives one."""
 
     @abstractmethod
     def steps(self, source: Quantity | Parameter) -> tuple[Step, ...]:
         """The steps up to where the source is kept, that one last."""
-
-    @abstractmethod
-    def words(self, quantity: Quantity) -> str:
-        """What gives a quantity its value, in one line."""
 
 
 class Aspect(Enum):

@@ -4,12 +4,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from codegen.model.account import Origins, ReadBack, StateCase, Step, Together, Trait, Words
+from codegen.model.account import Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.dialect import Dialect, WireField
 from codegen.model.known import Known, Value
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading
 from codegen.model.scaling import Scaling
+from codegen.model.step import Step
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity
 
 

@@ -3,6 +3,9 @@
 Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
 A class may further declare ``ONE_OF``, keys of which exactly one is written, ``BESIDE``, which of these another one
 may stand beside all the same, and ``SHORT_FORMS``, words that stand for a whole record.
+
+Keys that belong together are a record of their own, though they are written among the others: the field ``flattened``
+has a tuple of such records, of which one is made where a key of it is written.
 """
 
 from dataclasses import field
@@ -19,3 +22,8 @@ Verbatim = NewType("Verbatim", str)
 def described(doc: str, key: str | None = None, **rest: Any) -> Any:
     """A dataclass field with the text that editors show for it, and its YAML key if that differs."""
     return field(metadata={"doc": doc, "key": key}, **rest)
+
+
+def flattened() -> Any:
+    """A dataclass field for records, a tuple of a union of classes, whose keys stand among those of this record."""
+    return field(metadata={"flattened": True}, default=())

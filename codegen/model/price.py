@@ -67,11 +67,11 @@ def _numbers(message: PopulatedMessage, instance: int) -> tuple[int, int]:
 
 def on_by_default(component: Component | None, system: System) -> tuple[bool, ...]:
     """Whether each instance of a component is measured, and so reported, by default."""
-    enabled = component.enabled if component else None
+    switch = component.switch if component else None
     count = component.instances if component else 1
-    if enabled is None or enabled.enabled_by is None:
+    if switch is None:
         return (True,) * count
-    return tuple(each.default != 0 for each in by_instance(enabled.enabled_by, system.parameters, count))
+    return tuple(each.default != 0 for each in by_instance(switch, system.parameters, count))
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ The decoder and the JSON Schemas both work on these shapes, so that they cannot 
 
 import types
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, dataclass, fields
+from dataclasses import MISSING, Field, dataclass, fields, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cache
@@ -101,8 +101,19 @@ Shape = ScalarShape | ListOf | MappingOf | RecordOf | ScalarOrList
 
 
 @dataclass(frozen=True, slots=True)
+class Group:
+    """Keys of a record that are a record of their own, of class ``model``, in the tuple ``attribute``."""
+
+    attribute: str
+    model: type[Written]
+
+
+@dataclass(frozen=True, slots=True)
 class Key:
-    """One key of a record: its name in YAML and in the model, and what may be written for it."""
+    """One key of a record: its name in YAML and in the model, and what may be written for it.
+
+    With a ``group`` the attribute is one of the group's own class.
+    """
 
     name: str
     attribute: str
@@ -110,6 +121,7 @@ class Key:
     is_required: bool
     doc: str
     default: Any
+    group: Group | None = None
 
 
 def keys_of(model: type[Written]) -> tuple[Key, ...]:
@@ -121,7 +133,16 @@ def keys_of(model: type[Written]) -> tuple[Key, ...]:
 @cache
 def _keys_of(model: type[Written]) -> tuple[Key, ...]:
     hints = get_type_hints(model)
-    return tuple(_key(field, hints[field.name]) for field in fields(model) if field.name not in ("place", "places"))
+    written = [field for field in fields(model) if field.name not in ("place", "places")]
+    return tuple(key for field in written for key in _keys(field, hints[field.name]))
+
+
+def _keys(field: Field[Any], hint: Any) -> tuple[Key, ...]:
+    """The key of a field, or all those of the records that are flattened into it; none of these has to be written."""
+    if "flattened" not in field.metadata:
+        return (_key(field, hint),)
+    groups = [Group(field.name, model) for model in get_args(get_args(hint)[0])]
+    return tuple(replace(key, is_required=False, group=group) for group in groups for key in keys_of(group.model))
 
 
 def one_of(model: type[Written]) -> tuple[str, ...]:

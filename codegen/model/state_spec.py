@@ -3,9 +3,13 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TypeVar
 
-from codegen.model.described import Amount, described
+from codegen.model.derivation_spec import DerivationSpec, WrittenDerivation
+from codegen.model.described import Amount, described, flattened
 from codegen.source import Written
+
+_Kind = TypeVar("_Kind", bound=DerivationSpec)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,56 +28,22 @@ class QuantitySpec(Written):
         "Without it the quantity starts unknown.",
         default=None,
     )
-    while_known: str | None = described(
-        "For a boolean: true while this quantity of the same component is known.", default=None
-    )
-    enabled_by: str | None = described(
-        "For a boolean: true while this parameter is not 0. What is measured in the component, and its own messages, "
-        "are left out while it is false.",
-        default=None,
-    )
     elements: str | None = described(
         "One value for each of what this fact of the component counts, such as cells: a list, in which single values "
         "can be unknown.",
         default=None,
     )
-    follows: str | None = described(
-        "For a boolean: true while this quantity of the same component is at least, or below, a limit; false while it "
-        "is unknown.",
-        default=None,
-    )
-    at_least: Fraction | None = described(
-        "For follows: the smallest value that makes it true, in its unit.", default=None
-    )
-    below: Fraction | None = described("For follows: it is true below this value, in its unit.", default=None)
+    derivations: tuple[WrittenDerivation, ...] = flattened()
     per_cell: bool = described(
         "The limit, or warn_above, is for one cell: the fact cells of each instance multiplies it. A warn_above is "
         "rounded to the unit that the quantity is stored in.",
         default=False,
-    )
-    counts_returns_of: str | None = described(
-        "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "
-        "true and a reading shows that it is no longer.",
-        default=None,
     )
     restarts_with: str | None = described(
         "The quantity of the same component that counts returns: with each of them this one is 0 again, or what a "
         "boolean is initially. What is unknown stays so.",
         default=None,
     )
-    trend_of: str | None = described(
-        "The quantity of the same component whose change per second this is.", default=None
-    )
-    window: Amount | None = described("For a trend: the time that it looks back, such as 4 s.", default=None)
-    estimate_from: str | None = described(
-        "The voltage of the same component from which the remaining charge is estimated, by the discharge curve of the "
-        "board's chemistry and cell count. Without it the charge is unknown until something sets it.",
-        default=None,
-    )
-    adc: str | None = described("ADC channel of the board that measures it.", default=None)
-    multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
-    warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
-    warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
     stale_after: Amount | None = described("Age after which the last reading is unknown, such as 1 s.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
@@ -83,6 +53,10 @@ class QuantitySpec(Written):
     )
 
     ASPECTS = ("multiplier", "rounding", "warn_above", "invalid_after", "stale_after", "calibration", "gaps")
+
+    def written(self, kind: type[_Kind]) -> _Kind | None:
+        """What is written of one kind of derivation; None where nothing is."""
+        return next((each for each in self.derivations if isinstance(each, kind)), None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,7 +13,7 @@ from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
-from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Stream
+from codegen.model.vehicle import AdcChannel, Citation, Component, Conversion, Parameter, Quantity, Stream
 
 
 class Policy(Enum):
@@ -159,11 +159,11 @@ class System:
         pins = [self.parameters[name].default for name in names if name in self.parameters]
         return tuple(pins) or (channel.gpio,) * component.instances
 
-    def measured(self) -> tuple[tuple[str, Quantity], ...]:
-        """Each component that an ADC measures, with the quantity that it measures."""
+    def measured(self) -> tuple[tuple[str, Quantity, Conversion], ...]:
+        """Each component that an ADC measures, with the quantity that it measures, and how."""
         return tuple(
-            (component.name, quantity)
+            (component.name, quantity, quantity.derivation.conversion)
             for component in self.components.values()
             for quantity in component.quantities.values()
-            if quantity.conversion is not None
+            if quantity.derivation.conversion is not None
         )

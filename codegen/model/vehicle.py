@@ -6,10 +6,11 @@ from enum import Enum
 from fractions import Fraction
 
 from codegen.model.board_spec import AdcSpec
+from codegen.model.derivation import Derivation
 from codegen.model.dialect import EnumDefinition
 from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
-from codegen.model.unit import Unit
+from codegen.model.unit import Unit, decimal
 
 SMALL_INT_MAX = 2**30 - 1
 """Largest integer that MicroPython keeps without allocating on 32-bit ports: they have 31 bits, with the sign."""
@@ -37,6 +38,11 @@ class Cited:
     def cited(self, aspect: str) -> str:
         """The criterion that asks for one aspect, or the one for the whole, or nothing."""
         return str(self.aspects.get(aspect, self.citation or ""))
+
+    def criteria(self, *aspects: str) -> tuple[str, ...]:
+        """The criteria of some aspects, or of the whole where none is named, each once."""
+        names = [self.cited(aspect) for aspect in aspects] or [str(self.citation or "")]
+        return tuple(dict.fromkeys(name for name in names if name))
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,38 +118,38 @@ class Conversion:
     numerator: int
     denominator: int
 
-
-@dataclass(frozen=True, slots=True)
-class Trend:
-    """The change per second of ``quantity``, over ``readings`` of the component, an even number."""
-
-    quantity: str
-    readings: int
+    @property
+    def formula(self) -> str:
+        """The same for people: ``count / 4095 * 3.3 V * BATT_VOLT_MULT``."""
+        return f"count / {self.channel.full_scale} * {decimal(self.channel.reference)} V * {self.multiplier.name}"
 
 
 @dataclass(frozen=True, slots=True)
-class Estimate:
-    """Percent of charge by pack voltage: for each instance the points (stored steps of ``quantity``, %), rising."""
+class Threshold:
+    """``above`` these values, in stored units and by instance, a warning is logged, every ``every_ms`` at most."""
 
-    quantity: str
-    curves: tuple[tuple[tuple[int, int], ...], ...]
+    above: tuple[int, ...]
+    every_ms: int | None
 
 
 @dataclass(frozen=True, slots=True)
-class Following:
-    """When a boolean is true: while ``quantity`` of its component is known and at least a limit, or below it.
+class Trust:
+    """When the value of a quantity is no longer believed, and so unknown; None: never for that reason.
 
-    ``limits`` has one for each instance, in stored units of that quantity.
+    ``invalid_after`` counts failed readings in a row, ``stale_after_ms`` is the age of the last good one.
     """
 
-    quantity: str
-    limits: tuple[int, ...]
-    is_below: bool
+    invalid_after: int | None
+    stale_after_ms: int | None
 
-    def holds(self, stored: int | None, instance: int) -> bool:
-        """Whether the boolean is true for a stored value; never while that is unknown."""
-        limit = self.limits[instance]
-        return stored is not None and (stored < limit if self.is_below else stored >= limit)
+    def words(self) -> str:
+        """When that happens, for people; nothing where it does not happen by itself."""
+        causes = []
+        if self.invalid_after is not None:
+            causes.append(f"after {self.invalid_after} failed readings in a row")
+        if self.stale_after_ms is not None:
+            causes.append(f"{self.stale_after_ms} ms after the last good one")
+        return ", or ".join(causes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,11 +158,9 @@ class Quantity(Cited):
 
     ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored
     units; without a limit in the table they are what a small integer holds. ``initial`` is None where the quantity
-    starts unknown and may become unknown again; else the value that stands in for unknown. ``while_known`` names
-    the quantity of the same component that a boolean follows, ``enabled_by`` the parameter that it follows: it
-    cannot be set then, as a boolean that ``follows`` a limit.
+    starts unknown and may become unknown again; else the value that stands in for unknown.
     With ``elements`` it is a list of such integers, each of which can be None; they are counted for each instance.
-    ``warn_above`` is the value above which a warning is logged, by instance.
+    ``derivation`` is where the value comes from, ``trust`` how long it is believed.
     """
 
     component: str
@@ -169,17 +173,10 @@ class Quantity(Cited):
     minimum: int
     maximum: int
     initial: int | None
-    while_known: str | None
-    enabled_by: Parameter | None
-    follows: Following | None
-    elements: tuple[int, ...] | None
-    trend: Trend | None
-    estimate: Estimate | None
     enum: EnumDefinition | None
-    conversion: Conversion | None
-    warn_above: tuple[int, ...] | None
-    warn_every_ms: int | None
-    stale_after_ms: int | None
+    elements: tuple[int, ...] | None
+    derivation: Derivation
+    trust: Trust
     spec: QuantitySpec
 
     @property
@@ -188,9 +185,14 @@ class Quantity(Cited):
         return f"{self.component}.{self.name}"
 
     @property
-    def followed(self) -> str | None:
-        """The quantity of the component that decides over this boolean, or None."""
-        return self.follows.quantity if self.follows else self.while_known
+    def decided_by(self) -> str:
+        """The path of the quantity whose stored value decides: its own, or that of the one that it follows."""
+        return f"{self.component}.{self.derivation.follows or self.name}"
+
+    @property
+    def is_computed(self) -> bool:
+        """Whether it follows another quantity each time that it is read, so that nothing sets it."""
+        return self.derivation.follows is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,7 +246,12 @@ class Component(Cited):
     @property
     def enabled(self) -> Quantity | None:
         """The boolean that says whether the component is measured and reported; None where it always is."""
-        return next((quantity for quantity in self.quantities.values() if quantity.enabled_by), None)
+        return next((quantity for quantity in self.quantities.values() if quantity.derivation.switch), None)
+
+    @property
+    def switch(self) -> Parameter | None:
+        """The parameter that switches the component on and off; None where it is always on."""
+        return self.enabled.derivation.switch if self.enabled else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,13 +67,13 @@ def first_number(system: System) -> str | None:
 
 def _battery(system: System) -> Component | None:
     """The component whose voltage is measured."""
-    components = (system.components[name] for name, _ in system.measured())
+    components = (system.components[name] for name, _, _ in system.measured())
     return next((component for component in components if _conversion(component, "voltage")), None)
 
 
 def _conversion(component: Component, dimension: str) -> Conversion | None:
     quantities = [quantity for quantity in component.quantities.values() if quantity.unit.dimension == dimension]
-    return next((quantity.conversion for quantity in quantities if quantity.conversion), None)
+    return next((quantity.derivation.conversion for quantity in quantities if quantity.derivation.conversion), None)
 
 
 def _inputs(conversion: Conversion, component: Component, system: System) -> tuple[AdcInput, ...]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from codegen.derivations.surroundings import UNKNOWN_QUANTITY
 from codegen.diagnostics import Report, Rule, did_you_mean, shortened_list
 from codegen.measure import read_time
 from codegen.model.program import Failsafe, FailsafeLevel
@@ -10,7 +11,6 @@ from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import UNITS
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite, cite_optional
-from codegen.resolve.state import UNKNOWN_QUANTITY
 from codegen.resolve.vehicle import find_parameter
 
 BAD_FAILSAFE = Rule(
@@ -50,7 +50,7 @@ class FailsafeResolver:
         quantity = self._quantity(component, spec, "quantity", spec.quantity)
         if quantity is None:
             return None
-        if quantity.conversion is None:
+        if quantity.derivation.conversion is None:
             self.report.add(BAD_FAILSAFE, spec.at("quantity"), f"{quantity.path} is not measured by an ADC")
             return None
         low = self._level(spec.low, quantity)

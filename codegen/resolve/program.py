@@ -122,7 +122,7 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
         quantity = vehicle.quantities.get(name) if vehicle else None
         if quantity is None and vehicle and name in vehicle.spec.quantities:
             continue  # what is wrong with it has been reported
-        if quantity is None or quantity.kind.value != kind or quantity.while_known or quantity.enabled_by:
+        if quantity is None or quantity.kind.value != kind or not quantity.derivation.is_set_by_code:
             yield spec.place, f"the component vehicle of the state has no {kind} {name} that can be set"
     files = spec.storage.files
     if len(files) != 2 or files[0] == files[-1]:

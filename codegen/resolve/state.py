@@ -2,17 +2,16 @@
 
 from collections.abc import Mapping
 
+from codegen.derivations.surroundings import BAD_QUANTITY, UNKNOWN_QUANTITY, Surroundings
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import read_rate
 from codegen.model.dialect import Dialect
 from codegen.model.population_spec import Rounding
 from codegen.model.spec import Requirement, Spec
 from codegen.model.state_spec import ComponentSpec, StateSpec
-from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity
+from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity, Returns
 from codegen.resolve.citation import cite_aspects, cite_optional
-from codegen.resolve.derived import check_derived
-from codegen.resolve.quantity import BAD_QUANTITY, QuantityResolver, is_name
-from codegen.resolve.returns import resolve_returns
+from codegen.resolve.quantity import is_name, resolve_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
 
@@ -21,7 +20,6 @@ BAD_COMPONENT = Rule(
     "A component has a lower-case identifier as its name; the number of its first instance is a parameter of whole "
     "numbers from 0 to 255.",
 )
-UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
 
 _RESERVED_COMPONENTS = {"parameters", "state", "instance", "message", "messages", "payload", "value", "time", "system"}
 """Names that the generated code uses itself, beside Python's own."""
@@ -39,6 +37,10 @@ def resolve_components(
 ) -> dict[str, Component]:
     """The components by name."""
     components = {}
+
+    def find(name: str, place: Place) -> Parameter | None:
+        return find_parameter(name, place, spec.parameters, parameters, report)
+
     for name, written in spec.state.components.items():
         _check_component(name, written, report)
         period = None
@@ -47,18 +49,20 @@ def resolve_components(
             period = None if rate is None else round(1000 / rate)
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
-            resolver = QuantityResolver(name, quantity_name, quantity_spec, spec, report)
-            quantity = resolver.resolve(dialect, instances[name], channels, parameters, index, period)
+            around = Surroundings(
+                name, quantity_name, quantity_spec, instances[name], period, channels, find, spec, dialect, report
+            )
+            quantity = resolve_quantity(around, index)
             if quantity is not None:
                 quantities[quantity_name] = quantity
-        _check_quantities(written, quantities, report)
+        _check_names(quantities, report)
         components[name] = Component(
             name=name,
             parts=instances[name],
             first_number=_first_number(written, spec, parameters, report),
             period_ms=period,
             quantities=quantities,
-            returns=resolve_returns(written, quantities, report),
+            returns=_returns(quantities),
             spec=written,
             citation=cite_optional(written.requirement, written.at("requirement"), index, report),
             aspects=cite_aspects(written, index, report),
@@ -83,34 +87,15 @@ def _check_component(name: str, spec: ComponentSpec, report: Report) -> None:
         report.add(BAD_COMPONENT, spec.place, f"{name} cannot be the name of a component", "choose another name")
 
 
-def _check_quantities(spec: ComponentSpec, quantities: Mapping[str, Quantity], report: Report) -> None:
-    """What holds between the quantities of one component."""
-    for quantity in quantities.values():
-        followed = quantity.while_known
-        if followed is not None and followed not in spec.quantities:
-            hint = did_you_mean(followed, spec.quantities)
-            report.add(UNKNOWN_QUANTITY, quantity.spec.at("while_known"), f"there is no quantity {followed}", hint)
-        elif followed is not None and spec.quantities[followed].boolean:
-            message = f"{quantity.name} follows {followed}, a boolean, which is never unknown"
-            report.add(BAD_QUANTITY, quantity.spec.at("while_known"), message)
+def _check_names(quantities: Mapping[str, Quantity], report: Report) -> None:
+    """Whether each name in the firmware belongs to one quantity of the component."""
     owners: dict[str, Quantity] = {}
     for quantity in quantities.values():
-        names = {quantity.name, quantity.attribute}
-        names |= {f"{quantity.name}_from_adc"} if quantity.conversion else set()
-        for name in sorted(names):
+        for name in sorted({quantity.name, quantity.attribute, *quantity.derivation.names(quantity)}):
             owner = owners.setdefault(name, quantity)
             if owner is not quantity:
                 related = [(owner.spec.place, f"{owner.name} takes the name {name} in the firmware")]
                 report.add(BAD_QUANTITY, quantity.spec.place, f"{quantity.name} needs the name {name}", None, related)
-    check_derived(spec, quantities, report)
-    measured = [quantity for quantity in quantities.values() if quantity.conversion is not None]
-    for second in measured[1:]:
-        report.add(
-            BAD_QUANTITY,
-            second.spec.at("adc"),
-            "a component has one quantity that an ADC measures",
-            related=[(measured[0].spec.at("adc"), f"{measured[0].name} is measured, too")],
-        )
 
 
 def find_quantity(
@@ -124,4 +109,14 @@ def find_quantity(
         return None
     known = [f"{owner.name}.{quantity}" for owner in components.values() for quantity in owner.quantities]
     report.add(UNKNOWN_QUANTITY, place, f"the state has no quantity {path}", did_you_mean(path, known))
+    return None
+
+
+def _returns(quantities: Mapping[str, Quantity]) -> Returns | None:
+    """What counts returns in a component; None where nothing does."""
+    for count in quantities.values():
+        gone = quantities.get(count.derivation.counts or "")
+        if gone is not None:
+            restarting = tuple(each for each in quantities.values() if each.derivation.restarts_with == count.name)
+            return Returns(count, gone, restarting)
     return None

@@ -17,14 +17,14 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every measured quantity with a threshold; where a full pack is beyond full scale, that is what is reported."""
-    for name, quantity in system.measured():
-        conversion = quantity.conversion
-        if conversion is None or quantity.warn_above is None:
+    for name, quantity, conversion in system.measured():
+        threshold = quantity.derivation.threshold
+        if threshold is None:
             continue
         component = system.components[name]
         multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
         found = set()
-        for part, multiplier, limit in zip(component.parts, multipliers, quantity.warn_above, strict=True):
+        for part, multiplier, limit in zip(component.parts, multipliers, threshold.above, strict=True):
             most = largest(conversion, multiplier, quantity)
             full = full_voltage(system, part)
             if most * quantity.steps > limit or (full is not None and full > most):

@@ -22,9 +22,7 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every instance of what is measured; those with one cause are one finding."""
-    for name, quantity in system.measured():
-        conversion = quantity.conversion
-        assert conversion is not None
+    for name, quantity, conversion in system.measured():
         component = system.components[name]
         multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
         beyond: dict[tuple[Place, Fraction, int], list[int]] = {}
@@ -71,8 +69,9 @@ def least_multiplier(volts: Fraction, conversion: Conversion, multiplier: Parame
 def _hint(full: Fraction, conversion: Conversion, multiplier: Parameter, quantity: Quantity, numbers: list[int]) -> str:
     least = least_multiplier(full, conversion, multiplier, quantity)
     hint = f"a divider and {multiplier.name} of at least {decimal(least)}"
-    if quantity.warn_above is not None:
-        above = Fraction(quantity.warn_above[numbers[0]] + 1) / quantity.steps
+    threshold = quantity.derivation.threshold
+    if threshold is not None:
+        above = Fraction(threshold.above[numbers[0]] + 1) / quantity.steps
         better = least_multiplier(above, conversion, multiplier, quantity)
         if better > least:
             hint += f", {decimal(better)} for the warning above {decimal(above - 1 / quantity.steps)} V"

@@ -15,10 +15,9 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every measured quantity, with the pins of the instances that are switched on by default."""
-    for name, quantity in system.measured():
+    for name, quantity, conversion in system.measured():
         component = system.components[name]
-        assert quantity.conversion is not None
-        channel = quantity.conversion.channel
+        channel = conversion.channel
         owners: dict[int, int] = {}
         for number, gpio in enumerate(system.gpios(component, channel)):
             if _is_off(system, component, number):
@@ -34,7 +33,7 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 def _is_off(system: System, component: Component, number: int) -> bool:
     """Whether an instance is switched off by default."""
-    switch = component.enabled.enabled_by if component.enabled else None
+    switch = component.switch
     if switch is None:
         return False
     own = switch.siblings[number] if switch.siblings else switch.name

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answer import Answer
 from codegen.model.system import System
-from codegen.model.vehicle import SMALL_INT_MAX, Quantity
+from codegen.model.vehicle import SMALL_INT_MAX, Conversion, Quantity
 
 RULE = Rule(
     "allocating-arithmetic",
@@ -16,17 +16,15 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every conversion from counts, and every scaling of a populated field."""
-    for _, quantity in system.measured():
-        yield from _conversion(quantity)
+    for _, quantity, conversion in system.measured():
+        yield from _conversion(quantity, conversion)
     for message in system.messages:
         for answer in message.answers:
             if answer.covers.field.type.is_integer:
                 yield from _scalings(answer)
 
 
-def _conversion(quantity: Quantity) -> Iterator[Diagnostic]:
-    conversion = quantity.conversion
-    assert conversion is not None
+def _conversion(quantity: Quantity, conversion: Conversion) -> Iterator[Diagnostic]:
     largest = conversion.multiplier.maximum
     both = conversion.channel.full_scale * largest
     numerator, denominator = conversion.numerator, conversion.denominator

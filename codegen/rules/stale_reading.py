@@ -14,8 +14,8 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every measured quantity of a component with an update rate."""
-    for name, quantity in system.measured():
-        period_ms, stale_ms = system.components[name].period_ms, quantity.stale_after_ms
+    for name, quantity, _ in system.measured():
+        period_ms, stale_ms = system.components[name].period_ms, quantity.trust.stale_after_ms
         if period_ms is not None and stale_ms is not None and stale_ms <= period_ms:
             yield Diagnostic(
                 quantity.spec.at("stale_after"),

@@ -15,7 +15,7 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every measured quantity."""
-    for name, quantity in system.measured():
+    for name, quantity, _ in system.measured():
         if system.components[name].instances > 1:
             place = quantity.spec.at("adc")
             yield Diagnostic(place, RULE, f"{quantity.path} is measured for {name}[0] only")

@@ -7,7 +7,7 @@ from heapq import nsmallest
 from codegen.model.account import StateCase
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Quantity
+from codegen.model.vehicle import Conversion, Quantity
 from codegen.targets.expected import converted, expected_fields, nominal_values
 from codegen.targets.message_case import MessageCase, set_to
 from codegen.targets.naming import parameter_attribute
@@ -36,13 +36,11 @@ def message_cases(system: System) -> list[MessageCase]:
 def conversion_cases(system: System) -> list[ConversionCase]:
     """Counts over the whole range of each ADC, with the smallest, the default and the largest multiplier."""
     cases = []
-    for component, quantity in system.measured():
-        conversion = quantity.conversion
-        assert conversion is not None
+    for component, quantity, conversion in system.measured():
         full = conversion.channel.full_scale
         parameter = conversion.multiplier
         for steps in sorted({parameter.minimum, parameter.default, parameter.maximum}):
-            for count in sorted({0, 1, full // 2, 3000 * full // 4095, full - 1, full, *_sharpest(quantity, steps)}):
+            for count in sorted({0, 1, full // 2, 3000 * full // 4095, full - 1, full, *_sharpest(conversion, steps)}):
                 cases.append(
                     ConversionCase(
                         name=f"{component}.{quantity.name}-{count}-times-{steps}",
@@ -52,17 +50,16 @@ def conversion_cases(system: System) -> list[ConversionCase]:
                         steps=steps,
                         count=count,
                         attribute=quantity.attribute,
-                        expect=converted(quantity, count, steps),
+                        expect=converted(quantity, conversion, count, steps),
                     )
                 )
     return cases
 
 
-def _sharpest(quantity: Quantity, steps: int) -> list[int]:
+def _sharpest(conversion: Conversion, steps: int) -> list[int]:
     """The counts whose exact result lies nearest to a half, for their size: the first to notice a wrong factor."""
-    assert quantity.conversion is not None
-    numerator, denominator = steps * quantity.conversion.numerator, quantity.conversion.denominator
-    counts = range(1, quantity.conversion.channel.full_scale + 1)
+    numerator, denominator = steps * conversion.numerator, conversion.denominator
+    counts = range(1, conversion.channel.full_scale + 1)
     return nsmallest(8, counts, key=lambda count: abs(2 * (count * numerator % denominator) - denominator) / count)
 
 
@@ -106,8 +103,7 @@ def used_quantities(message: PopulatedMessage, system: System) -> dict[str, Quan
     used = {}
     for answer in message.answers:
         for quantity in answer.quantities:
-            followed = quantity.followed
-            source = system.components[quantity.component].quantities[followed] if followed else quantity
+            source = system.quantity(quantity.decided_by) or quantity
             used[source.path] = source
     return used
 

@@ -10,7 +10,6 @@ from codegen.targets.generation_table import GenerationTable, generation_tables,
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
-from codegen.targets.quantity_words import quantity_source
 from codegen.targets.table import FieldRow, field_rows, in_table
 
 
@@ -133,7 +132,7 @@ def _quantity(quantity: Quantity) -> QuantityRow:
     return QuantityRow(
         path=quantity.path,
         kept=f"{_counted(quantity)}{quantity.attribute} ({quantity.stored.name or quantity.kind.value})",
-        source=quantity_source(quantity),
+        source=quantity.derivation.words(quantity),
         initial="unknown" if quantity.initial is None else str(quantity.initial),
         criterion=str(quantity.citation or ""),
     )

@@ -12,16 +12,14 @@ from codegen.model.population_spec import Rounding
 from codegen.model.scaling import rounded
 from codegen.model.system import Policy, PopulatedMessage, Representation
 from codegen.model.unit import UNITS, Measure
-from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.model.vehicle import Conversion, Quantity, QuantityKind
 
 Wire = int | float | str | list[int | float]
 """A field as pymavlink takes it: a number, a text, or a list for an array."""
 
 
-def converted(quantity: Quantity, count: int, multiplier_steps: int) -> int:
+def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier_steps: int) -> int:
     """The stored integer for an ADC count: the formula of the requirement, rounded to nearest at its end."""
-    conversion = quantity.conversion
-    assert conversion is not None
     channel = conversion.channel
     volts = Fraction(count, channel.full_scale) * channel.reference * multiplier_steps * conversion.multiplier.step
     stored = Measure(volts, UNITS["V"]).in_unit(quantity.stored)
@@ -73,11 +71,6 @@ def chosen_instance(choice: Representation, instances: Sequence[Known]) -> int:
         if values:
             return min(values)[1]
     return on[0] if on else 0
-
-
-def is_settable(quantity: Quantity) -> bool:
-    """Whether tests can set the quantity: not one that follows another."""
-    return quantity.followed is None
 
 
 def nominal_values(quantity: Quantity, instance: int) -> Stored:

@@ -27,10 +27,7 @@ def _board(parameter: Parameter, system: System) -> Iterator[str]:
 def _state(parameter: Parameter, system: System) -> Iterator[str]:
     for component in system.components.values():
         for quantity in component.quantities.values():
-            if quantity.conversion is not None and quantity.conversion.multiplier is parameter:
-                yield f"the multiplier of {quantity.path}"
-            if quantity.enabled_by is parameter:
-                yield f"whether {component.name} is measured and reported ({quantity.path})"
+            yield from (use for used, use in quantity.derivation.uses(quantity) if used is parameter)
 
 
 def _choices(message: PopulatedMessage, parameter: Parameter) -> Iterator[str]:

@@ -120,7 +120,7 @@ def program_section(system: System) -> ProgramSection | None:
     spec = program.spec
     cited = {name: f" ({citation})" for name, citation in program.cited.items()}
     loop = [LoopRow("control", f"{program.control_us} us", str(program.cited.get("control", "")))]
-    for name, quantity in system.measured():
+    for name, quantity, _ in system.measured():
         component = system.components[name]
         period = f"{component.period_ms or 100} ms"
         loop.append(LoopRow(f"readings of {quantity.path}", period, str(component.citation or "")))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from codegen.model.program import Program
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Parameter, Quantity, by_instance
+from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
 from codegen.render import render_template
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
@@ -65,8 +65,8 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         readers=board_view(system).readers,
         parameters=parameter_views(system),
         streams=streams_view(system),
-        families={name: _families(system.components[name], quantity) for name, quantity in system.measured()},
-        inputs={name: _inputs(system, system.components[name], quantity) for name, quantity in system.measured()},
+        families={name: _families(system.components[name], each) for name, _, each in system.measured()},
+        inputs={name: _inputs(system, system.components[name], each) for name, _, each in system.measured()},
         generations=generation_facts(system),
         messages=message_facts(system),
         requirements=documents_of_topics(system, program),
@@ -77,19 +77,17 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
     return files
 
 
-def _families(component: Component, quantity: Quantity) -> MeasuredFamilies:
-    conversion, switch = quantity.conversion, component.enabled
+def _families(component: Component, conversion: Conversion) -> MeasuredFamilies:
     return MeasuredFamilies(
-        pin=_attributes(conversion.channel.pin if conversion else None),
-        multiplier=_attributes(conversion.multiplier if conversion else None),
-        enabled_by=_attributes(switch.enabled_by if switch else None),
+        pin=_attributes(conversion.channel.pin),
+        multiplier=_attributes(conversion.multiplier),
+        enabled_by=_attributes(component.switch),
     )
 
 
-def _inputs(system: System, component: Component, quantity: Quantity) -> tuple[InputView, ...]:
-    assert quantity.conversion is not None
-    gpios = system.gpios(component, quantity.conversion.channel)
-    switch = component.enabled.enabled_by if component.enabled else None
+def _inputs(system: System, component: Component, conversion: Conversion) -> tuple[InputView, ...]:
+    gpios = system.gpios(component, conversion.channel)
+    switch = component.switch
     switches = by_instance(switch, system.parameters, component.instances) if switch else (None,) * len(gpios)
     return tuple(InputView(gpio, each is None or each.default != 0) for gpio, each in zip(gpios, switches, strict=True))
 
@@ -102,17 +100,17 @@ def documents_of_topics(system: System, program: Program) -> dict[str, str]:
     """The id of the document for each topic, or "" where nothing is cited: criteria are numbered within it."""
     cited = {name: citation.requirement.id for name, citation in program.cited.items()}
     failsafe = next(iter(program.failsafes), None)
-    measured = next((quantity for _, quantity in system.measured()), None)
-    component = system.components[measured.component] if measured else None
+    measured = next(iter(system.measured()), None)
+    component = system.components[measured[0]] if measured else None
     stream = next((stream for stream in system.streams.values() if stream.citation and stream.parameter), None)
     return {
         "instances": _instances(system),
         "failsafe": failsafe.citation.requirement.id if failsafe else "",
         "health": _document(failsafe.health.citation if failsafe and failsafe.health else None),
-        "reading": _document(measured.conversion.channel.citation if measured and measured.conversion else None),
+        "reading": _document(measured[2].channel.citation if measured else None),
         "update": _document(component.citation if component else None),
         "telemetry": _document(stream.citation if stream else None),
-        "conversion": _document(measured.citation if measured else None),
+        "conversion": _document(measured[1].citation if measured else None),
         "generations": _document(next((each.citation for each in system.generations), None)),
         "announcements": _document(next((each.citation for each in system.messages if each.is_announced), None)),
         "returns": _document(component.returns.count.citation if component and component.returns else None),

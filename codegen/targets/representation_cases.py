@@ -93,7 +93,7 @@ def _choices(choice: Representation, states: list[dict[str, Stored]]) -> Iterato
 
 def _plain(quantity: Quantity, number: int) -> Stored:
     """A value by which the instances differ."""
-    if quantity.enabled_by is not None:
+    if quantity.derivation.switch is not None:
         return 1
     if quantity.kind is not QuantityKind.NUMBER:
         return quantity.initial or 0

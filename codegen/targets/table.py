@@ -4,8 +4,6 @@ from dataclasses import dataclass
 
 from codegen.model.answer import Answer
 from codegen.model.system import PopulatedMessage
-from codegen.model.unit import decimal
-from codegen.model.vehicle import Quantity
 from codegen.source import Place
 
 
@@ -50,16 +48,6 @@ def _row(answer: Answer) -> FieldRow:
         criterion=str(covers.citation),
         place=covers.written.place,
     )
-
-
-def limit_text(quantity: Quantity) -> str:
-    """When a boolean that follows a limit is true: ``at least 4.25 V per cell``."""
-    spec = quantity.spec
-    limit = spec.at_least if spec.below is None else spec.below
-    assert quantity.follows is not None
-    assert limit is not None
-    word = "below" if quantity.follows.is_below else "at least"
-    return f"{word} {decimal(limit)}{' per cell' if spec.per_cell else ''}"
 
 
 def in_table(text: str) -> str:

@@ -101,7 +101,7 @@ class Symbols:
     def component(self, component: Component) -> tuple[Symbol, ...]:
         """Its class, and its update where it is measured."""
         found = [(STATE, state_class(component.name))]
-        if any(quantity.conversion for quantity in component.quantities.values()):
+        if any(quantity.derivation.conversion for quantity in component.quantities.values()):
             found.append((STATE, f"SystemState.update_{component.name}"))
         return self._all(found)
 
@@ -133,9 +133,9 @@ class Symbols:
 
     def _quantity(self, quantity: Quantity) -> list[tuple[str, str]]:
         owner = state_class(quantity.component)
-        stored = quantity.name if quantity.followed else quantity.attribute
+        stored = quantity.name if quantity.is_computed else quantity.attribute
         found = [(STATE, f"{owner}.{name}") for name in dict.fromkeys((stored, quantity.name))]
-        if quantity.conversion is not None:
+        if quantity.derivation.conversion is not None:
             found += [(STATE, f"{owner}.{quantity.name}_from_adc"), (STATE, f"{owner}.set_count")]
         return found
 

@@ -383,6 +383,27 @@ CASES = [
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
     Case("bad-quantity", "state.yaml", "boolean: true\n        enabled_by: ", "enabled_by: §", "a boolean"),
+    Case(
+        "bad-quantity",
+        "state.yaml",
+        "        trend_of: voltage\n",
+        "        adc: battery_voltage\n        trend_of: §voltage\n",
+        "one source, not both adc and trend_of",
+    ),
+    Case(
+        "bad-quantity",
+        "state.yaml",
+        "while_known: voltage\n",
+        "while_known: voltage\n        enabled_by: §BATT_MONITOR\n",
+        "one source",
+    ),
+    Case(
+        "bad-quantity",
+        "state.yaml",
+        "        while_known: voltage\n",
+        "        while_known: voltage\n        estimate_from: §voltage\n",
+        "cannot have estimate_from",
+    ),
     # scenarios
     Case("scenario-points", "scenarios.yaml", "[[0 s, 12.3 V], [60 s, 12.1 V]]", "[[60 s, 12.3 V], [§1 s, 12.1 V]]"),
     Case("scenario-points", "scenarios.yaml", "[[0 s, 12.3 V], [60 s, 12.1 V]]", "[[0 s, 12.3 V], §[60 s]]", "12.6 V"),

@@ -12,6 +12,7 @@ from spec_examples import BROKEN, GOOD, field
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
+from codegen.model.derivation_spec import MeasuredSpec, WhileKnownSpec
 from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
@@ -87,6 +88,38 @@ def test_values_have_the_types_of_the_model() -> None:
     assert table.fields["energy_consumed"].unknown is True
     corrections, _ = decoded("corrections", GOOD["corrections"])
     assert corrections.corrections[0].set == {"invalid": "0xFFFF", "units": "mV", "instance": "true"}
+
+
+def quantity_of(*keys: str) -> tuple[QuantitySpec, list[tuple[str, int, int]]]:
+    lines = "".join(f"        {key}\n" for key in ("doc: d", *keys))
+    state, findings = decoded("state", f"components:\n  a:\n    doc: d\n    quantities:\n      q:\n{lines}")
+    return state.components["a"].quantities["q"], findings
+
+
+def test_keys_that_belong_together_are_a_record_of_their_own() -> None:
+    """They stand among the other keys; each record has those of its own, and knows their places."""
+    quantity, findings = quantity_of("adc: x", "unit: V", "multiplier: M", "while_known: y")
+    place = Place(FILE, 5, 7)
+    assert findings == []
+    assert quantity.derivations == (
+        MeasuredSpec(place=place, adc="x", multiplier="M"),
+        WhileKnownSpec(place=place, while_known="y"),
+    )
+    assert quantity.unit == "V"
+    assert [each.at(each.KEY) for each in quantity.derivations] == [Place(FILE, 7, 14), Place(FILE, 10, 22)]
+    assert quantity_of("unit: V")[0].derivations == ()
+
+
+def test_what_cannot_be_read_of_such_a_record_is_left_out() -> None:
+    """With the other keys of it there is one all the same; with none there is no record."""
+    quantity, findings = quantity_of("adc: x", "warn_above: much", "while_known: [y]")
+    assert quantity.derivations == (MeasuredSpec(place=Place(FILE, 5, 7), adc="x"),)
+    assert findings == [("wrong-type", 8, 21), ("wrong-type", 9, 22)]
+
+
+def test_such_keys_are_among_those_that_a_mistake_is_held_against() -> None:
+    text = "components:\n  a:\n    doc: d\n    quantities:\n      q:\n        doc: d\n        multiplyer: M\n"
+    assert messages("state", text) == ["unknown key 'multiplyer' | did you mean multiplier?"]
 
 
 def test_records_know_their_places() -> None:

@@ -12,13 +12,14 @@ from codegen.answers.scope import Scope
 from codegen.answers.source import taken
 from codegen.answers.split import SplitAnswer
 from codegen.diagnostics import Rule
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Step, Together, Trait, Words
+from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.answer import Answer, Elements
 from codegen.model.dialect import Kind
 from codegen.model.known import Known, Stored, Value
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading
 from codegen.model.scaling import Scaling
+from codegen.model.step import Step
 from codegen.model.vehicle import Quantity
 
 BAD_EACH = Rule(

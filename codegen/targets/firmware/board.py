@@ -64,9 +64,8 @@ class BoardView:
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
     readers = [
-        _reader(system.components[component], quantity.conversion.channel, system)
-        for component, quantity in system.measured()
-        if quantity.conversion is not None
+        _reader(system.components[component], conversion.channel, system)
+        for component, _, conversion in system.measured()
     ]
     links = tuple(_link(link) for link in system.links)
     is_timed = any(reader.read_limit_us is not None for reader in readers)
@@ -85,15 +84,15 @@ def board_view(system: System) -> BoardView:
 def _families(system: System) -> tuple[FamilyView, ...]:
     """The parameters that have the pin of each instance and that switch it on, once each."""
     used: dict[str, Parameter] = {}
-    for name, quantity in system.measured():
-        pin = quantity.conversion.channel.pin if quantity.conversion else None
+    for name, _, conversion in system.measured():
+        pin = conversion.channel.pin
         used |= {each.name: each for each in (pin, _switch(system.components[name])) if each and each.siblings}
     return tuple(family_view(parameter) for parameter in used.values())
 
 
 def _switch(component: Component) -> Parameter | None:
     """The parameter that switches one of several instances on: the pin of one that is off is left alone."""
-    return component.enabled.enabled_by if component.enabled and component.instances > 1 else None
+    return component.switch if component.instances > 1 else None
 
 
 def _reader(component: Component, channel: AdcChannel, system: System) -> ReaderView:

@@ -97,7 +97,7 @@ def program_view(system: System, program: Program) -> ProgramView:
                 citation=str(system.components[name].citation or ""),
                 failsafe=watched.get(name),
             )
-            for name, _ in system.measured()
+            for name, _, _ in system.measured()
         ),
         has_ports=bool(system.links),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),

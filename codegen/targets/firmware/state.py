@@ -5,10 +5,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.derivations.estimate import Estimate
+from codegen.derivations.follows import Follows
+from codegen.derivations.trend import Trend
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
+from codegen.model.vehicle import Component, Conversion, Quantity, QuantityKind, by_instance
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
@@ -182,14 +185,16 @@ def state_view(system: System) -> StateView:
 def _families(system: System) -> tuple[FamilyView, ...]:
     """The families of parameters that the state reads: those that switch a component on, and multipliers."""
     quantities = [quantity for component in system.components.values() for quantity in component.quantities.values()]
-    switches = [quantity.enabled_by for quantity in quantities if quantity.enabled_by]
-    multipliers = [quantity.conversion.multiplier for quantity in quantities if quantity.conversion]
+    switches = [quantity.derivation.switch for quantity in quantities if quantity.derivation.switch]
+    multipliers = [conversion.multiplier for _, _, conversion in system.measured()]
     return tuple(family_view(parameter) for parameter in (*switches, *multipliers) if parameter.siblings)
 
 
 def _component(component: Component, system: System) -> ComponentView:
     measured = [
-        _measured(quantity, component, system) for quantity in component.quantities.values() if quantity.conversion
+        _measured(quantity, conversion, component, system)
+        for name, quantity, conversion in system.measured()
+        if name == component.name
     ]
     return ComponentView(
         name=component.name,
@@ -218,7 +223,7 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         initial = str(quantity.initial)
     stored = f" [{quantity.stored.name}]" if quantity.stored.name else ""
     enum = f" ({quantity.enum.name})" if quantity.enum else ""
-    follows = quantity.followed
+    follows, switch = quantity.derivation.follows, quantity.derivation.switch
     return QuantityView(
         name=quantity.name,
         attribute=quantity.attribute,
@@ -227,14 +232,14 @@ def _quantity(quantity: Quantity, component: Component) -> QuantityView:
         unit=quantity.unit.name,
         shown=_shown(quantity),
         has_property=quantity.attribute != quantity.name,
-        read_only=bool(quantity.trend),
+        read_only=isinstance(quantity.derivation, Trend),
         follows=component.quantities[follows].attribute if follows else None,
         condition=_condition(quantity),
         own=_own(quantity),
         elements=quantity.elements[0] if quantity.elements else None,
-        enabled_by=parameter_expression(quantity.enabled_by, "self.parameters") if quantity.enabled_by else None,
-        enabled_attribute=parameter_attribute(quantity.enabled_by.name) if quantity.enabled_by else "",
-        enabled_by_name=quantity.enabled_by.name if quantity.enabled_by else "",
+        enabled_by=parameter_expression(switch, "self.parameters") if switch else None,
+        enabled_attribute=parameter_attribute(switch.name) if switch else "",
+        enabled_by_name=switch.name if switch else "",
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation) if quantity.citation else "",
@@ -249,8 +254,8 @@ def _shown(quantity: Quantity) -> str:
 
 def _condition(quantity: Quantity) -> str:
     """The comparison of a boolean that follows a limit; where instances differ, with the limit of its own."""
-    follows = quantity.follows
-    if follows is None:
+    follows = quantity.derivation
+    if not isinstance(follows, Follows):
         return ""
     sign = "<" if follows.is_below else ">="
     limit = str(follows.limits[0]) if len(set(follows.limits)) == 1 else f"self.{_limit_name(quantity)}"
@@ -263,8 +268,8 @@ def _limit_name(quantity: Quantity) -> str:
 
 def _own(quantity: Quantity) -> OwnView | None:
     """What is not the same in all instances, if there is such a thing."""
-    if quantity.follows:
-        return _own_numbers(_limit_name(quantity), quantity.follows.limits)
+    if isinstance(quantity.derivation, Follows):
+        return _own_numbers(_limit_name(quantity), quantity.derivation.limits)
     own = _own_numbers(quantity.attribute, quantity.elements or ())
     return own and OwnView(own.attribute, f"[None] * {own.first}", f"[None] * {own.each}")
 
@@ -276,26 +281,27 @@ def _own_numbers(attribute: str, numbers: tuple[int, ...]) -> OwnView | None:
 
 
 def _trend(quantity: Quantity, component: Component) -> TrendView | None:
-    if quantity.trend is None or component.period_ms is None:
+    trend = quantity.derivation
+    if not isinstance(trend, Trend) or component.period_ms is None:
         return None
-    half = quantity.trend.readings // 2
+    half = trend.readings // 2
     scale = Fraction(1000, half * half * component.period_ms)
     return TrendView(quantity.attribute, half, scale.numerator, scale.denominator)
 
 
 def _estimate(quantity: Quantity) -> EstimateView | None:
-    estimate = quantity.estimate
-    return None if estimate is None else EstimateView(quantity.attribute, quantity.name, estimate.curves)
+    estimate = quantity.derivation
+    return EstimateView(quantity.attribute, quantity.name, estimate.curves) if isinstance(estimate, Estimate) else None
 
 
 def _returns(component: Component) -> ReturnsView | None:
     returns = component.returns
     if returns is None:
         return None
-    follows = returns.gone.follows
+    follows = returns.gone.derivation
     return ReturnsView(
         gone=returns.gone.name,
-        below=follows.limits if follows and follows.is_below else (),
+        below=follows.limits if isinstance(follows, Follows) and follows.is_below else (),
         count=returns.count.attribute,
         title=component.name.capitalize(),
         restarting=tuple(
@@ -306,16 +312,15 @@ def _returns(component: Component) -> ReturnsView | None:
     )
 
 
-def _measured(quantity: Quantity, component: Component, system: System) -> MeasuredView:
-    conversion = quantity.conversion
-    assert conversion is not None
+def _measured(quantity: Quantity, conversion: Conversion, component: Component, system: System) -> MeasuredView:
     channel, multiplier = conversion.channel, conversion.multiplier
     warn_text = ""
     warn_above = None
-    if quantity.warn_above is not None:
-        same = len(set(quantity.warn_above)) == 1
-        warn_above = str(quantity.warn_above[0]) if same else f"{quantity.component}.warn_above"
-        text = decimal(quantity.warn_above[0] / quantity.steps)
+    threshold = quantity.derivation.threshold
+    if threshold is not None:
+        same = len(set(threshold.above)) == 1
+        warn_above = str(threshold.above[0]) if same else f"{quantity.component}.warn_above"
+        text = decimal(threshold.above[0] / quantity.steps)
         if not same:
             text = f"{{{warn_above} / {decimal(quantity.steps)}}}"
         warn_text = f"{text} {quantity.unit.name}"
@@ -335,23 +340,25 @@ def _measured(quantity: Quantity, component: Component, system: System) -> Measu
         denominator=conversion.denominator,
         warn_above=warn_above,
         warn_text=warn_text,
-        warn_every_ms=quantity.warn_every_ms,
-        warnings=_own_numbers("warn_above", quantity.warn_above or ()),
-        warning_counts=_warning_counts(quantity, component, system),
-        invalid_after=quantity.spec.invalid_after,
-        stale_after_ms=quantity.stale_after_ms,
+        warn_every_ms=threshold.every_ms if threshold else None,
+        warnings=_own_numbers("warn_above", threshold.above if threshold else ()),
+        warning_counts=_warning_counts(quantity, conversion, component, system),
+        invalid_after=quantity.trust.invalid_after,
+        stale_after_ms=quantity.trust.stale_after_ms,
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )
 
 
-def _warning_counts(quantity: Quantity, component: Component, system: System) -> tuple[int | None, ...]:
+def _warning_counts(
+    quantity: Quantity, conversion: Conversion, component: Component, system: System
+) -> tuple[int | None, ...]:
     """The smallest count of each instance that is warned about with its default multiplier; None if there is none."""
-    conversion = quantity.conversion
-    if conversion is None or quantity.warn_above is None:
+    threshold = quantity.derivation.threshold
+    if threshold is None:
         return (None,) * component.instances
     multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
     counts = []
-    for multiplier, limit in zip(multipliers, quantity.warn_above, strict=True):
+    for multiplier, limit in zip(multipliers, threshold.above, strict=True):
         per_count = Fraction(multiplier.default * conversion.numerator, conversion.denominator)
         # Rounded to nearest, a result is above the threshold from half a step above it.
         first = math.ceil((limit + Fraction(1, 2)) / per_count)

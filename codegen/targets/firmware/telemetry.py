@@ -172,7 +172,7 @@ def _builder(message: PopulatedMessage, class_name: str, system: System) -> Buil
 
 
 def _expires(component: Component) -> bool:
-    return any(quantity.stale_after_ms is not None for quantity in component.quantities.values())
+    return any(quantity.trust.stale_after_ms is not None for quantity in component.quantities.values())
 
 
 def _chooses(choice: Representation) -> bool:

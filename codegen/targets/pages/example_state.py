@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Quantity
+from codegen.model.vehicle import Conversion, Quantity
 from codegen.targets.cases import used_quantities
 from codegen.targets.expected import converted, nominal_values
 
@@ -26,14 +26,15 @@ def example_states(message: PopulatedMessage, system: System) -> tuple[ExampleSt
     if not used:
         return (ExampleState("whatever the state is", {}),)
     states = []
-    measured = {path: _measured(quantity) for path, quantity in used.items() if quantity.conversion is not None}
+    readings = {quantity.path: (quantity, conversion) for _, quantity, conversion in system.measured()}
+    measured = {path: _measured(*readings[path]) for path in used if path in readings}
     if measured:
         shown = ", ".join(f"{path} {_in_unit(value, used[path])}" for path, value in measured.items())
         rest = ", all else as at the start" if len(used) > len(measured) else ""
         states.append(ExampleState(f"{shown}{rest}", {**start, **measured}))
     states.append(ExampleState("at the start: nothing measured yet", start))
     every = {path: nominal_values(quantity, 0) for path, quantity in used.items()}
-    switched = {path: value for path, value in start.items() if used[path].enabled_by is not None}
+    switched = {path: value for path, value in start.items() if used[path].derivation.switch is not None}
     states.append(ExampleState("a value in every quantity", {**every, **switched, **measured}))
     return _different(states)
 
@@ -47,15 +48,15 @@ def _different(states: list[ExampleState]) -> tuple[ExampleState, ...]:
 
 def _at_start(quantity: Quantity) -> Stored:
     """What a quantity is when the vehicle starts: that of the first instance, with the parameters' defaults."""
-    if quantity.enabled_by is not None:
-        return int(quantity.enabled_by.default != 0)
+    switch = quantity.derivation.switch
+    if switch is not None:
+        return int(switch.default != 0)
     return (None,) * quantity.elements[0] if quantity.elements else quantity.initial
 
 
-def _measured(quantity: Quantity) -> int:
+def _measured(quantity: Quantity, conversion: Conversion) -> int:
     """A round value that the ADC can measure: the largest whole unit up to 95 % of full scale, or half of it."""
-    assert quantity.conversion is not None
-    full = converted(quantity, quantity.conversion.channel.full_scale, quantity.conversion.multiplier.default)
+    full = converted(quantity, conversion, conversion.channel.full_scale, conversion.multiplier.default)
     whole = int(Fraction(full * 95, 100) / quantity.steps)
     return int(whole * quantity.steps) if whole else full // 2
 

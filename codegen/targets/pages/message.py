@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 
-from codegen.model.account import FLAGS, Step
+from codegen.model.account import FLAGS
 from codegen.model.price import frame_size, message_price
+from codegen.model.step import Step
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.targets.generation_table import sent_at_once

@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from codegen.model.account import Origins, Step
+from codegen.model.account import Origins
 from codegen.model.answer import Answer
+from codegen.model.step import Step
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Parameter, Quantity
-from codegen.targets.quantity_words import becomes_unknown, quantity_source
 from codegen.targets.table import FieldRow
 
 
@@ -27,43 +27,12 @@ class _Origins(Origins):
         """From the sensor, or whatever gives the value, to where it is kept."""
         return (_parameter(source),) if isinstance(source, Parameter) else tuple(_quantity(source, self.system))
 
-    def words(self, quantity: Quantity) -> str:
-        """What gives a quantity its value."""
-        return quantity_source(quantity)
-
 
 def _quantity(quantity: Quantity, system: System) -> Iterator[Step]:
-    conversion = quantity.conversion
-    if conversion is not None:
-        channel, multiplier = conversion.channel, conversion.multiplier
-        component = system.components[quantity.component]
-        pins = dict.fromkeys(map(str, system.gpios(component, channel)))
-        chosen = f", chosen by {channel.pin.name}" if channel.pin else ""
-        yield Step(
-            "sensor",
-            f"ADC, GPIO {' and '.join(pins)}{chosen}",
-            (
-                f"mean of {channel.samples} samples of {channel.bits} bits, 0..{channel.full_scale}",
-                f"every {component.period_ms or 100} ms",
-            ),
-            _distinct(channel.cited("samples"), str(channel.citation or "")),
-        )
-        low, default, high = (
-            decimal(steps * multiplier.step) for steps in (multiplier.minimum, multiplier.default, multiplier.maximum)
-        )
-        yield Step(
-            "conversion",
-            f"count / {channel.full_scale} * {decimal(channel.reference)} V * {multiplier.name}",
-            (f"{multiplier.name} {default} by default, {low}..{high}", f"to the nearest {quantity.stored.name}"),
-            _distinct(quantity.cited("multiplier"), quantity.cited("rounding")),
-        )
-    elif quantity_source(quantity) != "set by the vehicle" or quantity.kind.value != "number":
-        yield Step("source", quantity_source(quantity), (), _cited(quantity))
-    else:
-        yield Step("source", "set by the vehicle", ("no ADC channel measures it",), _cited(quantity))
+    yield from quantity.derivation.way(quantity, system)
     kept = f"kept as {quantity.attribute}{f', in {quantity.stored.name}' if quantity.stored.name else ''}"
     start = "unknown" if quantity.initial is None else str(quantity.initial)
-    lost = becomes_unknown(quantity)
+    lost = quantity.trust.words()
     details = (kept, f"{start} at the start", *((f"unknown {lost}",) if lost else ()))
     criteria = _distinct(str(quantity.citation or ""), *((quantity.cited("invalid_after"),) if lost else ()))
     yield Step("state", quantity.path, details, criteria)

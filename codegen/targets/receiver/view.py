@@ -201,7 +201,8 @@ def _arguments(text: str) -> Iterator[str]:
 def _example(component: Component, readings: Iterable[Reading]) -> str:
     """Some quantities, as the page prints them: those of the component that have a unit."""
     names = [reading.name for reading in readings if reading.name in component.quantities and reading.unit]
-    shown = sorted(set(names) - TAKEN, key=lambda name: (component.quantities[name].conversion is None, name))
+    read = {name for name, quantity in component.quantities.items() if quantity.derivation.conversion}
+    shown = sorted(set(names) - TAKEN, key=lambda name: (name not in read, name))
     return "".join(f"view.{name}, " for name in shown[:2])
 
 

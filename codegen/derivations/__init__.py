@@ -1,0 +1,68 @@
+"""Where the values of quantities come from, a module for each kind: all that is known of it stands there.
+
+``codegen/model/derivation.py`` says what the stages ask a derivation, ``codegen/model/derivation_spec.py`` has the keys
+of ``state.yaml`` that it is written with.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from codegen.derivations.counts_returns import resolve_counts_returns
+from codegen.derivations.enabled_by import resolve_enabled_by
+from codegen.derivations.estimate import resolve_estimate
+from codegen.derivations.follows import resolve_follows
+from codegen.derivations.measured import resolve_measured
+from codegen.derivations.set_by_code import SetByCode
+from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.derivations.trend import resolve_trend
+from codegen.derivations.while_known import resolve_while_known
+from codegen.model.derivation import Derivation
+from codegen.model.derivation_spec import (
+    CountsReturnsSpec,
+    DerivationSpec,
+    EnabledBySpec,
+    EstimateSpec,
+    FollowsSpec,
+    MeasuredSpec,
+    TrendSpec,
+    WhileKnownSpec,
+)
+from codegen.model.vehicle import QuantityKind
+
+KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivation | None]] = {
+    MeasuredSpec: resolve_measured,
+    TrendSpec: resolve_trend,
+    EstimateSpec: resolve_estimate,
+    FollowsSpec: resolve_follows,
+    WhileKnownSpec: resolve_while_known,
+    EnabledBySpec: resolve_enabled_by,
+    CountsReturnsSpec: resolve_counts_returns,
+}
+"""How each kind is resolved, by what it is written with."""
+
+
+def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
+    """Where the value of a quantity comes from; None after a finding."""
+    written = around.spec.derivations
+    if not written:
+        return SetByCode(around.spec.restarts_with)
+    fitting = [each for each in written if each.is_named and _fits(each, kept, around)]
+    if len(fitting) > 1:
+        first, second, *_ = (each.KEY for each in fitting)
+        around.bad(second, f"the value of {around.name} has one source, not both {first} and {second}")
+        return None
+    resolved = [KINDS[type(each)](each, kept, around) for each in written if each in fitting or not each.is_named]
+    return resolved[0] if len(resolved) == 1 else None
+
+
+def _fits(written: DerivationSpec, kept: Kept, around: Surroundings) -> bool:
+    """Whether the quantity is one of those that a derivation gives a value."""
+    key, name, kind = written.KEY, around.name, kept.kind
+    if not written.GIVES_BOOLEAN:
+        if kind is not QuantityKind.NUMBER:
+            around.bad(key, f"{name} is a {kind.value} quantity and cannot have {key}")
+        return kind is QuantityKind.NUMBER
+    fits = kind is QuantityKind.BOOLEAN and around.spec.initial is None
+    if not fits:
+        around.bad(key, f"{name} follows {getattr(written, key)}: it is a boolean without initial")
+    return fits

@@ -1,0 +1,100 @@
+"""What counts that something came back after it was gone, such as a pack that was exchanged."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.diagnostics import Rule, did_you_mean
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.derivation_spec import CountsReturnsSpec, FollowsSpec, MeasuredSpec
+from codegen.model.unit import NUMBER
+from codegen.model.vehicle import Quantity, QuantityKind
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+BAD_RETURN = Rule(
+    "bad-return",
+    "One quantity of a component counts returns: a number without a unit and with an initial value. It names a boolean "
+    "that follows a limit of what an ADC measures in the same component. What restarts with the count is a number that "
+    "can be 0, or a boolean with an initial value, and set by code alone.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class CountsReturns(Derivation):
+    """Counts up when ``gone``, a boolean of the component, was true at a good reading and is not at a later one."""
+
+    gone: str
+
+    @property
+    def counts(self) -> str | None:
+        return self.gone
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        yield DerivationFact("counts returns of", self.gone, "counts_returns_of")
+
+    def words(self, quantity: Quantity) -> str:
+        return f"counts when {quantity.component}.{self.gone} ends"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        yield "follows", f"counts up when {self.gone} was true and a reading shows that it is no longer"
+
+
+def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surroundings) -> CountsReturns:
+    """The boolean whose end counts."""
+    name, gone, others = around.name, written.counts_returns_of, around.others
+    counting = _counting(around)
+    if counting[0] != name:
+        related = [(others[counting[0]].at("counts_returns_of"), f"{counting[0]} counts them, too")]
+        message = "a component has one quantity that counts returns"
+        around.bad("counts_returns_of", message, BAD_RETURN, related=related)
+    if gone not in others:
+        around.no_quantity("counts_returns_of", gone, BAD_RETURN)
+    elif not _follows_a_reading(gone, around):
+        message = f"{gone} is no boolean that follows a limit of what an ADC measures"
+        hint = f"{gone}: {{boolean: true, follows: voltage, below: 1.0, doc: ...}}"
+        around.bad("counts_returns_of", message, BAD_RETURN, hint)
+    if kept.unit is not NUMBER:
+        message = f"{name} is no pure number that only code sets, so it cannot count"
+        around.bad("counts_returns_of", message, BAD_RETURN)
+    elif kept.initial is None:
+        message = f"{name} starts unknown, and nothing can be added to that"
+        around.bad("counts_returns_of", message, BAD_RETURN, "initial: 0")
+    return CountsReturns(gone)
+
+
+def _counting(around: Surroundings) -> list[str]:
+    """The quantities of the component that count returns."""
+    return [name for name, other in around.others.items() if other.written(CountsReturnsSpec) is not None]
+
+
+def _follows_a_reading(name: str, around: Surroundings) -> bool:
+    """As written: what cannot be resolved has been reported, and is no fault of the count."""
+    follows = around.others[name].written(FollowsSpec)
+    if follows is None or follows.follows is None:
+        return False
+    followed = around.others.get(follows.follows)
+    return followed is None or followed.written(MeasuredSpec) is not None
+
+
+def check_restart(kept: Kept, around: Surroundings) -> None:
+    """Report what keeps a quantity from beginning anew with a count."""
+    name, spec, others, counting = around.name, around.spec, around.others, _counting(around)
+    count, is_sound = spec.restarts_with, not around.failed
+    if count is None:
+        return
+    if count not in others:
+        hint = did_you_mean(count, counting or others)
+        around.bad("restarts_with", f"there is no quantity {count}", BAD_RETURN, hint)
+    elif count not in counting:
+        hint = "counts_returns_of: names what returns"
+        around.bad("restarts_with", f"{count} does not count returns", BAD_RETURN, hint)
+    if not is_sound:
+        return  # what it is instead of a quantity that code sets has a fault of its own
+    if spec.derivations or spec.elements is not None or kept.kind is QuantityKind.ENUM:
+        message = f"{name} is not a number or a boolean that only code sets"
+        around.bad("restarts_with", message, BAD_RETURN)
+    elif kept.kind is QuantityKind.NUMBER and not kept.minimum <= 0 <= kept.maximum:
+        around.bad("restarts_with", f"{name} cannot be 0, from which it would start again", BAD_RETURN)

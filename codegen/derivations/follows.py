@@ -1,0 +1,121 @@
+"""A boolean that is true while another quantity has reached a limit, or is below it."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.diagnostics import Rule
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.derivation_spec import FollowsSpec
+from codegen.model.known import Known, Stored
+from codegen.model.state_spec import QuantitySpec
+from codegen.model.unit import NUMBER, UNITS, decimal
+from codegen.model.vehicle import SMALL_INT_MAX, Quantity
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+BAD_FOLLOWING = Rule(
+    "bad-following",
+    "A boolean that follows names a number of the same component and one limit for it, at_least or below, in its unit. "
+    "With per_cell the limit, or warn_above, is multiplied with the fact cells, which board.yaml states for every "
+    "instance.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Follows(Derivation):
+    """True while ``quantity`` of the same component is known and at least a limit, or below it.
+
+    ``limits`` has one for each instance, in stored units of that quantity.
+    """
+
+    quantity: str
+    limits: tuple[int, ...]
+    is_below: bool
+    spec: FollowsSpec
+
+    @property
+    def follows(self) -> str | None:
+        return self.quantity
+
+    @property
+    def differs_by_instance(self) -> bool:
+        return len(set(self.limits)) > 1
+
+    def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:
+        """False while the quantity is unknown. A component of a single instance has only that, whatever the message."""
+        stored = known[quantity.decided_by]
+        assert not isinstance(stored, tuple)
+        limit = self.limits[instance if instance < len(self.limits) else 0]
+        return int(stored is not None and (stored < limit if self.is_below else stored >= limit))
+
+    def deciding(self, instance: int, plain: int | None) -> Mapping[str, int | None]:
+        limit = self.limits[instance if instance < len(self.limits) else 0]
+        at, below = ("clear", "set") if self.is_below else ("set", "clear")
+        return {at: limit, below: limit - 1, "unknown": None}
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        limits = ", ".join(str(limit) for limit in self.limits)
+        yield DerivationFact("true while", f"{self.quantity} is {self._word} {limits}", "follows")
+
+    def words(self, quantity: Quantity) -> str:
+        return f"while {quantity.decided_by} is {self._limit(quantity)}"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        yield "follows", f"true while {self.quantity} is {self._limit(quantity)}"
+
+    @property
+    def _word(self) -> str:
+        return "below" if self.is_below else "at least"
+
+    def _limit(self, quantity: Quantity) -> str:
+        """As written: ``at least 4.25 per cell``."""
+        limit = self.spec.below if self.is_below else self.spec.at_least
+        assert limit is not None
+        return f"{self._word} {decimal(limit)}{' per cell' if quantity.spec.per_cell else ''}"
+
+
+def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> Follows | None:
+    """The limit that a boolean follows, by instance; None after a finding."""
+    limits = {
+        key: limit for key, limit in (("at_least", written.at_least), ("below", written.below)) if limit is not None
+    }
+    if written.follows is None:
+        for key in limits:
+            around.bad(key, f"{key} says nothing without follows", BAD_FOLLOWING)
+        return None
+    followed = around.others.get(written.follows)
+    if followed is None:
+        around.no_quantity("follows", written.follows, BAD_FOLLOWING)
+        return None
+    if followed.boolean or followed.enum is not None or followed.elements is not None:
+        around.bad("follows", f"{written.follows} is not a single number", BAD_FOLLOWING)
+        return None
+    if len(limits) != 1:
+        which = "both limits" if limits else "no limit"
+        hint = "write at_least: 2, or below: 2"
+        around.bad("follows", f"{which} given for {written.follows}", BAD_FOLLOWING, hint)
+        return None
+    steps = _steps(followed)
+    counts: tuple[int, ...] | None = (1,) * len(around.parts)
+    if around.spec.per_cell and steps is not None:
+        counts = around.counted("cells", "per_cell", BAD_FOLLOWING)
+    if steps is None or counts is None:
+        return None  # the units of the followed quantity have been reported, or the fact
+    [(key, limit)] = limits.items()
+    scaled = [limit * steps * count for count in counts]
+    if any(each.denominator != 1 or abs(each) > SMALL_INT_MAX for each in scaled):
+        message = f"{key} is not a whole number of the units that {written.follows} is kept in, or too large"
+        around.bad(key, message, BAD_FOLLOWING)
+        return None
+    return Follows(written.follows, tuple(int(each) for each in scaled), key == "below", written)
+
+
+def _steps(followed: QuantitySpec) -> Fraction | None:
+    """How many stored units of a quantity make one unit; None for units that do not exist or convert."""
+    names = (followed.unit, followed.stored or followed.unit)
+    unit, stored = (NUMBER if name is None else UNITS.get(name) for name in names)
+    return None if unit is None or stored is None else unit.to(stored)

@@ -1,0 +1,45 @@
+"""What code of the vehicle sets, and nothing else."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.step import Step
+from codegen.model.vehicle import Quantity, QuantityKind
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+WORDS = "set by the vehicle"
+
+
+@dataclass(frozen=True, slots=True)
+class SetByCode(Derivation):
+    """A quantity that starts anew with each return that the quantity ``anew_with`` of its component counts, if any."""
+
+    anew_with: str | None
+
+    @property
+    def is_set_by_code(self) -> bool:
+        return True
+
+    @property
+    def restarts_with(self) -> str | None:
+        return self.anew_with
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        if self.anew_with is not None:
+            yield DerivationFact("restarts with", self.anew_with, "restarts_with")
+
+    def words(self, quantity: Quantity) -> str:
+        return WORDS if self.anew_with is None else f"{WORDS}; anew with {quantity.component}.{self.anew_with}"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        if self.anew_with is not None:
+            yield "follows", f"begins anew when {self.anew_with} counts up"
+
+    def way(self, quantity: Quantity, system: "System") -> Iterator[Step]:
+        is_number = quantity.kind is QuantityKind.NUMBER and self.anew_with is None
+        details = ("no ADC channel measures it",) if is_number else ()
+        yield Step("source", self.words(quantity), details, quantity.criteria())

@@ -1,0 +1,112 @@
+"""What a derivation may ask while it is resolved: the quantity that it belongs to, and all that stands around it."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.measure import read_time
+from codegen.model.dialect import Dialect
+from codegen.model.spec import Spec
+from codegen.model.state_spec import QuantitySpec
+from codegen.model.unit import UNITS, Unit
+from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Instance, Parameter, QuantityKind
+from codegen.source import Place
+
+BAD_QUANTITY = Rule(
+    "bad-quantity",
+    "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean or an enum has no unit "
+    "and no limits, min <= initial <= max, and every limit fits a small integer of MicroPython in stored units.",
+)
+UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
+MOST_COUNTED = 255
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """How a quantity is kept: the fields of ``Quantity`` that are known before its derivation."""
+
+    kind: QuantityKind
+    unit: Unit
+    stored: Unit
+    steps: Fraction
+    minimum: int
+    maximum: int
+    initial: int | None
+
+
+@dataclass(slots=True)
+class Surroundings:
+    """A quantity ``name`` of ``component`` as written, with what the specification says elsewhere.
+
+    ``parts`` are the instances of the component, ``period_ms`` the time between two of its updates, or None.
+    ``find_parameter`` looks one up by its name, for what stands at a place; None after a finding.
+    ``failed`` once something was found in the quantity itself, with which it cannot be resolved.
+    """
+
+    component: str
+    name: str
+    spec: QuantitySpec
+    parts: tuple[Instance, ...]
+    period_ms: int | None
+    channels: Mapping[str, AdcChannel]
+    find_parameter: Callable[[str, Place], Parameter | None]
+    whole: Spec
+    dialect: Dialect
+    report: Report
+    failed: bool = False
+
+    @property
+    def others(self) -> Mapping[str, QuantitySpec]:
+        """The quantities of the component as written, this one among them."""
+        return self.whole.state.components[self.component].quantities
+
+    def bad(
+        self,
+        key: str,
+        message: str,
+        rule: Rule = BAD_QUANTITY,
+        hint: str | None = None,
+        related: Iterable[tuple[Place, str]] = (),
+    ) -> None:
+        """Report something at a key of the quantity."""
+        self.report.add(rule, self.spec.at(key), message, hint, related)
+        self.failed = True
+
+    def no_quantity(self, key: str, name: str, rule: Rule) -> None:
+        """Report that the component has no quantity called so."""
+        self.bad(key, f"there is no quantity {name}", rule, did_you_mean(name, self.others))
+
+    def time_ms(self, key: str, written: str | None) -> int | None:
+        """A time in ms; None where none is written, or after a finding."""
+        return None if written is None else read_time(written, UNITS["ms"], self.spec.at(key), self.report)
+
+    def parameter(self, key: str, name: str) -> Parameter | None:
+        """The parameter called so; None after a finding."""
+        return self.find_parameter(name, self.spec.at(key))
+
+    def in_steps(self, key: str, value: Fraction, steps: Fraction) -> int:
+        """A value in stored units, which has to be a whole number of them."""
+        scaled = value * steps
+        if scaled.denominator != 1:
+            self.bad(key, f"{key} of {self.name} is not a whole number of stored units")
+        elif abs(scaled) > SMALL_INT_MAX:
+            self.bad(key, f"{key} of {self.name} is beyond a small integer in stored units")
+        return int(scaled)
+
+    def counted(self, fact: str, key: str, rule: Rule) -> tuple[int, ...] | None:
+        """A fact of board.yaml that counts something, by instance; None after a finding."""
+        counts = []
+        for number, part in enumerate(self.parts, 1):
+            count = part.facts.get(fact)
+            owner = self.component if len(self.parts) == 1 else f"{self.component} {number}"
+            if count is None:
+                hint = did_you_mean(fact, part.facts) or f"facts: {{{self.component}: {{{fact}: 3}}}}"
+                self.bad(key, f"board.yaml does not state the fact {fact} of {owner}", rule, hint)
+                return None
+            if not isinstance(count, Fraction) or count.denominator != 1 or not 1 <= count <= MOST_COUNTED:
+                message = f"{fact} of {owner} is {count}, not a whole number from 1 to {MOST_COUNTED}"
+                self.bad(key, message, rule)
+                return None
+            counts.append(int(count))
+        return tuple(counts)

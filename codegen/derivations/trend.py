@@ -1,0 +1,65 @@
+"""The change per second of a measured quantity."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.diagnostics import Rule
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.derivation_spec import MeasuredSpec, TrendSpec
+from codegen.model.vehicle import Quantity
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+BAD_TREND = Rule(
+    "bad-trend",
+    "A trend is the change per second of a measured quantity of the same component, kept in the same unit per second. "
+    "Its window is an even number of readings, 4 to 200.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Trend(Derivation):
+    """The change per second of ``quantity``, over ``readings`` of the component, an even number."""
+
+    quantity: str
+    readings: int
+    spec: TrendSpec
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        yield DerivationFact("trend of", f"{self.quantity} over {self.readings} readings", "trend_of")
+
+    def words(self, quantity: Quantity) -> str:
+        return f"change of {quantity.component}.{self.quantity} over {self.readings} readings"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        yield "follows", f"the change of {self.quantity} over {self.spec.window}, {self.readings} readings"
+
+
+def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend | None:
+    """The quantity and the number of readings; None after a finding."""
+    if written.trend_of is None or written.window is None:
+        around.bad("window" if written.window else "trend_of", "a trend has both trend_of and window", BAD_TREND)
+        return None
+    window = around.time_ms("window", written.window)
+    if window is None:
+        return None
+    readings = Fraction(window, around.period_ms) if around.period_ms else Fraction(0)
+    if readings.denominator != 1 or readings % 2 or not 4 <= readings <= 200:
+        hint = None if around.period_ms else "the component needs an update_rate"
+        around.bad("window", f"{written.window} is not an even number of readings, 4 to 200", BAD_TREND, hint)
+        return None
+    name, followed = written.trend_of, around.others.get(written.trend_of)
+    if followed is None:
+        around.no_quantity("trend_of", name, BAD_TREND)
+        return None
+    unit = followed.stored or followed.unit
+    if followed.written(MeasuredSpec) is None:
+        around.bad("trend_of", f"{name} is not measured by an ADC", BAD_TREND)
+    elif f"{unit}/s" != kept.stored.name:
+        message = f"the change of {name} is kept in {unit}/s, not {kept.stored.name}"
+        around.bad("stored", message, BAD_TREND)
+    return Trend(name, int(readings), written)

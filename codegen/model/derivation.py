@@ -1,0 +1,116 @@
+"""Where the value of a quantity comes from: what the stages ask each derivation (``codegen/derivations/``)."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from codegen.model.step import Step
+
+if TYPE_CHECKING:
+    from codegen.model.known import Known, Stored
+    from codegen.model.system import System
+    from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold
+
+
+class DerivationFact(NamedTuple):
+    """One attribute of a derivation, as text that differs exactly where the attribute does.
+
+    ``key`` is the key of ``state.yaml`` that decides it. ``is_trust``: it says which values are believed, and not where
+    they come from.
+    """
+
+    attribute: str
+    text: str
+    key: str
+    is_trust: bool = False
+
+
+class Derivation(ABC):
+    """Where the value of a quantity comes from. Every kind is a frozen dataclass in a module of its own.
+
+    Quantities are passed to the methods that need one, since a derivation belongs to one and does not know it. What
+    most kinds have in common is answered here.
+    """
+
+    __slots__ = ()
+
+    # the state
+
+    @property
+    def follows(self) -> str | None:
+        """The quantity of the component that decides over a boolean each time that it is read; None: it is stored."""
+        return None
+
+    @property
+    def is_set_by_code(self) -> bool:
+        """Whether code of the vehicle sets it, and nothing else does."""
+        return False
+
+    @property
+    def conversion(self) -> "Conversion | None":
+        """How it comes from the counts of an ADC; None where it does not."""
+        return None
+
+    @property
+    def threshold(self) -> "Threshold | None":
+        """Above what a warning is logged."""
+        return None
+
+    @property
+    def switch(self) -> "Parameter | None":
+        """The parameter that switches the component on and off by it."""
+        return None
+
+    @property
+    def counts(self) -> str | None:
+        """The boolean of the component whose end it counts."""
+        return None
+
+    @property
+    def restarts_with(self) -> str | None:
+        """The quantity of the component that counts returns and with each of them sets this one back."""
+        return None
+
+    def names(self, quantity: "Quantity") -> tuple[str, ...]:
+        """Names that it takes in the firmware, beside those that every quantity takes."""
+        return ()
+
+    def uses(self, quantity: "Quantity") -> Iterator[tuple["Parameter", str]]:
+        """The parameters that it reads, each with what it decides, in words."""
+        return iter(())
+
+    # expected values
+
+    def value(self, quantity: "Quantity", known: "Known", instance: int) -> "Stored":
+        """What the quantity is in a state: what is stored, or what it follows from."""
+        return known[quantity.path]
+
+    def deciding(self, instance: int, plain: int | None) -> Mapping[str, int | None]:
+        """Values for tests of a boolean, or of what it follows, by what comes of them: set, clear, unknown.
+
+        ``plain`` is any value that is known.
+        """
+        return {"set": 1, "clear": 0}
+
+    @property
+    def differs_by_instance(self) -> bool:
+        """Whether what decides over it is not the same in all instances."""
+        return False
+
+    # words
+
+    @abstractmethod
+    def facts(self, quantity: "Quantity") -> Iterator[DerivationFact]:
+        """What two versions of it are compared by: every attribute of it."""
+
+    @abstractmethod
+    def words(self, quantity: "Quantity") -> str:
+        """What gives the quantity its value, in a line for documents and pages."""
+
+    @abstractmethod
+    def story(self, quantity: "Quantity", system: "System") -> Iterator[tuple[str, str]]:
+        """The same for ``codegen explain``, which has more room: rows with a title."""
+
+    def way(self, quantity: "Quantity", system: "System") -> Iterator[Step]:
+        """The steps from the source to the value in the state."""
+        yield Step("source", self.words(quantity), (), quantity.criteria())

@@ -1,0 +1,140 @@
+"""Where the value of a quantity comes from, as written: the keys of ``state.yaml`` that belong to each derivation.
+
+They stand among the keys of the quantity (see ``flattened``); what they resolve to is in ``codegen/derivations/``.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import ClassVar
+
+from codegen.model.described import Amount, described
+from codegen.source import Written
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DerivationSpec(Written):
+    """What is written about where a value comes from, beside the keys that every quantity has.
+
+    ``KEY`` is the one that names the derivation. ``GIVES_BOOLEAN``: for a boolean, or for a number. ``HAS_READINGS``:
+    whether readings are taken, which can fail and grow old.
+    """
+
+    KEY: ClassVar[str]
+    GIVES_BOOLEAN: ClassVar[bool] = False
+    HAS_READINGS: ClassVar[bool] = False
+
+    @property
+    def is_named(self) -> bool:
+        """Whether that key is written; without it the others say nothing."""
+        return getattr(self, self.KEY) is not None
+
+    @property
+    def has_limit(self) -> bool:
+        """Whether it compares something with a limit, which can be for one cell."""
+        return False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WhileKnownSpec(DerivationSpec):
+    """A boolean that is true while another quantity is known."""
+
+    KEY = "while_known"
+    GIVES_BOOLEAN = True
+
+    while_known: str = described("For a boolean: true while this quantity of the same component is known.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EnabledBySpec(DerivationSpec):
+    """A boolean that a parameter switches."""
+
+    KEY = "enabled_by"
+    GIVES_BOOLEAN = True
+
+    enabled_by: str = described(
+        "For a boolean: true while this parameter is not 0. What is measured in the component, and its own messages, "
+        "are left out while it is false."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FollowsSpec(DerivationSpec):
+    """A boolean that follows a limit."""
+
+    KEY = "follows"
+    GIVES_BOOLEAN = True
+
+    follows: str | None = described(
+        "For a boolean: true while this quantity of the same component is at least, or below, a limit; false while it "
+        "is unknown.",
+        default=None,
+    )
+    at_least: Fraction | None = described(
+        "For follows: the smallest value that makes it true, in its unit.", default=None
+    )
+    below: Fraction | None = described("For follows: it is true below this value, in its unit.", default=None)
+
+    @property
+    def has_limit(self) -> bool:
+        """Whether the limit is one of a quantity."""
+        return self.follows is not None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CountsReturnsSpec(DerivationSpec):
+    """A number that counts returns."""
+
+    KEY = "counts_returns_of"
+
+    counts_returns_of: str = described(
+        "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "
+        "true and a reading shows that it is no longer."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrendSpec(DerivationSpec):
+    """The change of another quantity."""
+
+    KEY = "trend_of"
+
+    trend_of: str | None = described(
+        "The quantity of the same component whose change per second this is.", default=None
+    )
+    window: Amount | None = described("For a trend: the time that it looks back, such as 4 s.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EstimateSpec(DerivationSpec):
+    """The charge that a voltage stands for."""
+
+    KEY = "estimate_from"
+
+    estimate_from: str = described(
+        "The voltage of the same component from which the remaining charge is estimated, by the discharge curve of the "
+        "board's chemistry and cell count. Without it the charge is unknown until something sets it."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredSpec(DerivationSpec):
+    """What an ADC measures."""
+
+    KEY = "adc"
+    HAS_READINGS = True
+
+    adc: str | None = described("ADC channel of the board that measures it.", default=None)
+    multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
+    warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
+    warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
+
+    @property
+    def has_limit(self) -> bool:
+        """Whether a warning has one."""
+        return self.warn_above is not None
+
+
+WrittenDerivation = (
+    WhileKnownSpec | EnabledBySpec | FollowsSpec | CountsReturnsSpec | TrendSpec | EstimateSpec | MeasuredSpec
+)
+"""Every derivation that can be written; a quantity with none of them is set by code."""

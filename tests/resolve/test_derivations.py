@@ -1,0 +1,85 @@
+"""Where the values of quantities come from: what is written is resolved, by one kind for each quantity."""
+
+from pathlib import Path
+from typing import get_args
+
+import pytest
+
+from codegen.derivations import KINDS
+from codegen.derivations.follows import Follows
+from codegen.derivations.while_known import WhileKnown
+from codegen.diagnostics import Report
+from codegen.model.derivation_spec import FollowsSpec, WrittenDerivation
+from codegen.model.shape import keys_of
+from codegen.model.state_spec import QuantitySpec
+from codegen.model.system import System
+from codegen.pipeline import read_systems
+from codegen.source import Place
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def system() -> System:
+    return read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())[0]
+
+
+def test_whatever_can_be_written_is_resolved() -> None:
+    """A kind that the decoder takes and nothing resolves would end a build with an internal error."""
+    assert set(get_args(WrittenDerivation)) == set(KINDS)
+
+
+@pytest.mark.parametrize("kind", get_args(WrittenDerivation))
+def test_a_kind_is_named_by_one_of_its_keys(kind: type) -> None:
+    """The key that a finding about the whole of it points at."""
+    keys = {key.name: key.group for key in keys_of(QuantitySpec)}
+    group = keys[kind.KEY]
+    assert group is not None
+    assert group.model is kind
+
+
+def test_no_key_belongs_to_two_kinds() -> None:
+    names = [key.name for key in keys_of(QuantitySpec)]
+    assert sorted(names) == sorted(set(names))
+
+
+@pytest.mark.parametrize(
+    ("is_below", "stored", "instance", "holds"),
+    [
+        (False, 13, 0, True),
+        (False, 12, 0, False),
+        (False, 13, 1, False),
+        (False, None, 0, False),
+        (True, 11, 0, True),
+        (True, 12, 0, False),
+        (True, 25, 1, False),
+        (True, 24, 1, True),
+        (True, None, 0, False),
+        (True, 11, 7, True),
+    ],
+)
+def test_what_follows_a_limit_is_known_for_each_state(
+    system: System, is_below: bool, stored: int | None, instance: int, holds: bool
+) -> None:
+    """By hand: at least 13 and 26, or below 12 and 25; unknown is never true; a single instance stands for all."""
+    quantity = system.components["battery"].quantities["over_voltage"]
+    limits = (12, 25) if is_below else (13, 26)
+    follows = Follows("voltage", limits, is_below, FollowsSpec(place=Place("state.yaml")))
+    assert follows.value(quantity, {"battery.voltage": stored}, instance) == int(holds)
+
+
+def test_what_is_true_while_another_is_known(system: System) -> None:
+    quantity = system.components["battery"].quantities["healthy"]
+    derivation = quantity.derivation
+    assert derivation == WhileKnown("voltage")
+    assert [derivation.value(quantity, {"battery.voltage": stored}, 0) for stored in (0, 12000, None)] == [1, 1, 0]
+
+
+def test_the_values_that_decide_bring_about_what_they_are_called(system: System) -> None:
+    """The names of cases: a value called set makes the boolean true, all others make it false."""
+    for component in system.components.values():
+        for quantity in component.quantities.values():
+            for instance in range(component.instances) if quantity.kind.value == "boolean" else ():
+                for name, stored in quantity.derivation.deciding(instance, 7).items():
+                    value = quantity.derivation.value(quantity, {quantity.decided_by: stored}, instance)
+                    assert bool(value) == (name == "set"), (quantity.path, instance, name)
