@@ -17,6 +17,10 @@ from codegen.pipeline import read_systems
 from codegen.source import Place
 
 ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "codegen"
+
+KIND_MODULES = [path for path in (PACKAGE / "derivations").glob("*.py") if "(Derivation):" in path.read_text()]
+"""The modules that have a kind."""
 
 
 @pytest.fixture(scope="module")
@@ -41,6 +45,23 @@ def test_a_kind_is_named_by_one_of_its_keys(kind: type) -> None:
 def test_no_key_belongs_to_two_kinds() -> None:
     names = [key.name for key in keys_of(QuantitySpec)]
     assert sorted(names) == sorted(set(names))
+
+
+def test_no_stage_knows_a_kind() -> None:
+    """A stage that asks of what kind a derivation is has to be changed for each further one, as the firmware's view."""
+    told = {
+        path.relative_to(PACKAGE).as_posix()
+        for path in PACKAGE.rglob("*.py")
+        for line in path.read_text().splitlines()
+        if line.startswith(tuple(f"from codegen.derivations.{kind.stem} import " for kind in KIND_MODULES))
+        and not line.endswith((" check_restart", " BAD_FOLLOWING"))  # rules, which stand in the module they are about
+    }
+    assert {path for path in told if not path.startswith("derivations/")} == {"targets/firmware/state.py"}
+
+
+def test_every_kind_is_registered() -> None:
+    """A kind that is written and not registered could not be used, and nobody would be told."""
+    assert len(KIND_MODULES) == len(KINDS) + 1, "what is set by code is what nothing is written of"
 
 
 @pytest.mark.parametrize(
