@@ -15,18 +15,21 @@ from codegen.source import Written
 class DerivationSpec(Written):
     """What is written about where a value comes from, beside the keys that every quantity has.
 
-    ``KEY`` is the one that names the derivation. ``GIVES_BOOLEAN``: for a boolean, or for a number. ``HAS_READINGS``:
-    whether readings are taken, which can fail and grow old.
+    ``KEY`` is the one that names the derivation. ``GIVES_BOOLEAN``: for a boolean, or for a number.
     """
 
     KEY: ClassVar[str]
     GIVES_BOOLEAN: ClassVar[bool] = False
-    HAS_READINGS: ClassVar[bool] = False
 
     @property
     def is_named(self) -> bool:
         """Whether that key is written; without it the others say nothing."""
         return getattr(self, self.KEY) is not None
+
+    @property
+    def has_readings(self) -> bool:
+        """Whether readings are taken, which can fail and grow old."""
+        return False
 
     @property
     def has_limit(self) -> bool:
@@ -121,12 +124,16 @@ class MeasuredSpec(DerivationSpec):
     """What an ADC measures."""
 
     KEY = "adc"
-    HAS_READINGS = True
 
     adc: str | None = described("ADC channel of the board that measures it.", default=None)
     multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
     warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
     warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
+
+    @property
+    def has_readings(self) -> bool:
+        """Whether something is said of the ADC."""
+        return self.adc is not None or self.multiplier is not None
 
     @property
     def has_limit(self) -> bool:

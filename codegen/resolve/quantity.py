@@ -88,7 +88,7 @@ def _check(around: Surroundings) -> None:
         around.bad("", f"{name} cannot be the name of a quantity", hint="choose another name")
     if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
         around.bad("invalid_after", f"invalid_after of {name} is {spec.invalid_after}, not 1 to 1000")
-    if not any(written.HAS_READINGS and written.is_named for written in spec.derivations):
+    if not any(written.has_readings for written in spec.derivations):
         for key in ("invalid_after", "stale_after"):
             if getattr(spec, key) is not None:
                 around.bad(key, f"{name} has no adc, so {key} says nothing")
