@@ -26,7 +26,7 @@ from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
-from codegen.rules import RULES
+from codegen.rules import check_system
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
@@ -89,8 +89,7 @@ def _checked(spec: Spec | None, dialect: Dialect | None, report: Report) -> Syst
     if dialect is None:
         return None
     system = resolve_system(spec, dialect, report)
-    for check in RULES:
-        report.extend(check(system))
+    report.extend(check_system(system))
     return system
 
 
