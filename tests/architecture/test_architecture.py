@@ -1,12 +1,15 @@
 """Dependencies point one way, and only the command line talks to the terminal."""
 
 import ast
+import importlib
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import codegen
+from codegen.answers import KINDS
+from codegen.answers.kind import KindOfAnswer
 
 PACKAGE = Path(codegen.__file__).parent
 
@@ -58,6 +61,22 @@ MAY_IMPORT: dict[str, set[str]] = {
     "__main__": {"cli"},
 }
 """Part of the package (a folder or a module of its own) -> the other parts that it may import."""
+
+KNOW_KINDS = {
+    "resolve.population": {"answers", "answers.kind", "answers.pages", "answers.scope"},
+    "resolve.scope": {"answers.scope"},
+    "targets.firmware.live": {
+        "answers.each.answer",
+        "answers.flags",
+        "answers.instance",
+        "answers.live",
+        "answers.page",
+    }
+    | {"answers.split"},
+    "targets.firmware.telemetry": {"answers.fact", "answers.fixed", "answers.flags", "answers.instance"}
+    | {"answers.page", "answers.text"},
+}
+"""What modules outside of ``answers`` import of it: the stages ask ``model.answer.Answer`` and know no kind."""
 
 VAGUE = {"util", "utils", "helper", "helpers", "manager", "managers", "core", "common", "misc", "base"}
 
@@ -125,6 +144,26 @@ def test_a_module_imports_only_what_lies_below_it(path: Path) -> None:
     assert part in MAY_IMPORT, f"{part} is new: give it a place in MAY_IMPORT"
     forbidden = imported(path.read_text(), name, is_package=path.name == "__init__.py") - MAY_IMPORT[part] - {part}
     assert not forbidden, f"codegen.{name} must not import {', '.join(sorted(forbidden))}"
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_no_stage_knows_a_kind_of_answer(path: Path) -> None:
+    """A stage that asks what kind an answer is of has to be changed for each further kind."""
+    name = name_of(path)
+    if part_of(name) != "answers":
+        used = {
+            found for found in _imported_names(ast.parse(path.read_text()), name, False) if part_of(found) == "answers"
+        }
+        assert used <= KNOW_KINDS.get(name, set())
+
+
+def test_a_kind_of_answer_is_registered() -> None:
+    """A kind that is written and not registered could not be used, and nobody would be told."""
+    for path in (PACKAGE / "answers").rglob("*.py"):
+        importlib.import_module(f"codegen.{name_of(path)}")
+    written = {kind.__qualname__ for kind in KindOfAnswer.__subclasses__()}
+    assert written == {kind.__qualname__ for kind in KINDS}
+    assert len(written) == len(KINDS) >= 9
 
 
 def test_the_allowed_directions_have_no_circle() -> None:

@@ -211,7 +211,7 @@ def _fixed(binding: Answer) -> FixedView | None:
     if isinstance(binding, FlagsAnswer):
         words = " | ".join(binding.names) or "no flag"
         return _prefilled(covers, (binding.mask,) * covers.count, words)
-    return None
+    return None if binding.always is None else _prefilled(covers, binding.always, binding.words().source)
 
 
 def _by_instance(binding: FactAnswer) -> FixedView:
