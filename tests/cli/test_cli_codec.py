@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 from codegen.cli import main
+from codegen.diagnostics import Report
+from codegen.mpy import BYTECODE, compiled
 
 Run = Callable[..., tuple[int, str, str]]
 
@@ -230,6 +232,14 @@ def test_no_message_is_asked_for(run: Run) -> None:
     code, out, err = run("--dialect", "rack.xml", "--messages", " ,", "--out", "lib")
     assert (code, out) == (2, "")
     assert "names no message" in err
+
+
+def test_what_mpy_cross_refuses_is_a_finding() -> None:
+    """At the module, with what mpy-cross says."""
+    report = Report()
+    assert compiled({"lib/odd.py": "def f(:\n"}, BYTECODE, report) == {}
+    (finding,) = report
+    assert (finding.rule.id, finding.place.file) == ("mpy-refused", os.path.abspath("lib/odd.py"))
 
 
 def test_mpy_cross_that_is_missing_is_a_finding(dialect: Path, run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

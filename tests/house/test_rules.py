@@ -3,6 +3,7 @@
 import importlib
 import pkgutil
 import re
+from pathlib import Path
 
 import pytest
 from rule_reach import Constant, reported, sources
@@ -25,6 +26,7 @@ def declared() -> dict[Constant, Rule]:
     return dict(found.values())
 
 
+TESTS = Path(__file__).resolve().parents[1]
 TEXTS = sources()
 RULES = declared()
 
@@ -70,3 +72,9 @@ def test_a_rule_that_nothing_reports_is_noticed(loaded: set[Constant]):
     """The look at the source tells rules that are reported from others."""
     assert not loaded & {(name, "RULE") for name in UNREPORTED}
     assert ("codegen.rules.in_a_check", "RULE") in loaded
+
+
+def test_each_rule_is_named_by_a_test():
+    """What no test names, nobody has seen reported."""
+    tests = "\n".join(path.read_text() for path in TESTS.rglob("*.py"))
+    assert not [rule_id for rule_id in rule_catalogue() if not re.search(rf"(?<![\w-]){rule_id}(?![\w-])", tests)]

@@ -252,3 +252,9 @@ def test_a_large_document_is_read_in_time(plain: Sources) -> None:
     made, _ = proposal(part * 1000, plain)
     assert made is not None
     assert len(made.answers) == 2
+
+
+def test_two_columns_of_one_meaning(sources: Sources) -> None:
+    """Nobody can tell which one holds the answer."""
+    text = REQUIREMENT.replace("| Remarks            |", "| Source             |")
+    assert ("column-twice", 9) in proposal(text, sources)[1]

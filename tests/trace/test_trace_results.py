@@ -84,9 +84,13 @@ def test_a_changed_table_makes_results_stale(project: Project, junit: Junit) -> 
     assert verdicts(project, path)["FR-1.2"] == (Verdict.PARTLY, Counts(passed=1, stale=2))
 
 
-def test_without_its_result_a_case_is_missing(project: Project, junit: Junit) -> None:
+def test_without_its_result_a_case_is_missing(
+    project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = junit("r.xml", of_the_suite(project)[0])
     assert verdicts(project, path)["FR-1.2"] == (Verdict.PARTLY, Counts(passed=1, missing=2))
+    assert project.run("--results", path, "--fail-on", "partly") == 1
+    assert "error trace-partly: FR-1.2: 1 passed, 2 without a result" in capsys.readouterr().out
 
 
 def test_parameters_of_tests_by_hand_come_from_the_results(project: Project, junit: Junit) -> None:
@@ -128,7 +132,8 @@ def test_a_test_of_that_name_elsewhere_is_another_one(module: str, project: Proj
     assert verdicts(project, path)["FR-1.2"][0] is Verdict.NO_RESULT
 
 
-def test_results_of_another_project(project: Project, junit: Junit) -> None:
+def test_results_of_another_project(project: Project, junit: Junit, capsys: pytest.CaptureFixture[str]) -> None:
+    """They are told from those of the project, and the report says so."""
     trace, _ = project.trace()
     other = junit(
         "other.xml",
@@ -137,6 +142,8 @@ def test_results_of_another_project(project: Project, junit: Junit) -> None:
     )
     assert unrelated(decode_junit(other, Report()) or (), trace)
     assert not unrelated(decode_junit(junit("own.xml", BY_HAND), Report()) or (), trace)
+    project.run("--results", other)
+    assert "other.xml:1:1: warning results-unrelated: none of its results" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
