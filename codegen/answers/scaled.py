@@ -121,23 +121,23 @@ def property_cases(quantity: Quantity, plain: Known) -> Iterator[StateCase]:
         yield StateCase(name, {quantity.path: becomes}, written=(quantity, value))
 
 
+def to_unit(source: Quantity, scaling: Scaling) -> Fraction:
+    """What a number on the wire is multiplied with to get the unit of the quantity: ``steps`` stored make one unit."""
+    return 1 / (scaling.factor * source.steps)
+
+
 def read_back(covers: Elements, source: Quantity, scaling: Scaling) -> ReadBack:
     """All in the unit of the quantity; ``within`` is one unit of the wire, or what a float of the wire resolves."""
-    to_unit = 1 / (scaling.factor * source.steps)
-    one = to_unit if covers.field.type.is_integer else 1 / source.steps / 2
+    factor = to_unit(source, scaling)
+    within = factor if covers.field.type.is_integer else 1 / source.steps / 2
     return ReadBack(
         source,
         {
             "stored": source.attribute,
             "steps": float(source.steps) if source.kind is QuantityKind.NUMBER else 1,
-            "low": float(scaling.low * to_unit),
-            "high": float(scaling.high * to_unit),
-            "within": float(one),
+            "low": float(scaling.low * factor),
+            "high": float(scaling.high * factor),
+            "within": float(within),
             "stands_in": None if source.initial is None else float(source.initial / source.steps),
         },
     )
-
-
-def to_unit(source: Quantity, scaling: Scaling) -> Fraction:
-    """What a number on the wire is multiplied with to get the unit of the quantity: ``steps`` stored make one unit."""
-    return 1 / (scaling.factor * source.steps)

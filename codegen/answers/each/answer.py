@@ -3,31 +3,22 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from codegen.answers.each.elements import BAD_EACH, can_take, room_of, unknown_of
 from codegen.answers.each.reading import cell_readings
-from codegen.answers.fitting import NO_SENTINEL
 from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
 from codegen.answers.limits import check_reach, scaling_of
 from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_cases, limit_words, sentinel_cases
 from codegen.answers.scope import Scope
 from codegen.answers.source import taken
 from codegen.answers.split import SplitAnswer
-from codegen.diagnostics import Rule
 from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.answer import Answer, Elements
-from codegen.model.dialect import Kind
 from codegen.model.known import Known, Stored, Value
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading
 from codegen.model.scaling import Scaling
 from codegen.model.step import Step
 from codegen.model.vehicle import Quantity
-
-BAD_EACH = Rule(
-    "bad-each",
-    "each takes a quantity with elements into the elements of an integer field of at most 32 bits; from counts from 0. "
-    "Where one field has a fallback (state, with split), the fields of the message take the values from 0 on without a "
-    "gap, because they go out together or not at all.",
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,19 +65,19 @@ class EachAnswer(KindOfAnswer):
         if quantity is None or (written.state is not None and fallback is None):
             return None
         is_paged = scope.pages is not None and scope.pages.quantity is quantity
-        if not _can_take(covers, quantity, is_paged, scope):
+        if not can_take(covers, quantity, is_paged, scope):
             return None
         found = taken(covers, quantity, "each", report)
         if found is None:
             return None
-        unknown = _unknown(covers, quantity, scope)
+        unknown = unknown_of(covers, quantity, scope)
         if unknown is None:
             return None
         scaling = scaling_of(covers.field, unknown, found.bounds, found.factor, written, report)
         if scaling is None:
             return None
         check_reach(covers, found.written, scaling, unknown, report)
-        room = None if is_paged else _room(covers, scope)
+        room = None if is_paged else room_of(covers, scope)
         return cls(covers, quantity, written.first, scaling, unknown, is_paged, fallback, room)
 
     @property
@@ -205,55 +196,3 @@ class EachAnswer(KindOfAnswer):
                 yield StateCase(f"{name}-page-{page}" if pages > 1 else name, {path: row}, page=page)
         for case in self.fallback.value_cases() if self.fallback else ():
             yield StateCase(f"fallback-{case.name}", {path: rows["without-0"], **case.changes})
-
-
-def _can_take(covers: Elements, quantity: Quantity, is_paged: bool, scope: Scope) -> bool:
-    """Whether the field takes values one by one, and the quantity has such; a finding if not."""
-    written, field, report = covers.written, covers.field, scope.report
-    place = written.at("each")
-    if quantity.elements is None:
-        report.add(BAD_EACH, place, f"{quantity.path} is one value for all", f"write {{state: {quantity.path}}}")
-        return False
-    if written.first < 0 or (is_paged and written.first):
-        problem = "from has no meaning on pages" if is_paged else f"from is {written.first}"
-        report.add(BAD_EACH, written.at("from"), problem)
-        return False
-    if field.type.kind is not Kind.CHAR and not (field.type.is_integer and field.type.size <= 4):
-        report.add(BAD_EACH, place, f"{field.name} is a {field.type.name}, which cannot take values one by one")
-        return False
-    return True
-
-
-def _unknown(covers: Elements, quantity: Quantity, scope: Scope) -> int | None:
-    """The sentinel that every element has; None, with a finding, where they do not have the same one."""
-    field = covers.field
-    sentinels = set(field.sentinel.values[covers.first : covers.first + covers.count]) if field.sentinel else {None}
-    unknown = sentinels.pop()
-    if sentinels or not isinstance(unknown, int):
-        scope.report.add(
-            NO_SENTINEL,
-            covers.written.at("each"),
-            f"a value of {quantity.path} can be unknown or not there, and not every element of {field.name} can say so",
-            "add the sentinel to the corrections file: invalid: '[0]'",
-            [(field.definition.place, f"{field.name} is declared here")],
-        )
-        return None
-    return unknown
-
-
-def _room(covers: Elements, scope: Scope) -> int | None:
-    """How many values the fields of the message take together; None where none of them has a fallback.
-
-    A finding where this field does not go on where the one before it ends.
-    """
-    written = covers.written
-    takers = [other for other in scope.elements if other.written.each == written.each and other.written.first >= 0]
-    if all(other.written.state is None for other in takers):
-        return None
-    room = 0
-    for taker in sorted(takers, key=lambda other: other.written.first):
-        if taker is covers and written.first != room:
-            message = f"{covers.label} goes on at {written.first}, the fields before it end at {room}"
-            scope.report.add(BAD_EACH, written.place, message, f"from: {room}")
-        room = taker.written.first + taker.count
-    return room
