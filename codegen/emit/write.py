@@ -39,7 +39,8 @@ def write_output(plan: Plan, report: Report) -> Outcome:
     path = MANIFEST
     try:
         writes = [file for file in plan.writes if file.path != MANIFEST]
-        if writes:
+        # A manifest that stays as it is knows the hashes of what is written: of files that were lost or edited.
+        if writes and len(writes) < len(plan.writes):
             os.makedirs(plan.folder, exist_ok=True)
             _replace(plan.folder, MANIFEST, _manifest_meanwhile(plan).text().encode("utf-8"))
         for file in writes:

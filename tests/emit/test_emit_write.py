@@ -51,6 +51,16 @@ def test_second_build_touches_no_file(output: Path, build: Any) -> None:
     assert (again.outcome.written, again.outcome.unchanged, again.rules) == (0, 3, [])
 
 
+def test_a_file_that_was_deleted_comes_back(output: Path, build: Any, tree: Tree) -> None:
+    """With nothing left to do after that: the manifest is the one that knew it."""
+    build(FILES)
+    before = (output / "manifest.json").read_bytes()
+    (output / "docs" / "battery.md").unlink()
+    assert build(FILES).outcome.written == 1
+    assert (output / "manifest.json").read_bytes() == before
+    assert tree() == {path: text.encode() for path, text in sorted(FILES.items())}
+
+
 def test_only_the_file_that_changed_is_written(output: Path, build: Any) -> None:
     build(FILES)
     before = stamps(output)
