@@ -5,6 +5,7 @@ them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (wheth
 ``limits`` and ``scaled``.
 """
 
+from codegen.answers.count import CountAnswer
 from codegen.answers.each.answer import EachAnswer
 from codegen.answers.fact import FactAnswer
 from codegen.answers.fixed import FixedAnswer
@@ -20,6 +21,7 @@ KINDS: tuple[type[KindOfAnswer], ...] = (
     EachAnswer,
     PageAnswer,
     InstanceAnswer,
+    CountAnswer,
     SplitAnswer,
     LiveAnswer,
     TextAnswer,
