@@ -1,39 +1,14 @@
 # Generated from templates/codec/frames.py: do not edit.
-# Inputs: d34c507c5528049c
-"""Making and reading frames, in the fastest form that this interpreter runs, and the table of their checksum.
+# Inputs: 9b0d0c68fbc0ef1e
+"""Making and reading frames, in the fastest form that this interpreter runs.
 
 CPython has no module `micropython` (ImportError) or a mock of it (AttributeError), a port without native code cannot
 compile viper (SyntaxError) and refuses a compiled frames_viper.mpy (ValueError): they take the plain form.
 """
 
-from array import array
-
 try:
-    from frames_viper import fill, find_frame, read_frame, write_frame
+    from frames_viper import decoder, encoder, taker
 except (AttributeError, ImportError, SyntaxError, ValueError):
-    from frames_plain import fill, find_frame, read_frame, write_frame
+    from frames_plain import decoder, encoder, taker
 
-__all__ = ("TABLE", "fill", "find_frame", "is_entry", "read_frame", "write_frame")
-
-
-def _spread(byte):
-    """Divide by the polynomial 0x8408 (x^16 + x^12 + x^5 + 1, bits reflected), eight steps at once."""
-    return (byte << 8) ^ (byte << 3) ^ (byte >> 4)
-
-
-def _entry(byte):
-    return _spread(byte ^ ((byte << 4) & 0xFF))
-
-
-def is_entry(value):
-    """Tell whether a value of 16 bits is an _entry(): its high byte says which one it would have to be."""
-    high = value >> 8
-    return value == _spread(high ^ (high >> 5))
-
-
-# Entry 256 + n carries a byte n on over one step, entry n over two: so two bytes take two look-ups and no shift.
-TABLE = array("H", bytes(1024))  # 512 zeros; a list of them is a large piece of a heap that is in use
-for _byte in range(256):
-    TABLE[256 + _byte] = _entry(_byte)
-for _byte in range(256):
-    TABLE[_byte] = TABLE[256 + (TABLE[256 + _byte] & 0xFF)] ^ (TABLE[256 + _byte] >> 8)
+__all__ = ("decoder", "encoder", "taker")

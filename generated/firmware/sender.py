@@ -1,8 +1,8 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: e6a211abb9eacfb0
+# Inputs: 57cc9d673e5abc55
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
-from frames import TABLE, write_frame
+from frames import encoder
 
 LONGEST_PAYLOAD = 255
 
@@ -32,7 +32,7 @@ class Sender:
         header = 10 if version == 2 else 6
         extra = header + (15 if signing else 2)
         # The frame begins at the third byte, so that its payload is aligned; before it stands the longest payload.
-        self._frame = frame = bytearray(2 + extra + longest + 3)
+        self._frame = frame = bytearray(2 + extra + longest + 15)
         self._sequence_at = 6 if version == 2 else 4
         frame[0] = longest
         frame[2] = 0xFD if version == 2 else 0xFE
@@ -40,8 +40,9 @@ class Sender:
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
         whole = memoryview(frame)
-        views = [whole[2 : 2 + extra + length] for length in range(longest + 1)]
-        self.encode = _encoder(frame, views, signing)
+        self._views = [whole[2 : 2 + extra + length] for length in range(longest + 1)]
+        encode = encoder(frame, self._views)
+        self.encode = _signed(encode, signing) if signing else encode
 
     @property
     def version(self):
@@ -83,14 +84,10 @@ class Sender:
             return 0
 
 
-def _encoder(frame, views, signing):
-    # A function that has what it needs around it is faster than a method.
-    def encode(message):
-        return views[write_frame(0xFFFF, TABLE, frame, message._image, message._live)]
-
+def _signed(encode, signing):
     def encode_signed(message):
         view = encode(message)
         signing.sign(view)
         return view
 
-    return encode_signed if signing else encode
+    return encode_signed

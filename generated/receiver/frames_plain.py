@@ -1,124 +1,117 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-# Inputs: c08088e0cdbc30ee
+# Inputs: a80d4f978dd8103d
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
-A message's image is what frames need of it, in one buffer: id (3 bytes, little-endian), CRC_EXTRA, length with and
-without extensions, number of live values, and the sequence number, system and component that it came from; from byte 10
-the places of the live values, two bytes each (offset * 8 + 4 if signed + size // 2); then, at the next multiple of 4,
-the payload.
+A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length
+with and [5] without extensions; [6] sequence number, [7] system and [8] component that it came from; of the live values
+[9] how many are words of 4 bytes at a multiple of 4, [10] unsigned and [11] signed half-words at a multiple of 2, and
+[12] others; [13] start of the payload / 4. From byte 14 on stands where each live value belongs: for words and
+half-words place / size and index in `live`, for the others place, index, and size + 8 if signed. The byte before the
+payload is 1, so that who looks for the last byte that is not zero finds one; behind the payload are zeros up to a
+multiple of 16 bytes, which is read and copied at once.
 
 A link's frame stands two bytes into its buffer, so that the payload begins at a multiple of 4; the first byte of the
-buffer is the longest payload that it holds.
+buffer is the longest payload that it holds. Of 16 bytes that are copied the last 15 may lie behind the payload.
 
-A receiver's state is an array: [0] where to look on, [1] end of the received bytes, [2] how many of the data at hand
-are taken; of the frame that was found [3] start, [4] payload, [5] length of the payload, [6] message id, [7] checksum
+A receiver's state is an array: [0] where to look on, [1] end of the received bytes; [12] whether data are kept that
+did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the frame that was found [3] start, [4] payload, [5] length of the payload, [6] message id, [7] checksum
 without CRC_EXTRA, [9] whether it is signed; counters of [8] frames with incompatible flags other than that, [10] frames
 that were read, [11] signed ones among them.
 
 Each function has few locals: MicroPython puts those of larger ones on the heap at every call.
 """
 
+from checksum import TABLE
 
-def write_frame(crc, table, data, image, live):
-    """Put the live values into the payload and write its frame into the link's buffer `data`.
+_BYTES = (bytes, bytearray, memoryview)
 
-    Returns the length of the payload: MAVLink 2 leaves out zeros at the end of it, but never the first byte; MAVLink 1
-    sends no extensions. ValueError: the message does not go over this link, by its length or, in MAVLink 1, by its id.
+
+def encoder(frame, views):
+    """Return the function encode(message), which puts the live values into the message's payload and makes its frame.
+
+    `frame` is the link's buffer, and `views` has what encode() returns, by the length of the payload: MAVLink 2 leaves
+    out zeros at the end of it, but never the first byte; MAVLink 1 sends no extensions. ValueError: the message does
+    not go over this link, by its length or, in MAVLink 1, by its id.
     """
+
+    def encode(message):
+        return views[_write_frame(frame, message._image, message._live)]
+
+    return encode
+
+
+def taker(receiver):
+    """Return the function put(data), which takes as much of what arrived into a receiver's buffer as that holds.
+
+    The receiver keeps the rest. Its _put_more() is asked if there already is such a rest, or these are not bytes.
+    """
+
+    def put(data):
+        if receiver._state[12] or type(data) not in _BYTES:
+            receiver._put_more(data)
+        else:
+            _take_in(receiver, receiver._state, receiver._buffer, data)
+
+    return put
+
+
+def decoder(receiver):
+    """Return the function receive(), which returns the next message of what has arrived at a receiver, or None.
+
+    Zeros stand in for a truncated end, newer extensions than the message's own are left out. The receiver's
+    _admitted() is asked where there is no message for the frame, or signatures count, _look_within() is told of a
+    wrong checksum.
+    """
+
+    def receive():
+        while _find_frame(receiver, receiver._state, receiver._buffer):
+            message = receiver._messages.get(receiver._state[6])
+            if message is None or receiver._state[14]:
+                message = receiver._admitted(message)
+            if message is not None:
+                if _read_frame(receiver._buffer, receiver._state, message._image, message._live):
+                    return message
+                receiver._look_within()
+        return None
+
+    return receive
+
+
+def _write_frame(data, image, live):
     if data[2] != 0xFD and (image[1] or image[2]):
         raise ValueError("MAVLink 1 has no message ids above 255")
     if image[4 if data[2] == 0xFD else 5] > data[0]:
         raise ValueError("the link is too short for this message")
-    _put_live(image, live, 0)
-    _put_payload(data, image, _payload(image))
-    _put_checksum(crc, table, data, image[3])
+    _put_live(image, live)
+    _put_payload(data, image, 4 * image[13])
+    _put_checksum(data, image[3])
     return data[3]
 
 
-def fill(buffer, data, state, length, room):
-    """Move what is left to the buffer's start and add as much of data[:length] as `room` bytes hold.
-
-    Returns how many bytes were added.
-    """
-    length -= state[2]
-    room -= state[1] - state[0]
-    if length > room:
-        length = room
-    if length < 0:
-        length = 0
-    _move(buffer, state)
-    return _append(buffer, data, state, length)
-
-
-def find_frame(crc, table, data, state):
-    """Look for the next whole frame and describe it in `state`; return whether there is one."""
-    while state[0] < state[1]:
-        if data[state[0]] != 0xFD and data[state[0]] != 0xFE:
-            state[0] += 1
-            continue
-        _describe(state, data, state[0], 10 if data[state[0]] == 0xFD else 6)
-        if state[9] > 1:
-            state[8] += 1
-            state[0] += 1
-            continue
-        if state[4] + state[5] + 2 + 13 * state[9] > state[1]:
-            return 0
-        state[0] = state[4] + state[5]
-        state[7] = _checksum(crc, table, data, state[3] + 1, state[0])
-        state[0] += 2 + 13 * state[9]
-        return 1
-    return 0
+def _put_live(image, live):
+    at = 14
+    end = at + 2 * image[9]
+    while at < end:
+        _put(image, at, 4, 4, live)
+        at += 2
+    end += 2 * (image[10] + image[11])
+    while at < end:
+        _put(image, at, 2, 2, live)
+        at += 2
+    end += 3 * image[12]
+    while at < end:
+        _put(image, at, 1, image[at + 2] & 7, live)
+        at += 3
 
 
-def read_frame(table, buffer, state, image, live):
-    """Take the found frame over into a message and its live values; return whether its checksum was right.
-
-    Zeros stand in for a truncated end, newer extensions than the message's own are left out.
-    """
-    if not _is_intact(table, buffer, state, image[3]):
-        return 0
-    _take_source(image, buffer, state[3])
-    _take_payload(image, _payload(image), buffer, state)
-    _take_live(image, live, 0)
-    state[10] += 1
-    state[11] += state[9]
-    return 1
-
-
-def _move(buffer, state):
-    _copy(buffer, 0, buffer, state[0], state[1] - state[0])
-    state[1] -= state[0]
-    state[0] = 0
-
-
-def _append(buffer, data, state, count):
-    _copy(buffer, state[1], data, state[2], count)
-    state[1] += count
-    state[2] += count
-    return count
-
-
-def _payload(image):
-    return (13 + 2 * image[6]) & -4
-
-
-def _place(image, index):
-    return image[10 + 2 * index] | (image[11 + 2 * index] << 8)
-
-
-def _put_live(image, live, index):
-    while index < image[6]:
-        _put(image, _payload(image) + (_place(image, index) >> 3), _place(image, index) & 3, live[index])
-        index += 1
-
-
-def _put(image, at, size, value):
-    image[at] = value & 0xFF
-    if size:
-        image[at + 1] = (value >> 8) & 0xFF
-        if size == 2:
-            image[at + 2] = (value >> 16) & 0xFF
-            image[at + 3] = (value >> 24) & 0xFF
+def _put(image, at, unit, size, live):
+    value = live[image[at + 1]]
+    at = 4 * image[13] + unit * image[at]
+    while size:
+        image[at] = value & 0xFF
+        value >>= 8
+        at += 1
+        size -= 1
 
 
 def _put_payload(data, image, payload):
@@ -134,12 +127,59 @@ def _put_payload(data, image, payload):
         _copy(data, 8, image, payload, data[3])
 
 
-def _put_checksum(crc, table, data, extra):
+def _put_checksum(data, extra):
     end = data[3] + (12 if data[2] == 0xFD else 8)
-    crc = _checksum(crc, table, data, 3, end)
-    crc = table[256 + ((crc ^ extra) & 0xFF)] ^ (crc >> 8)
+    crc = _checksum(TABLE, data, 3, end)
+    crc = TABLE[256 + ((crc ^ extra) & 0xFF)] ^ (crc >> 8)
     data[end] = crc & 0xFF
     data[end + 1] = crc >> 8
+
+
+def _find_frame(receiver, state, buffer):
+    """Look for the next whole frame, taking in what is kept when there is none, and describe it in the state."""
+    while True:
+        while state[0] < state[1]:
+            if buffer[state[0]] != 0xFD and buffer[state[0]] != 0xFE:
+                state[0] += 1
+                continue
+            _describe(state, buffer, state[0], 10 if buffer[state[0]] == 0xFD else 6)
+            if state[9] > 1:
+                state[8] += 1
+                state[0] += 1
+                continue
+            if state[4] + state[5] + 2 + 13 * state[9] > state[1]:
+                break
+            state[0] = state[4] + state[5]
+            state[7] = _checksum(TABLE, buffer, state[3] + 1, state[0])
+            state[0] += 2 + 13 * state[9]
+            return True
+        if not state[12]:
+            return False
+        receiver._refill()
+
+
+def _take_in(receiver, state, buffer, data):
+    """Take in data behind what is left, which goes to the front."""
+    _move(buffer, state)
+    if len(data) - state[2] > len(buffer) - state[1]:
+        receiver._arrived[0] = data
+        state[12] = 1
+        _append(buffer, data, state, len(buffer) - state[1])
+    else:
+        _append(buffer, data, state, len(data) - state[2])
+        state[2] = 0
+
+
+def _move(buffer, state):
+    _copy(buffer, 0, buffer, state[0], state[1] - state[0])
+    state[1] -= state[0]
+    state[0] = 0
+
+
+def _append(buffer, data, state, count):
+    _copy(buffer, state[1], data, state[2], count)
+    state[1] += count
+    state[2] += count
 
 
 def _describe(state, data, at, header):
@@ -157,15 +197,26 @@ def _describe(state, data, at, header):
         state[9] = data[at + 2]
 
 
-def _is_intact(table, buffer, state, extra):
-    crc = state[7]
-    crc = table[256 + ((crc ^ extra) & 0xFF)] ^ (crc >> 8)
-    end = state[4] + state[5]
-    return buffer[end] == crc & 0xFF and buffer[end + 1] == crc >> 8
+def _read_frame(buffer, state, image, live):
+    if not _is_intact(buffer, state, image[3]):
+        return False
+    _take_source(image, buffer, state[3])
+    _take_payload(image, 4 * image[13], buffer, state)
+    _take_live(image, live)
+    state[10] += 1
+    state[11] += state[9]
+    return True
 
 
 def _take_source(image, buffer, at):
-    _copy(image, 7, buffer, at + (4 if buffer[at] == 0xFD else 2), 3)
+    _copy(image, 6, buffer, at + (4 if buffer[at] == 0xFD else 2), 3)
+
+
+def _is_intact(buffer, state, extra):
+    crc = state[7]
+    crc = TABLE[256 + ((crc ^ extra) & 0xFF)] ^ (crc >> 8)
+    end = state[4] + state[5]
+    return buffer[end] == crc & 0xFF and buffer[end + 1] == crc >> 8
 
 
 def _take_payload(image, payload, buffer, state):
@@ -176,23 +227,40 @@ def _take_payload(image, payload, buffer, state):
     _copy(image, payload, buffer, state[4], length)
 
 
-def _take_live(image, live, index):
-    while index < image[6]:
-        live[index] = _value(image, _payload(image) + (_place(image, index) >> 3), _place(image, index))
-        index += 1
+def _take_live(image, live):
+    at = 14
+    end = at + 2 * image[9]
+    while at < end:
+        _take(image, at, 4, 12, live)
+        at += 2
+    end += 2 * image[10]
+    while at < end:
+        _take(image, at, 2, 2, live)
+        at += 2
+    end += 2 * image[11]
+    while at < end:
+        _take(image, at, 2, 10, live)
+        at += 2
+    end += 3 * image[12]
+    while at < end:
+        _take(image, at, 1, image[at + 2], live)
+        at += 3
 
 
-def _value(image, at, place):
-    value = image[at]
-    sign = 0x80
-    if place & 3:
-        value |= image[at + 1] << 8
-        sign = 0x8000
-        if place & 2:
-            # The highest byte brings the sign: so nothing grows beyond 32 bits.
-            sign = image[at + 3]
-            return value | (image[at + 2] << 16) | ((sign - 256 if sign & 0x80 else sign) << 24)
-    return (value ^ sign) - sign if place & 4 else value
+def _take(image, at, unit, form, live):
+    live[image[at + 1]] = _value(image, 4 * image[13] + unit * image[at], form)
+
+
+def _value(image, at, form):
+    end = at + (form & 7) - 1
+    # The highest byte brings the sign, that of 4 bytes always: so nothing grows beyond 32 bits.
+    value = image[end]
+    if form & 12 and value & 0x80:
+        value -= 256
+    while end > at:
+        end -= 1
+        value = value << 8 | image[end]
+    return value
 
 
 def _copy(target, at, source, start, count):
@@ -209,7 +277,8 @@ def _clear(target, at, end):
         at += 1
 
 
-def _checksum(crc, table, data, at, end):
+def _checksum(table, data, at, end):
+    crc = 0xFFFF
     while at < end:
         crc = table[256 + ((crc ^ data[at]) & 0xFF)] ^ (crc >> 8)
         at += 1

@@ -1,5 +1,5 @@
 # Generated from templates/codec/mavlink.py: do not edit.
-# Inputs: 1269c46253ef8072
+# Inputs: cf0e9aae9fc519ef
 """One end of a MAVLink connection: it sends messages over a stream and turns into messages what is received."""
 
 from receiver import Receiver
@@ -29,4 +29,3 @@ class Link(Sender, Receiver):
 
     # Found here, they are found sooner than in the classes above, which counts where microseconds do.
     send = Sender.send
-    receive = Receiver.receive

@@ -1,18 +1,22 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: e215123e9bc6c13b
+# Inputs: cee87cf300b45715
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
+from struct import pack_into, unpack_from
 
 _NOTHING_LIVE = array("i")
+_type = type  # found here, it is found sooner than among the built-in names
+_keep = getattr(object, "__setattr__", setattr)  # a small port has none, and then does not ask __setattr__ either
+_fields = None  # the module: names of fields take memory, it is read when the first one is used
 
 
 class Message:
     """One message.
 
-    `wire` is the payload, without truncation: all fields in wire order. Attributes with the names of fields read them;
-    they do not write, set() does. `live` holds the values of the live fields, see __init__(). `source_...` tells where
-    a received message comes from.
+    Attributes with the names of fields read and write them, as get() and set() do; there are no others to write. `wire`
+    is the payload, without truncation: all fields in wire order. `live` holds the values of the live fields, see
+    __init__(). `source_...` tells where a received message comes from.
     """
 
     NAME = ""
@@ -23,34 +27,35 @@ class Message:
     FIELDS = ""  # name:code in wire order; see fields
     DEFAULTS = {}  # what fields hold at first instead of 0: the version of the dialect
 
+    _layout = None  # what fields.layout() returns, once it is needed
+
     def __init__(self, live=(), unknown=True):
         """Make a message; what the dialect has a value for "unknown" for is unknown at first, everything else is 0.
 
         `live` names fields that change often, whole numbers of up to 32 bits. Their values, one for each element, stand
         in the array `live`: every frame that is encoded takes them from there, every frame that is received puts them
-        there. Write its elements, `live[0] = 5`; another array has no effect. They are not checked: what a field
-        cannot carry wraps, and a uint32 above 2 ** 31 - 1 is negative, as an int32 of the same bits. `unknown=False`
-        starts with zeros only. ValueError: a field cannot be live. KeyError: there is no such field.
+        there. Write its elements, `live[0] = 5`. They are not checked: what a field cannot carry wraps, and a uint32
+        above 2 ** 31 - 1 is negative, as an int32 of the same bits. `unknown=False` starts with zeros only.
+        ValueError: a field cannot be live. KeyError: there is no such field.
         """
-        places = _fields().places(self, live) if live else ()
-        start = (13 + 2 * len(places)) & -4
-        self._image = image = bytearray(start + ((self.LENGTH + 3) & -4))  # frames_plain says what it holds
-        self.wire = memoryview(image)[start : start + self.LENGTH]
-        self.live = self._live = array("i", [0] * len(places)) if live else _NOTHING_LIVE
+        length = self.LENGTH
+        places, start, count = _read_fields().places(self, live) if live else (b"", 16, 0)
+        image = bytearray(start + ((length + 15) & -16))  # frames_plain says what it holds
         image[0] = self.ID & 0xFF
         image[1] = (self.ID >> 8) & 0xFF
         image[2] = self.ID >> 16
         image[3] = self.CRC_EXTRA
-        image[4] = self.LENGTH
+        image[4] = length
         image[5] = self.BASE_LENGTH
-        image[6] = len(places)
-        for index, place in enumerate(places):
-            image[10 + 2 * index] = place & 0xFF
-            image[11 + 2 * index] = place >> 8
-        if unknown and "=" in self.FIELDS:
-            _fields().forget(self)
-        if unknown:
-            self.update(**self.DEFAULTS)
+        image[9 : 9 + len(places)] = places
+        image[13] = start >> 2
+        image[start - 1] = 1
+        _keep(self, "_image", image)
+        _keep(self, "wire", memoryview(image)[start : start + length])
+        _keep(self, "_live", array("i", [0] * count) if live else _NOTHING_LIVE)
+        _keep(self, "live", self._live)
+        if unknown and ("=" in self.FIELDS or self.DEFAULTS):
+            _read_fields().forget(self)
 
     def __getattr__(self, name):
         try:
@@ -58,27 +63,33 @@ class Message:
         except KeyError:
             raise AttributeError(name) from None
 
+    def __setattr__(self, name, value):
+        try:
+            self.set(name, value)
+        except KeyError:
+            raise AttributeError(name) from None
+
     def __repr__(self):
-        return _fields().text(self)
+        return _read_fields().text(self)
 
     @property
     def source_sequence(self):
         """Sequence number of the frame that this message came with."""
-        return self._image[7]
+        return self._image[6]
 
     @property
     def source_system(self):
         """System id of the sender."""
-        return self._image[8]
+        return self._image[7]
 
     @property
     def source_component(self):
         """Component id of the sender."""
-        return self._image[9]
+        return self._image[8]
 
     def names(self):
         """Return the names of the fields in wire order."""
-        return _fields().names(self)
+        return _read_fields().names(self)
 
     def get(self, name):
         """Return a field, or None if it is unknown: what stands on the wire is what the dialect has for that.
@@ -86,11 +97,18 @@ class Message:
         A number, a tuple for an array, None for each unknown element in it. Characters come as text up to the first
         NUL, as bytes if they are not ASCII, and never as None. KeyError: there is no such field.
         """
-        return _fields().get(self, name)
+        field = (self._layout or _lay_out(self))[name]
+        if field[2] or self._live:
+            return _fields.get(self, field)
+        value = unpack_from(field[0], self.wire, field[1])[0]
+        return None if field[3] and _fields.is_unknown(value, field[3][0]) else value
 
     def raw(self, name):
         """Return a field as get() does, but as it stands on the wire even if that means unknown."""
-        return _fields().raw(self, name)
+        field = (self._layout or _lay_out(self))[name]
+        if field[2] or self._live:
+            return _fields.raw(self, field)
+        return unpack_from(field[0], self.wire, field[1])[0]
 
     def set(self, name, value):
         """Write a field: a number, as many numbers as the array has, or ASCII text or bytes, filled up with NUL.
@@ -98,17 +116,33 @@ class Message:
         None makes a field, or an element, unknown. ValueError: the field cannot carry the value, and keeps what it
         had. KeyError: there is no such field.
         """
-        _fields().set(self, name, value)
+        field = (self._layout or _lay_out(self))[name]
+        low = field[4]
+        if _type(value) is _type(low) and not field[2] and low <= value <= field[5]:
+            pack_into(field[0], self.wire, field[1], value)
+        else:
+            _fields.set(self, name, field, value)
+        if self._live:
+            _fields.take_live(self, field)
 
     def update(self, **values):
         """Write several fields, one after the other, see set(); return the message itself."""
-        for name, value in values.items():
-            self.set(name, value)
+        write = self.set
+        for name in values:  # items() would make a tuple of each
+            write(name, values[name])
         return self
 
 
-def _fields():
-    # Names of fields take memory: they are read when the first one is used.
-    import fields  # noqa: PLC0415
+def _read_fields():
+    global _fields  # noqa: PLW0603  an import takes long, even where it finds the module in memory
+    if _fields is None:
+        import fields  # noqa: PLC0415
 
-    return fields
+        _fields = fields
+    return _fields
+
+
+def _lay_out(message):
+    layout = _read_fields().layout(type(message))
+    _keep(message, "_layout", layout)
+    return layout

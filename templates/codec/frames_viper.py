@@ -1,245 +1,363 @@
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
-Viper keeps a function's first three locals in registers: so the CRC, its table and the bytes to read are the first
-three arguments. It checks no bounds: the callers do. All that is read or written in steps of two or four bytes lies
-at a multiple of that, which the smaller Cortex-M insist on.
+Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
+So the functions of a link are closures, and what they find there of its buffers is their addresses: numbers, which stay
+right because MicroPython moves nothing, as long as somebody holds the buffer. Viper checks no bounds: the callers do.
+All that is read or written in steps of two or four bytes lies at a multiple of that, which the smaller Cortex-M insist
+on.
 """
 
 # Calls are dear and few; ptr8, ptr16 and ptr32 are viper's own names.
-# ruff: noqa: C901, F821, PLR0912, PLR0915, PLR1714, PLR1730
+# ruff: noqa: C901, F821, PLR0912, PLR0915
 
 import micropython
+from checksum import TABLE
 
-
-@micropython.viper
-def write_frame(crc: int, table: ptr16, data: ptr16, image: ptr8, live: ptr32) -> int:
-    """Make a frame of a message, as frames_plain.write_frame does."""
-    frame = ptr8(data)
-    is_v2 = int(frame[2]) == 0xFD
-    length = int(image[4])
-    if not is_v2:
-        length = int(image[5])
-        if image[1] | image[2]:
-            raise ValueError("MAVLink 1 has no message ids above 255")
-    if length > int(frame[0]):
-        raise ValueError("the link is too short for this message")
-
-    left = int(image[6])
-    places = ptr16(int(image) + 10)
-    payload = ptr8(int(image) + ((13 + 2 * left) & -4))
-    while left > 0:
-        place = places[0]
-        value = live[0]
-        target = ptr8(int(payload) + (place >> 3))
-        target[0] = value
-        if place & 3:
-            target[1] = value >> 8
-            if place & 2:
-                target[2] = value >> 16
-                target[3] = value >> 24
-        places = ptr16(int(places) + 2)
-        live = ptr32(int(live) + 4)
-        left -= 1
-
-    target = ptr8(int(frame) + 8)
-    if is_v2:
-        while length > 4 and payload[length - 1] | payload[length - 2] | payload[length - 3] | payload[length - 4] == 0:
-            length -= 4
-        while length > 1 and payload[length - 1] == 0:
-            length -= 1
-        frame[9] = image[0]
-        frame[10] = image[1]
-        frame[11] = image[2]
-        target = ptr8(int(frame) + 12)
-    else:
-        frame[7] = image[0]
-    frame[3] = length
-    source = ptr32(payload)
-    copy = ptr32(target)
-    left = length
-    while left > 0:
-        copy[0] = source[0]
-        source = ptr32(int(source) + 4)
-        copy = ptr32(int(copy) + 4)
-        left -= 4
-
-    # The byte of the length stands at an odd address, everything after it begins at an even one.
-    crc = table[256 + ((crc ^ length) & 0xFF)] ^ (crc >> 8)
-    left = int(target) + length - (int(frame) + 4)
-    data = ptr16(int(data) + 4)
-    while left >= 8:
-        crc ^= data[0]
-        crc = table[crc & 0xFF] ^ table[256 + (crc >> 8)]
-        crc ^= data[1]
-        crc = table[crc & 0xFF] ^ table[256 + (crc >> 8)]
-        crc ^= data[2]
-        crc = table[crc & 0xFF] ^ table[256 + (crc >> 8)]
-        crc ^= data[3]
-        crc = table[crc & 0xFF] ^ table[256 + (crc >> 8)]
-        data = ptr16(int(data) + 8)
-        left -= 8
-    frame = ptr8(data)
-    while left > 0:
-        crc = table[256 + ((crc ^ frame[0]) & 0xFF)] ^ (crc >> 8)
-        frame = ptr8(int(frame) + 1)
-        left -= 1
-    crc = table[256 + ((crc ^ image[3]) & 0xFF)] ^ (crc >> 8)
-    frame[0] = crc
-    frame[1] = crc >> 8
-    return length
-
+_NONE = None  # viper compares an object with objects only
+_BYTES = (bytes, bytearray, memoryview)
+_len, _type = len, type  # found here, they are found sooner than among the built-in names
 
 @micropython.viper
-def fill(buffer: ptr8, data: ptr8, state: ptr32, length: int, room: int) -> int:
-    """Move data into a receiver's buffer, as frames_plain.fill does."""
-    source = ptr8(int(buffer) + state[0])
-    left = state[1] - state[0]
-    state[0] = 0
-    state[1] = left
-    target = buffer
-    while left > 0:
-        target[0] = source[0]
-        target = ptr8(int(target) + 1)
-        source = ptr8(int(source) + 1)
-        left -= 1
-    count = length - state[2]
-    if count > room - state[1]:
-        count = room - state[1]
-    if count < 0:
-        count = 0
-    source = ptr8(int(data) + state[2])
-    left = count
-    while left > 0:
-        target[0] = source[0]
-        target = ptr8(int(target) + 1)
-        source = ptr8(int(source) + 1)
-        left -= 1
-    state[1] += count
-    state[2] += count
-    return count
+def _address(data: ptr8) -> int:
+    return int(data)
 
 
-@micropython.viper
-def find_frame(crc: int, table: ptr16, data: ptr8, state: ptr32) -> int:
-    """Look for the next frame, as frames_plain.find_frame does."""
-    base = int(data)
-    at = state[0]
-    size = state[1]
-    while at < size:
-        data = ptr8(base + at)
-        magic = int(data[0])
-        if magic != 0xFD and magic != 0xFE:
-            at += 1
-            continue
-        length = 10
-        if magic == 0xFE:
-            length = 6
-        if at + length > size:
-            break
-        signed = 0
-        if magic == 0xFD:
-            signed = int(data[2])
-            if signed > 1:
-                state[8] += 1
-                at += 1
-                continue
-        payload = at + length
-        length += int(data[1])
-        if at + length + 2 + 13 * signed > size:
-            break
-        state[0] = at + length + 2 + 13 * signed
-        state[3] = at
-        state[4] = payload
-        state[5] = int(data[1])
-        state[9] = signed
-        if magic == 0xFD:
-            state[6] = int(data[7]) | (int(data[8]) << 8) | (int(data[9]) << 16)
+def encoder(frame, views):
+    """Return the function encode(message) of a link, as frames_plain.encoder does; the views hold the frame."""
+    frame_at = _address(frame)
+    table_at = _address(TABLE)
+
+    @micropython.viper
+    def encode(message):
+        image = ptr8(message._image)
+        frame = ptr8(frame_at)
+        is_v2 = int(frame[2]) == 0xFD
+        length = int(image[4])
+        if not is_v2:
+            length = int(image[5])
+            if image[1] | image[2]:
+                raise ValueError("MAVLink 1 has no message ids above 255")
+        if length > int(frame[0]):
+            raise ValueError("the link is too short for this message")
+
+        payload = ptr8(int(image) + 4 * int(image[13]))
+        words = ptr32(payload)
+        if image[9] | image[10] | image[11] | image[12]:
+            live = ptr32(message._live)
+            place = ptr8(int(image) + 14)
+            left = int(image[9])
+            while left:
+                words[place[0]] = live[place[1]]
+                place = ptr8(int(place) + 2)
+                left -= 1
+            halves = ptr16(payload)
+            left = int(image[10]) + int(image[11])
+            while left:
+                halves[place[0]] = live[place[1]]
+                place = ptr8(int(place) + 2)
+                left -= 1
+            left = int(image[12])
+            while left:
+                value = live[place[1]]
+                target = ptr8(int(payload) + int(place[0]))
+                size = int(place[2]) & 7
+                target[0] = value
+                while size > 1:
+                    value >>= 8
+                    target = ptr8(int(target) + 1)
+                    target[0] = value
+                    size -= 1
+                place = ptr8(int(place) + 3)
+                left -= 1
+
+        if is_v2:
+            # Before the payload stands a 1, so that both loops end.
+            words = ptr32(int(payload) + ((length - 1) & -4))
+            while words[0] == 0:
+                words = ptr32(int(words) - 4)
+            last = ptr8(int(words) + 3)
+            while last[0] == 0:
+                last = ptr8(int(last) - 1)
+            length = int(last) - int(payload) + 1
+            if length == 0 and int(image[4]):
+                length = 1
+            frame[9] = image[0]
+            frame[10] = image[1]
+            frame[11] = image[2]
+            target = ptr8(int(frame) + 12)
+            words = ptr32(payload)
         else:
-            state[6] = int(data[5])
-        data = ptr8(int(data) + 1)
-        length -= 1
-        if int(data) & 1:
-            crc = table[256 + ((crc ^ data[0]) & 0xFF)] ^ (crc >> 8)
-            data = ptr8(int(data) + 1)
-            length -= 1
-        while length >= 4:
-            crc ^= ptr16(data)[0]
-            crc = table[crc & 0xFF] ^ table[256 + (crc >> 8)]
-            crc ^= ptr16(data)[1]
-            crc = table[crc & 0xFF] ^ table[256 + (crc >> 8)]
-            data = ptr8(int(data) + 4)
-            length -= 4
-        while length > 0:
-            crc = table[256 + ((crc ^ data[0]) & 0xFF)] ^ (crc >> 8)
-            data = ptr8(int(data) + 1)
-            length -= 1
-        state[7] = crc
-        return 1
-    state[0] = at
-    return 0
+            frame[7] = image[0]
+            target = ptr8(int(frame) + 8)
+        frame[3] = length
+        end = int(target) + length
+        copy = ptr32(target)
+        while int(copy) < end:
+            copy[0] = words[0]
+            copy[1] = words[1]
+            copy[2] = words[2]
+            copy[3] = words[3]
+            words = ptr32(int(words) + 16)
+            copy = ptr32(int(copy) + 16)
+
+        # The byte of the length stands at an odd address, everything after it begins at an even one.
+        low = ptr16(table_at)
+        high = ptr16(int(low) + 512)
+        crc = high[0xFF ^ length] ^ 0xFF
+        data = ptr16(int(frame) + 4)
+        left = (end - int(data)) >> 3
+        while left:
+            crc ^= data[0]
+            crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[1]
+            crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[2]
+            crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[3]
+            crc = low[crc & 0xFF] ^ high[crc >> 8]
+            data = ptr16(int(data) + 8)
+            left -= 1
+        if (end - int(data)) & 4:
+            crc ^= data[0]
+            crc = low[crc & 0xFF] ^ high[crc >> 8] ^ data[1]
+            crc = low[crc & 0xFF] ^ high[crc >> 8]
+            data = ptr16(int(data) + 4)
+        last = ptr8(data)
+        while int(last) < end:
+            crc = high[(crc ^ last[0]) & 0xFF] ^ (crc >> 8)
+            last = ptr8(int(last) + 1)
+        crc = high[(crc ^ image[3]) & 0xFF] ^ (crc >> 8)
+        last[0] = crc
+        last[1] = crc >> 8
+        return views[length]
+
+    return encode
 
 
-@micropython.viper
-def read_frame(table: ptr16, buffer: ptr8, state: ptr32, image: ptr8, live: ptr32) -> int:
-    """Take the found frame over into a message, as frames_plain.read_frame does."""
-    left = state[5]
-    source = ptr8(int(buffer) + state[4])
-    crc = state[7]
-    crc = table[256 + ((crc ^ image[3]) & 0xFF)] ^ (crc >> 8)
-    if int(source[left]) != crc & 0xFF or int(source[left + 1]) != crc >> 8:
-        return 0
-    header = ptr8(int(buffer) + state[3])
-    if int(header[0]) == 0xFD:
-        header = ptr8(int(header) + 2)
-    image[7] = header[2]
-    image[8] = header[3]
-    image[9] = header[4]
+def taker(receiver):
+    """Return the function put(data) of a receiver, as frames_plain.taker does; it holds the receiver."""
+    state_at = _address(receiver._state)
+    buffer_at = _address(receiver._buffer)
 
-    count = int(image[6])
-    payload = ptr8(int(image) + ((13 + 2 * count) & -4))
-    target = payload
-    length = int(image[4])
-    if left > length:
-        left = length
-    length -= left
-    while left >= 4:
-        target[0] = source[0]
-        target[1] = source[1]
-        target[2] = source[2]
-        target[3] = source[3]
-        target = ptr8(int(target) + 4)
-        source = ptr8(int(source) + 4)
-        left -= 4
-    while left > 0:
-        target[0] = source[0]
-        target = ptr8(int(target) + 1)
-        source = ptr8(int(source) + 1)
-        left -= 1
-    while length > 0:
-        target[0] = 0
-        target = ptr8(int(target) + 1)
-        length -= 1
+    @micropython.viper
+    def put(data):
+        state = ptr32(state_at)
+        if state[12] or not _type(data) in _BYTES:
+            receiver._put_more(data)
+            return
+        # What is left goes to the front.
+        target = ptr8(buffer_at)
+        source = ptr8(int(target) + int(state[0]))
+        left = int(state[1]) - int(state[0])
+        state[0] = 0
+        state[1] = left
+        while left:
+            target[0] = source[0]
+            target = ptr8(int(target) + 1)
+            source = ptr8(int(source) + 1)
+            left -= 1
+        left = int(_len(data)) - int(state[2])
+        if left > int(state[13]) - int(state[1]):
+            left = int(state[13]) - int(state[1])
+            receiver._arrived[0] = data
+            state[12] = 1
+            source = ptr8(data)
+            source = ptr8(int(source) + int(state[2]))
+            state[2] += left
+        else:
+            source = ptr8(data)
+            source = ptr8(int(source) + int(state[2]))
+            state[2] = 0
+        state[1] += left
+        if (int(source) | int(target)) & 3 == 0:
+            words = ptr32(target)
+            while left > 7:
+                words[0] = ptr32(source)[0]
+                words[1] = ptr32(source)[1]
+                words = ptr32(int(words) + 8)
+                source = ptr8(int(source) + 8)
+                left -= 8
+            target = ptr8(words)
+        while left:
+            target[0] = source[0]
+            target = ptr8(int(target) + 1)
+            source = ptr8(int(source) + 1)
+            left -= 1
 
-    places = ptr16(int(image) + 10)
-    while count > 0:
-        place = places[0]
-        target = ptr8(int(payload) + (place >> 3))
-        value = int(target[0])
-        shift = 24
-        if place & 3:
-            value |= int(target[1]) << 8
-            shift = 16
-            if place & 2:
-                value |= (int(target[2]) << 16) | (int(target[3]) << 24)
-                shift = 0
-        if place & 4:
-            # The sign stands in the highest bit of the field.
-            bits = 1 << (31 - shift)
-            value = ((value & (bits + bits - 1)) ^ bits) - bits
-        live[0] = value
-        places = ptr16(int(places) + 2)
-        live = ptr32(int(live) + 4)
-        count -= 1
-    state[10] += 1
-    state[11] += state[9]
-    return 1
+    return put
+
+
+def decoder(receiver):
+    """Return the function receive() of a receiver, as frames_plain.decoder does; it holds the receiver.
+
+    A closure of more than five variables would take memory at each call.
+    """
+    state_at = _address(receiver._state)
+    buffer_at = _address(receiver._buffer)
+    table_at = _address(TABLE)
+    known = receiver._messages.get
+
+    @micropython.viper
+    def receive():
+        state = ptr32(state_at)
+        base = int(buffer_at)
+        low = ptr16(table_at)
+        high = ptr16(int(low) + 512)
+        while True:
+            at = int(state[0])
+            size = int(state[1])
+            start = ptr8(base)
+            header = 0
+            signed = 0
+            whole = 0
+            while at < size and whole == 0:
+                start = ptr8(base + at)
+                if int(start[0]) == 0xFD:
+                    header = 10
+                elif int(start[0]) == 0xFE:
+                    header = 6
+                else:
+                    at += 1
+                    continue
+                if at + header > size:
+                    break
+                signed = 0
+                if header == 10:
+                    signed = int(start[2])
+                    if signed > 1:
+                        state[8] += 1
+                        at += 1
+                        continue
+                whole = header + int(start[1]) + 2 + 13 * signed
+                if at + whole > size:
+                    whole = 0
+                    break
+            state[0] = at
+
+            if whole == 0:
+                if state[12] == 0:
+                    return None
+                receiver._refill()
+                continue
+
+            length = int(start[1])
+            state[0] = at + whole
+            state[3] = at
+            state[4] = at + header
+            state[5] = length
+            state[9] = signed
+            number = int(start[5])
+            if header == 10:
+                number = int(start[7]) | (int(start[8]) << 8) | (int(start[9]) << 16)
+            state[6] = number
+            crc = 0xFFFF
+            left = header + length - 1
+            source = ptr8(int(start) + 1)
+            if int(source) & 1:
+                crc = high[(crc ^ source[0]) & 0xFF] ^ (crc >> 8)
+                source = ptr8(int(source) + 1)
+                left -= 1
+            pairs = ptr16(source)
+            while left > 7:
+                crc ^= pairs[0]
+                crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[1]
+                crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[2]
+                crc = low[crc & 0xFF] ^ high[crc >> 8] ^ pairs[3]
+                crc = low[crc & 0xFF] ^ high[crc >> 8]
+                pairs = ptr16(int(pairs) + 8)
+                left -= 8
+            source = ptr8(pairs)
+            while left:
+                crc = high[(crc ^ source[0]) & 0xFF] ^ (crc >> 8)
+                source = ptr8(int(source) + 1)
+                left -= 1
+            state[7] = crc
+
+            message = known(number)
+            if state[14] or message is _NONE:
+                message = receiver._admitted(message)
+                if message is _NONE:
+                    continue
+            image = ptr8(message._image)
+            crc = high[(crc ^ image[3]) & 0xFF] ^ (crc >> 8)
+            if int(source[0]) != crc & 0xFF or int(source[1]) != crc >> 8:
+                receiver._look_within()
+                continue
+
+            # Zeros stand in for a truncated end, newer extensions are left out.
+            payload = ptr8(int(image) + 4 * int(image[13]))
+            left = int(image[4])
+            if length < left:
+                words = ptr32(int(payload) + (length & -4))
+                count = ((left + 3) >> 2) - (length >> 2)
+                while count:
+                    words[0] = 0
+                    words = ptr32(int(words) + 4)
+                    count -= 1
+                left = length
+            source = ptr8(int(start) + header)
+            target = payload
+            if int(source) & 1 == 0:
+                halves = ptr16(target)
+                pairs = ptr16(source)
+                while left > 7:
+                    halves[0] = pairs[0]
+                    halves[1] = pairs[1]
+                    halves[2] = pairs[2]
+                    halves[3] = pairs[3]
+                    halves = ptr16(int(halves) + 8)
+                    pairs = ptr16(int(pairs) + 8)
+                    left -= 8
+                target = ptr8(halves)
+                source = ptr8(pairs)
+            while left:
+                target[0] = source[0]
+                target = ptr8(int(target) + 1)
+                source = ptr8(int(source) + 1)
+                left -= 1
+            if header == 10:
+                start = ptr8(int(start) + 2)
+            image[6] = start[2]
+            image[7] = start[3]
+            image[8] = start[4]
+
+            if image[9] | image[10] | image[11] | image[12]:
+                live = ptr32(message._live)
+                place = ptr8(int(image) + 14)
+                words = ptr32(payload)
+                left = int(image[9])
+                while left:
+                    live[place[1]] = words[place[0]]
+                    place = ptr8(int(place) + 2)
+                    left -= 1
+                halves = ptr16(payload)
+                left = int(image[10])
+                while left:
+                    live[place[1]] = halves[place[0]]
+                    place = ptr8(int(place) + 2)
+                    left -= 1
+                left = int(image[11])
+                while left:
+                    live[place[1]] = (int(halves[place[0]]) ^ 0x8000) - 0x8000
+                    place = ptr8(int(place) + 2)
+                    left -= 1
+                left = int(image[12])
+                while left:
+                    source = ptr8(int(payload) + int(place[0]))
+                    size = int(place[2]) & 7
+                    value = 0
+                    bits = 0
+                    while size:
+                        value |= int(source[0]) << bits
+                        bits += 8
+                        source = ptr8(int(source) + 1)
+                        size -= 1
+                    if int(place[2]) & 8 and bits < 32:
+                        # The sign stands in the highest bit of the field.
+                        bits = 1 << (bits - 1)
+                        value = (value ^ bits) - bits
+                    live[place[1]] = value
+                    place = ptr8(int(place) + 3)
+                    left -= 1
+            state[10] += 1
+            state[11] += signed
+            return message
+
+    return receive

@@ -2,7 +2,8 @@
 
 from array import array
 
-from frames import TABLE, fill, find_frame, is_entry, read_frame
+from checksum import TABLE, is_entry
+from frames import decoder, taker
 
 LONGEST_FRAME = 280
 _BYTES = (bytes, bytearray, memoryview)
@@ -13,6 +14,9 @@ class Receiver:
 
     `messages` are classes, a new message of which is made for each that arrives, or messages, which are used again:
     such a message holds what arrived last. Frames stay in a buffer of `size` bytes until they are whole.
+
+    put(data) takes in what arrived, and receive() returns the next message, or None when there is no whole one any
+    more: until then it reads `data`. TypeError: these are not bytes.
 
     Counters: `received` messages, `signed` ones among them; `refused` frames that `signing` did not accept;
     `unknown` frames of other messages; `crc_errors` and `dropped`: places that looked like a frame, but with a wrong
@@ -29,8 +33,12 @@ class Receiver:
         self._classes = {message.ID: message for message in messages if isinstance(message, type)}
         self._messages = {message.ID: message for message in messages if not isinstance(message, type)}
         self._buffer = bytearray(size)
-        self._state = array("i", [0] * 12)  # frames_plain says what it holds
-        self._data = None
+        self._state = state = array("i", [0] * 15)  # frames_plain says what it holds
+        state[13] = size
+        state[14] = 0 if signing is None else 1
+        self._arrived = [None]  # data that did not find room, in a list: storing into a list is faster than here
+        self.receive = decoder(self)
+        self.put = taker(self)
 
     @property
     def received(self):
@@ -56,37 +64,40 @@ class Receiver:
         self.put(data)
         return self._each()
 
-    def put(self, data):
-        """Take in what arrived: receive() reads `data` until it returns None. TypeError: these are not bytes."""
-        if data is not None and not isinstance(data, _BYTES):
+    def _put_more(self, data):
+        """Take in what put() is not made for: more data behind those that are kept, None, and what is no bytes."""
+        if data is None:
+            return
+        if not isinstance(data, _BYTES):
             raise TypeError("what arrives is bytes, a bytearray or a memoryview")
-        if self._data is not None and data:
-            self._data = bytes(memoryview(self._data)[self._state[2] :]) + data
-            self._state[2] = 0
-        elif data:
-            self._data = data
-            self._state[2] = 0
-
-    def receive(self):
-        """Return the next message, or None when there is no whole one any more."""
         state = self._state
-        while True:
-            while not find_frame(0xFFFF, TABLE, self._buffer, state):
-                if not self._fill():
-                    return None
-            message = self._messages.get(state[6])
-            if message is None:
-                message = self._new_message()
-                if message is None:
-                    continue
-            if self._signing is not None and not self._is_admitted(message):
-                continue
-            if read_frame(TABLE, self._buffer, state, message._image, message._live):
-                return message
-            self._look_within()
+        kept = b""
+        if state[12]:
+            kept = bytes(memoryview(self._arrived[0])[state[2] :])
+            state[2] = state[12] = 0
+        self.put(kept + data)
+
+    def _refill(self):
+        """Take in more of the data that are kept; the caller may have made them shorter."""
+        state = self._state
+        data = self._arrived[0]
+        self._arrived[0] = None
+        state[12] = 0
+        if state[2] < len(data):
+            self.put(data)
+        else:
+            state[2] = 0
+
+    def _admitted(self, message):
+        """Return the message that the frame at hand goes into, a new one if need be; None passes over the frame."""
+        if message is None:
+            message = self._new_message()
+        if message is not None and self._state[14] and not self._is_admitted(message):
+            return None
+        return message
 
     def _new_message(self):
-        """Return a new message for the frame at hand; None passes over it, for the message is unknown."""
+        """Return a new message for the frame at hand, None for one that is unknown."""
         cls = self._classes.get(self._state[6])
         if cls is not None:
             return cls(unknown=False)
@@ -97,17 +108,6 @@ class Receiver:
         else:
             self._look_within()
         return None
-
-    def _fill(self):
-        data = self._data
-        state = self._state
-        if data is None or len(data) <= state[2]:  # the caller may have made it shorter
-            self._data = None
-            return False
-        fill(self._buffer, data, state, len(data), len(self._buffer))
-        if state[2] == len(data):
-            self._data = None
-        return True
 
     def _entry(self):
         """Return what CRC_EXTRA has picked from the table, if the checksum of the frame at hand is right.

@@ -354,7 +354,7 @@ def main(path):
         except Exception as error:  # a codec that raises is a difference like any other
             differ(operation, repr(error), "no error")
     run.close()
-    form = "plain" if frames.write_frame is frames_plain.write_frame else "viper"
+    form = "plain" if frames.encoder is frames_plain.encoder else "viper"
     result = {"form": form, "counts": counts, "differences": differences, "different": state["differences"]}
     sys.stdout.write(json.dumps(result) + "\n")
 

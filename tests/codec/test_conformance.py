@@ -113,13 +113,13 @@ FAULTS = {
     "a type": replace("messages.py", "vz:h", "vz:H"),
     "CRC_EXTRA": replace("messages.py", "CRC_EXTRA = 104", "CRC_EXTRA = 105"),
     "an id": replace("messages.py", "ID = 33\n", "ID = 34\n"),
-    "truncation to nothing": replace("frames_viper.py", "while length > 1 and", "while length > 0 and"),
-    "no truncation": replace(
-        "frames_viper.py", "payload[length - 1] == 0:\n            length -= 1", "False:\n            pass"
+    "truncation to nothing": replace("frames_viper.py", "if length == 0 and", "if False and"),
+    "no truncation": replace("frames_viper.py", "while last[0] == 0:", "while False:"),
+    "what stood there before": replace("frames_viper.py", "words[0] = 0\n", "pass\n"),
+    "the sign of live values": replace("frames_viper.py", "^ 0x8000) - 0x8000", "^ 0x8000) ^ 0x8000"),
+    "the highest byte of live values": replace(
+        "frames_viper.py", "words[place[0]] = live[place[1]]", "words[place[0]] = int(live[place[1]]) & 0xFFFFFF"
     ),
-    "what stood there before": replace("frames_viper.py", "        target[0] = 0\n", "        pass\n"),
-    "the sign of live values": replace("frames_viper.py", "        if place & 4:", "        if False:"),
-    "the highest byte of live values": replace("frames_viper.py", "target[3] = value >> 24", "target[3] = value >> 16"),
     "an unknown message": replace("receiver.py", "self.unknown += 1", "pass"),
     "a wrong checksum": replace("receiver.py", "self.crc_errors += 1", "pass"),
     "an enum": replace("enums.py", "MAV_TYPE_GCS = 6", "MAV_TYPE_GCS = 7"),

@@ -22,7 +22,18 @@ from codegen.targets.codec import render_codec
 ROOT = Path(__file__).parents[2]
 SPECS = ROOT / "specs"
 DIALECTS = SPECS / "dialects"
-CODEC = ("fields", "frames", "frames_plain", "frames_viper", "mavlink", "message", "messages", "receiver", "sender")
+CODEC = (
+    "checksum",
+    "fields",
+    "frames",
+    "frames_plain",
+    "frames_viper",
+    "mavlink",
+    "message",
+    "messages",
+    "receiver",
+    "sender",
+)
 
 
 def corrections_for(*overlays: str) -> tuple[Correction, ...]:

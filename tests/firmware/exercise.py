@@ -7,16 +7,13 @@ machine code, "viper".
 
 import json
 import sys
-from array import array
 
-import fields
 import frames
 import frames_plain
 import mavlink
 import receiver
 import sender
 import signing
-from frames import TABLE
 from message import Message
 
 try:
@@ -63,10 +60,9 @@ class Clock:
 def use(form):
     """Let senders and receivers that are made from now on take a form of the frames."""
     module = FORMS[form]
-    sender.write_frame = module.write_frame
-    receiver.fill = module.fill
-    receiver.find_frame = module.find_frame
-    receiver.read_frame = module.read_frame
+    sender.encoder = module.encoder
+    receiver.decoder = module.decoder
+    receiver.taker = module.taker
 
 
 def in_each_form(operation):
@@ -122,20 +118,30 @@ def source(message):
 
 def choice(_request):
     """Tell whether each function of `frames` is the plain one."""
-    names = ("fill", "find_frame", "read_frame", "write_frame")
+    names = ("decoder", "encoder", "taker")
     return [getattr(frames, name) is getattr(frames_plain, name) for name in names]
 
 
+class Watched(receiver.Receiver):
+    """A receiver that knows no message and keeps the checksum of each frame that it finds, without CRC_EXTRA."""
+
+    def __init__(self):
+        super().__init__()
+        self.found = []
+
+    def _admitted(self, _message):
+        self.found.append([self._state[3], self._state[7]])
+
+
+@in_each_form
 def checksums(request):
-    """CRC without CRC_EXTRA of the frame that begins at a place in the data, by each form."""
-    results = {}
-    for form, module in FORMS.items():
-        results[form] = []
-        for text, at, start in request["cases"]:
-            data = bytes.fromhex(text)
-            state = array("i", [at, len(data)] + [0] * 10)
-            found = module.find_frame(start, TABLE, data, state)
-            results[form].append(state[7] if found and state[3] == at else None)
+    """CRC without CRC_EXTRA of the frame that begins at a place in the data."""
+    results = []
+    for text, at in request["cases"]:
+        watched = Watched()
+        watched.put(bytes.fromhex(text))
+        watched.receive()
+        results.append(dict(watched.found).get(at))
     return results
 
 
@@ -183,13 +189,13 @@ def refusals(request):
     """Tell for each value how set() refuses it, or that it does not, and whether the payload stayed as it was."""
     results = []
     for field, value in request["cases"]:
-        payload = bytearray(b"\x55" * 64)
-        before = bytes(payload)
+        message = message_class({"NAME": "SAMPLE", "LENGTH": 64, "FIELDS": "before:8s field:" + field})(unknown=False)
+        message.wire[:] = b"\x55" * 64
         try:
-            fields.write(payload, field, from_json(value))
+            message.set("field", from_json(value))
             results.append([None, True])
         except ValueError:
-            results.append(["ValueError", bytes(payload) == before])
+            results.append(["ValueError", bytes(message.wire) == b"\x55" * 64])
     return results
 
 
@@ -295,64 +301,50 @@ def keep(request):
     return [loaded.key.hex(), loaded.link_id, int.from_bytes(bytes(frame[18:24]), "little"), errors - len(damaged)]
 
 
+@in_each_form
 def equal_frames(request):
-    """Write random frames by each form; what comes back, the link's buffer and the image."""
+    """Write random frames; what comes back, the link's buffer and the payload."""
     classes = classes_of(request)
-    results = {form: [] for form in FORMS}
-    for form, module in FORMS.items():
-        for index, names, buffer, wire, values in request["cases"]:
-            message = classes[index](live=names, unknown=False)
-            message.wire[:] = bytes.fromhex(wire)
-            for place, value in enumerate(values):
-                message.live[place] = value
-            data = bytearray(bytes.fromhex(buffer))
-            try:
-                answer = module.write_frame(0xFFFF, TABLE, data, message._image, message.live)
-                end = 14 + data[3] if data[2] == 0xFD else 10 + data[3]
-            except ValueError as error:
-                answer = str(error)
-                end = len(data)
-            results[form].append([answer, bytes(data[:end]).hex(), bytes(message._image).hex(), list(message.live)])
+    results = []
+    for index, names, buffer, wire, values in request["cases"]:
+        message = classes[index](live=names, unknown=False)
+        message.wire[:] = bytes.fromhex(wire)
+        for place, value in enumerate(values):
+            message.live[place] = value
+        data = bytearray(bytes.fromhex(buffer))
+        try:
+            answer = sender.encoder(data, range(256))(message)
+            end = 14 + data[3] if data[2] == 0xFD else 10 + data[3]
+        except ValueError as error:
+            answer = str(error)
+            end = len(data)
+        results.append([answer, bytes(data[:end]).hex(), bytes(message._image).hex(), list(message.live)])
     return results
 
 
+@in_each_form
 def equal_streams(request):
-    """Take pieces in by each form, step for step as a receiver does, and tell all that each step leaves behind."""
+    """Take pieces in, and tell all that each message leaves behind."""
     classes = classes_of(request)
-    results = {form: [] for form in FORMS}
-    for form, module in FORMS.items():
-        for size, offset, pieces in request["cases"]:
-            known = {}
-            for index, cls in enumerate(classes):
-                known[cls.ID] = cls(live=request["live"][index])
-            state = array("i", [0] * 12)
-            buffer = bytearray(size)
-            steps = []
-            for piece in pieces:
-                data = memoryview(bytes(offset) + bytes.fromhex(piece))[offset:]
-                state[2] = 0
-                trace(module, buffer, data, state, known, steps)
-            results[form].append([steps, bytes(buffer).hex()])
+    results = []
+    for size, offset, pieces in request["cases"]:
+        known = []
+        for index, cls in enumerate(classes):
+            known.append(cls(live=request["live"][index]))
+        taking = receiver.Receiver(known, size=size)
+        steps = []
+        for piece in pieces:
+            taking.put(memoryview(bytes(offset) + bytes.fromhex(piece))[offset:])
+            message = taking.receive()
+            while message is not None:
+                steps.append([message.NAME, bytes(message._image).hex(), list(message.live), list(taking._state)])
+                message = taking.receive()
+            # What describes a frame means nothing when there is none.
+            state = taking._state
+            steps.append([state[0], state[1], state[2], state[8], state[10], state[11], state[12]])
+            steps.append([getattr(taking, name) for name in COUNTERS])
+        results.append([steps, bytes(taking._buffer).hex()])
     return results
-
-
-def trace(module, buffer, data, state, known, steps):
-    """Look for frames and fill until the data are used up; all of that goes into `steps`."""
-    while True:
-        while module.find_frame(0xFFFF, TABLE, buffer, state):
-            steps.append(list(state))
-            message = known.get(state[6])
-            if message is None:
-                continue
-            is_intact = module.read_frame(TABLE, buffer, state, message._image, message.live)
-            steps.append([is_intact, bytes(message._image).hex(), list(message.live), list(state)])
-            if not is_intact:
-                state[0] = state[3] + 1
-        # What describes a frame means nothing when there is none.
-        steps.append([state[0], state[1], state[2], state[8], state[10], state[11]])
-        if state[2] == len(data):
-            return
-        steps.append([module.fill(buffer, data, state, len(data), len(buffer)), state[0], state[1], state[2]])
 
 
 def allocation(request):
@@ -493,7 +485,11 @@ def misuse(request):
     before = bytes(link.encode(message))
     is_same = True
     for wrong in (5, None, b"", bytearray(1)):
-        message.live = wrong
+        try:
+            message.live = wrong
+            is_same = False
+        except AttributeError:
+            pass
         is_same = is_same and bytes(link.encode(message)) == before
     data = bytearray(bytes.fromhex(request["frame"]) + bytes(2000))
     link.put(data)

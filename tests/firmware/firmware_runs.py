@@ -17,6 +17,7 @@ FOLDERS = (CODEC, FIRMWARE, PROGRAM, MOCKS)
 TOOLS = Path(sys.executable).parent
 EXERCISE = Path(__file__).with_name("exercise.py")
 MODULES = (
+    "checksum",
     "conversion",
     "fields",
     "frames",

@@ -15,36 +15,36 @@ def test_values_that_a_field_cannot_carry_are_refused(exercise: Exercise) -> Non
     refused: list[tuple[object, object]] = []
     taken: list[tuple[object, object]] = []
     for code, (low, high) in INTEGERS.items():
-        taken += [((code, 8, 0, ()), low), ((code, 8, 0, ()), high), ((code, 8, 0, ()), True)]
-        refused += [((code, 8, 0, ()), low - 1), ((code, 8, 0, ()), high + 1), ((code, 8, 2, ()), [0, high + 1])]
-        refused += [((code, 8, 0, ()), {"float": text}) for text in ("nan", "inf", "1.0", "0.5")]
+        taken += [(code, low), (code, high), (code, True)]
+        refused += [(code, low - 1), (code, high + 1), (f"2{code}", [0, high + 1])]
+        refused += [(code, {"float": text}) for text in ("nan", "inf", "1.0", "0.5")]
         refused += [
-            ((code, 8, 0, ()), "1"),
-            ((code, 8, 0, ()), None),
-            ((code, 8, 2, ()), [1]),
-            ((code, 8, 2, ()), [1, 2, 3]),
+            (code, "1"),
+            (code, None),
+            (f"2{code}", [1]),
+            (f"2{code}", [1, 2, 3]),
         ]
-    taken += [((code, 8, 0, ()), {"float": text}) for code in "fd" for text in ("nan", "inf", "-inf", "3.4e38")]
-    taken += [(("d", 8, 0, ()), {"float": "1e39"}), (("f", 8, 0, ()), 7), (("f", 8, 0, ()), False)]
+    taken += [(code, {"float": text}) for code in "fd" for text in ("nan", "inf", "-inf", "3.4e38")]
+    taken += [("d", {"float": "1e39"}), ("f", 7), ("f", False)]
     refused += [
-        (("f", 8, 0, ()), {"float": "1e39"}),
-        (("f", 8, 2, ()), [0, {"float": "-1e39"}]),
-        (("f", 8, 0, ()), 10**39),
+        ("f", {"float": "1e39"}),
+        ("2f", [0, {"float": "-1e39"}]),
+        ("f", 10**39),
     ]
-    refused += [(("f", 8, 0, ()), "1"), (("f", 8, 0, ()), None), (("f", 8, 3, ()), [1, 2]), (("d", 8, 0, ()), 10**400)]
+    refused += [("f", "1"), ("f", None), ("3f", [1, 2]), ("d", 10**400)]
     taken += [
-        (("s", 8, 4, ()), "four"),
-        (("s", 8, 4, ()), ""),
-        (("s", 8, 4, ()), {"hex": "ff00ff00"}),
-        (("s", 8, 0, ()), "x"),
+        ("4s", "four"),
+        ("4s", ""),
+        ("4s", {"hex": "ff00ff00"}),
+        ("s", "x"),
     ]
     refused += [
-        (("s", 8, 4, ()), "fives"),
-        (("s", 8, 4, ()), "é"),
-        (("s", 8, 4, ()), {"hex": "0102030405"}),
-        (("s", 8, 4, ()), 4),
+        ("4s", "fives"),
+        ("4s", "é"),
+        ("4s", {"hex": "0102030405"}),
+        ("4s", 4),
     ]
-    refused += [(("s", 8, 0, ()), "xy")]
+    refused += [("s", "xy")]
     for cases, expected in ((refused, ["ValueError", True]), (taken, [None, True])):
         results = exercise("refusals", cases=cases)
         assert [case for case, result in zip(cases, results, strict=True) if result != expected] == []

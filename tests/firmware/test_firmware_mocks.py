@@ -153,4 +153,4 @@ def test_cpython_makes_no_machine_code(firmware: SimpleNamespace) -> None:
     """The mock leaves native functions alone, and knows nothing of viper: so that frames takes the plain form."""
     assert firmware.micropython.native(len) is len
     assert not hasattr(firmware.micropython, "viper")
-    assert firmware.frames.write_frame is firmware.frames_plain.write_frame
+    assert firmware.frames.encoder is firmware.frames_plain.encoder

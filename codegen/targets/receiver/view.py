@@ -36,6 +36,7 @@ TAKEN = frozenset(
 """Attributes of every view, which a quantity cannot have for its name."""
 MODULES = frozenset(
     (
+        "checksum",
         "consumption",
         "enum_names",
         "fields",

@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: d0edd4bd141e9e01
+# Inputs: 7b567dc54159a1b6
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -8,20 +8,32 @@ whole array, `=V1,,V3` element by element.
 """
 
 import struct
+from struct import pack_into, unpack_from
 
 _INFINITY = float("inf")
+_len, _type = len, type  # found here, they are found sooner than among the built-in names
+_LAYOUTS = {}
+_FORGOTTEN = {}  # payloads of messages that know nothing
+_LIMITS = {code: (-(1 << bits - 1), (1 << bits - 1) - 1) for code, bits in (("b", 8), ("h", 16), ("i", 32), ("q", 64))}
+_LIMITS.update({code: (0, (1 << bits) - 1) for code, bits in (("B", 8), ("H", 16), ("I", 32), ("Q", 64))})
+# What is between is carried for sure; struct has to be asked about what is beyond.
+_LIMITS.update({"f": (-3.4028234e38, 3.4028234e38), "d": (-1.7976931e308, 1.7976931e308)})
+_LIMITS["s"] = (None, None)
+# What image says of live values, as size of a place and code; a uint32 is read as an int32.
+_KINDS = ((4, "<i"), (2, "<H"), (2, "<h"), (1, None))
+_OTHERS = {1: "<B", 2: "<H", 4: "<i", 9: "<b", 10: "<h", 12: "<i"}
 
 
-def layout(message):
-    """Return {name: (code, offset, count, sentinels)} of a message, made at the first use of its class.
+def layout(cls):
+    """Return {name: (form, offset, count, sentinels, lowest, highest)} of a class, made at its first use.
 
-    Count 0 is a scalar; sentinels has one value or None for each element and is empty without any; one None more than
-    elements means that the first speaks for the whole array.
+    `form` is for struct. Count 0 is a scalar. Sentinels has one value or None for each element and is empty without
+    any; one None more than elements means that the first speaks for the whole array. An int or float, as the limits
+    are, from lowest to highest is carried for sure; of text they are None.
     """
-    cls = type(message)
-    if cls.__dict__.get("_layout") is None:
-        cls._layout = _laid_out(cls.FIELDS)
-    return cls._layout
+    if cls not in _LAYOUTS:
+        _LAYOUTS[cls] = _laid_out(cls.FIELDS)
+    return _LAYOUTS[cls]
 
 
 def _laid_out(fields):
@@ -30,9 +42,10 @@ def _laid_out(fields):
     for word in fields.split():
         name, form = word.split(":", 1)
         form, _, unknown = form.partition("=")
-        count = int(form[:-1] or 0)
-        found[name] = (form[-1], offset, count, _sentinels(unknown, count, form[-1] in "fd"))
-        offset += (count or 1) * struct.calcsize("<" + form[-1])
+        code = form[-1]
+        count = int(form[:-1] or 0) or (1 if code == "s" else 0)
+        found[name] = ("<" + form, offset, count, _sentinels(unknown, count, code in "fd")) + _LIMITS[code]
+        offset += struct.calcsize("<" + form)
     return found
 
 
@@ -43,64 +56,75 @@ def names(message):
 
 def text(message):
     """Return the message as people read it: its name and its fields in wire order."""
-    return message.NAME + "(" + ", ".join(f"{name}={get(message, name)!r}" for name in names(message)) + ")"
+    return message.NAME + "(" + ", ".join(f"{name}={message.get(name)!r}" for name in names(message)) + ")"
 
 
-def get(message, name):
+def get(message, field):
     """Return a field, None for what is unknown; Message.get() describes it."""
-    field = layout(message)[name]
-    _put_live(message)
+    _put_live(message, field)
     return known(message.wire, field)
 
 
-def raw(message, name):
+def raw(message, field):
     """Return a field as it stands on the wire."""
-    field = layout(message)[name]
-    _put_live(message)
+    _put_live(message, field)
     return read(message.wire, field)
 
 
-def set(message, name, value):  # noqa: A001  what a message calls it too
+def set(message, name, field, value):  # noqa: A001  what a message calls it too
     """Write a field; Message.set() describes it."""
-    field = layout(message)[name]
-    _put_live(message)
+    if field[2] and _type(value) is list and _len(value) == field[2] and _are_whole(value, field[4], field[5]):
+        pack_into(field[0], message.wire, field[1], *value)
+        return
     try:
         write(message.wire, field, value)
     except ValueError as error:
-        raise ValueError(f"{message.NAME}.{name} {error}") from None
-    _take_live(message)
+        _refuse(message, name, error)
+
+
+def _refuse(message, name, error):
+    raise ValueError(f"{message.NAME}.{name} {error}") from None
 
 
 def forget(message):
-    """Make every field unknown that can be."""
-    for field in layout(message).values():
-        if field[3]:
-            write(message.wire, field, None)
-    _take_live(message)
+    """Make every field unknown that can be, and write the defaults; this is kept with the class."""
+    cls = type(message)
+    fields = layout(cls)
+    if cls not in _FORGOTTEN:
+        payload = bytearray(message.LENGTH)
+        for field in fields.values():
+            if field[3]:
+                write(payload, field, None)
+        for name, value in message.DEFAULTS.items():
+            write(payload, fields[name], value)
+        _FORGOTTEN[cls] = bytes(payload)
+    message.wire[:] = _FORGOTTEN[cls]
+    if message._live:
+        for field in fields.values():
+            take_live(message, field)
 
 
 def read(payload, field):
     """Return a number, a tuple for an array, text up to the first NUL for characters; bytes if they are not ASCII."""
-    code, offset, count, _ = field
-    size = count or 1
-    if code == "s":
-        text = bytes(payload[offset : offset + size]).split(b"\0")[0]
+    values = unpack_from(field[0], payload, field[1])
+    if field[4] is None:
+        text = values[0].split(b"\0")[0]
         return text.decode() if _is_ascii(text) else text
-    values = struct.unpack_from(f"<{size}{code}", payload, offset)
-    return values if count else values[0]
+    return values if field[2] else values[0]
 
 
 def known(payload, field):
     """Return what read() does, with None for what is unknown."""
     value = read(payload, field)
-    code, _, count, sentinels = field
-    if code == "s" or not sentinels:
+    count, sentinels = field[2:4]
+    if field[4] is None or not sentinels:
         return value
     if not count:
-        return None if _is(value, sentinels[0]) else value
+        return None if is_unknown(value, sentinels[0]) else value
     if len(sentinels) > count:
-        return None if _is(value[0], sentinels[0]) else value
-    return tuple([None if _is(element, sentinels[index]) else element for index, element in enumerate(value)])
+        return None if is_unknown(value[0], sentinels[0]) else value
+    pairs = zip(value, sentinels)
+    return tuple([None if a == b or (a != a and is_unknown(a, b)) else a for a, b in pairs])  # noqa: PLR0124  NaN
 
 
 def write(payload, field, value):
@@ -108,76 +132,126 @@ def write(payload, field, value):
 
     ValueError: the field cannot carry the value; the payload stays as it was.
     """
-    code, offset, count, sentinels = field
-    size = count or 1
     if value is None:
-        if not sentinels:
-            raise ValueError("has no value for unknown")
-        value = [sentinel or 0 for sentinel in sentinels[:size]]
-        value = bytes(value) if code == "s" else value if count else value[0]
-    if code == "s":
-        payload[offset : offset + size] = _characters(value, size)
-        return
-    values = _elements(value) if count else [value]
-    if len(values) != size:
-        raise ValueError(f"takes {size} values, not {len(values)}")
-    carries = _carries_float if code in "fd" else _carries_integer
-    for index in range(size):
-        if values[index] is None and len(sentinels) == size:
-            values[index] = sentinels[index]
-        if not carries(code, values[index]):
-            raise ValueError(f"cannot carry {values[index]!r}")
-    struct.pack_into(f"<{size}{code}", payload, offset, *values)
+        value = _unknown(field)
+    if field[4] is None:
+        payload[field[1] : field[1] + field[2]] = _characters(value, field[2])
+    elif field[2]:
+        pack_into(field[0], payload, field[1], *_elements(field, value))
+    else:
+        _demand(field, value)
+        pack_into(field[0], payload, field[1], value)
 
 
-def _elements(value):
+def _unknown(field):
+    """Return the value of a field that means unknown."""
+    _, _, count, sentinels, low, _ = field
+    if not sentinels:
+        raise ValueError("has no value for unknown")
+    values = [sentinel or 0 for sentinel in sentinels[: count or 1]]
+    return bytes(values) if low is None else values if count else values[0]
+
+
+def _elements(field, value):
+    """Return the numbers that go into an array."""
     try:
-        return list(value)
+        values = list(value)
     except TypeError:
         raise ValueError(f"is an array and cannot be {value!r}") from None
+    _, _, count, sentinels, _, _ = field
+    if len(values) != count:
+        raise ValueError(f"takes {count} values, not {len(values)}")
+    if len(sentinels) == count and None in values:
+        values = [sentinel if element is None else element for element, sentinel in zip(values, sentinels)]
+    for element in values:
+        _demand(field, element)
+    return values
+
+
+def _are_whole(values, low, high):
+    """Tell whether all are whole numbers that a type carries: to subtract its lowest leaves bits of its highest."""
+    try:
+        span = high - low
+        for value in values:
+            if (value - low) & span != value - low:
+                return False
+    except TypeError:  # something else than a whole number
+        return False
+    return True
+
+
+def _demand(field, value):
+    """Refuse a number that the field cannot carry."""
+    if _type(value) is _type(field[4]) and field[4] <= value <= field[5]:
+        return
+    code = field[0][-1]
+    if not (_carries_float if code in "fd" else _carries_integer)(code, value):
+        raise ValueError(f"cannot carry {value!r}")
 
 
 def places(message, names):
-    """Return the places of live fields, `name` or `name[index]`, one for each element.
+    """Return what a message's image has to hold about its live fields, `name` or `name[index]`; see frames_plain.
 
-    A place is offset * 8, + 4 if the element is signed, + half its bytes, rounded down.
+    From byte 9 on how many values there are of each kind, a byte for the start of the payload, and where each belongs;
+    then where the payload may start, and how many values there are.
     """
-    found = []
     fields = _laid_out(message.FIELDS)  # not kept: most messages with live fields never need it again
+    kinds = [[], [], [], []]
+    count = 0
     for part in names:
         name, _, element = part.partition("[")
-        code, offset, count, _ = fields[name]
+        form, offset, elements = fields[name][:3]
+        code = form[-1]
         if code not in "BHIbhi":
             raise ValueError(f"{message.NAME}.{name} is no whole number of up to 32 bits")
         size = struct.calcsize("<" + code)
-        if "[" in part and not (element[-1:] == "]" and element[:-1].isdigit() and int(element[:-1]) < count):
+        if "[" in part and not (element[-1:] == "]" and element[:-1].isdigit() and int(element[:-1]) < elements):
             index = element.rstrip("]")
             raise ValueError(f"{message.NAME}.{name} has no element {index}")
-        for index in [int(element[:-1])] if element else range(count or 1):
-            found.append((offset + index * size) << 3 | (4 if code.islower() else 0) | size >> 1)
-    return found
+        for index in [int(element[:-1])] if element else range(elements or 1):
+            at = offset + index * size
+            if size > 1 and at % size == 0:
+                kind = 0 if size == 4 else 2 if code == "h" else 1
+                kinds[kind] += [at // size, count]
+            else:
+                kinds[3] += [at, count, size | (8 if code.islower() else 0)]
+            count += 1
+    counts = [len(kind) // (3 if kind is kinds[3] else 2) for kind in kinds]
+    found = bytes(counts + [0] + kinds[0] + kinds[1] + kinds[2] + kinds[3])
+    return found, (9 + len(found) + 4) & -4, count
 
 
-def _put_live(message):
-    """Write the live values into the payload, as a frame that is encoded does."""
-    for index, value in enumerate(message._live):
-        code, offset = _live(message, index)
-        bits = 8 * struct.calcsize(code)
-        wrapped = ((value + (1 << (bits - 1))) & ((1 << bits) - 1)) - (1 << (bits - 1))
-        struct.pack_into(code.lower(), message.wire, offset, wrapped)
+def _put_live(message, field):
+    """Write the live values of a field into the payload, as a frame that is encoded does."""
+    if message._live:
+        _each_live(message, field, _put)
 
 
-def _take_live(message):
-    """Read the live values from the payload, as a frame that is received does."""
-    for index in range(len(message._live)):
-        code, offset = _live(message, index)
-        message._live[index] = struct.unpack_from(code.replace("I", "i"), message.wire, offset)[0]
+def take_live(message, field):
+    """Read the live values of a field from the payload, as a frame that is received does."""
+    _each_live(message, field, _take)
 
 
-def _live(message, index):
+def _each_live(message, field, do):
+    """Call do(message, code, offset, index) for each live value that stands in a field."""
     image = message._image
-    place = image[10 + 2 * index] | image[11 + 2 * index] << 8
-    return "<" + "BHI-bhi"[place & 7], place >> 3
+    end = field[1] + struct.calcsize(field[0])
+    at = 14
+    for kind in range(4):
+        size, code = _KINDS[kind]
+        for _ in range(image[9 + kind]):
+            if field[1] <= image[at] * size < end:
+                do(message, code or _OTHERS[image[at + 2]], image[at] * size, image[at + 1])
+            at += 2 if code else 3
+
+
+def _put(message, code, offset, index):
+    bits = 8 * struct.calcsize(code)
+    pack_into(code.upper(), message.wire, offset, message._live[index] & ((1 << bits) - 1))
+
+
+def _take(message, code, offset, index):
+    message._live[index] = unpack_from(code, message.wire, offset)[0]
 
 
 def _sentinels(text, count, is_float):
@@ -192,7 +266,8 @@ def _sentinels(text, count, is_float):
     return (number(text),) * (count or 1)
 
 
-def _is(value, sentinel):
+def is_unknown(value, sentinel):
+    """Tell whether a number is what the dialect has for unknown, None for nothing."""
     return value == sentinel or (sentinel is not None and value != value and sentinel != sentinel)  # noqa: PLR0124  NaN
 
 
@@ -218,10 +293,8 @@ def _carries_integer(code, value):
     # MicroPython's struct wraps what is too large, and its bool is no kind of int.
     if not isinstance(value, (int, bool)):
         return False
-    bits = 8 * struct.calcsize("<" + code)
-    if code.islower():
-        return -(1 << (bits - 1)) <= value < 1 << (bits - 1)
-    return 0 <= value < 1 << bits
+    low, high = _LIMITS[code]
+    return low <= value <= high
 
 
 def _carries_float(code, value):
