@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: cee87cf300b45715
+# Inputs: 1b6b775a0e90ec62
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -127,9 +127,21 @@ class Message:
 
     def update(self, **values):
         """Write several fields, one after the other, see set(); return the message itself."""
-        write = self.set
-        for name in values:  # items() would make a tuple of each
-            write(name, values[name])
+        layout = self._layout or _lay_out(self)
+        wire = self.wire
+        live = self._live
+        kind_of = _type
+        for name in values:  # noqa: PLC0206  items() would make a tuple of each
+            # What set() does, without a call for each field and what it would look up again.
+            value = values[name]
+            field = layout[name]
+            low = field[4]
+            if kind_of(value) is kind_of(low) and not field[2] and low <= value <= field[5]:
+                pack_into(field[0], wire, field[1], value)
+            else:
+                _fields.set(self, name, field, value)
+            if live:
+                _fields.take_live(self, field)
         return self
 
 

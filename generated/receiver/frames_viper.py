@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: f42734a0205d35fb
+# Inputs: f8d4cf0ba131f959
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -18,6 +18,7 @@ from checksum import TABLE
 _NONE = None  # viper compares an object with objects only
 _BYTES = (bytes, bytearray, memoryview)
 _len, _type = len, type  # found here, they are found sooner than among the built-in names
+
 
 @micropython.viper
 def _address(data: ptr8) -> int:
@@ -141,7 +142,7 @@ def taker(receiver):
     @micropython.viper
     def put(data):
         state = ptr32(state_at)
-        if state[12] or not _type(data) in _BYTES:
+        if state[12] or _type(data) not in _BYTES:
             receiver._put_more(data)
             return
         # What is left goes to the front.

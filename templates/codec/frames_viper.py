@@ -17,6 +17,7 @@ _NONE = None  # viper compares an object with objects only
 _BYTES = (bytes, bytearray, memoryview)
 _len, _type = len, type  # found here, they are found sooner than among the built-in names
 
+
 @micropython.viper
 def _address(data: ptr8) -> int:
     return int(data)
@@ -139,7 +140,7 @@ def taker(receiver):
     @micropython.viper
     def put(data):
         state = ptr32(state_at)
-        if state[12] or not _type(data) in _BYTES:
+        if state[12] or _type(data) not in _BYTES:
             receiver._put_more(data)
             return
         # What is left goes to the front.

@@ -192,8 +192,14 @@ def refusals(request):
         message = message_class({"NAME": "SAMPLE", "LENGTH": 64, "FIELDS": "before:8s field:" + field})(unknown=False)
         message.wire[:] = b"\x55" * 64
         try:
-            message.set("field", from_json(value))
-            results.append([None, True])
+            value = from_json(value)
+            message.set("field", value)
+            by_name = bytes(message.wire)
+            message.wire[:] = b"\x55" * 64
+            message.field = value
+            by_attribute = bytes(message.wire)
+            message.wire[:] = b"\x55" * 64
+            results.append([None, by_name == by_attribute == bytes(message.update(field=value).wire)])
         except ValueError:
             results.append(["ValueError", bytes(message.wire) == b"\x55" * 64])
     return results

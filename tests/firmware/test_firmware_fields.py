@@ -72,6 +72,22 @@ def test_fields_read_as_attributes(message: SimpleNamespace) -> None:
     assert math.isnan(message.level)
 
 
+def test_attributes_write_fields(message: SimpleNamespace) -> None:
+    """What is assigned goes out as set() has it, or is refused; a name that is no field is never kept without a word."""
+    message.id = 3
+    message.cells = [1, None, 65534]
+    message.text = "low"
+    assert message.wire[:13] == bytes.fromhex("03 0100 ffff feff 6c6f77000000")
+    with pytest.raises(ValueError, match=r"SAMPLE\.id cannot carry 256"):
+        message.id = 256
+    with pytest.raises(ValueError, match=r"SAMPLE\.id cannot carry 2\.5"):
+        message.id = 2.5
+    for name in ("voltage", "live", "source_system", "_image"):
+        with pytest.raises(AttributeError, match=name):
+            setattr(message, name, 1)
+    assert message.id == 3
+
+
 def test_text_ends_at_the_first_nul(message: SimpleNamespace) -> None:
     """What follows a NUL is not text, a full field has none, a shorter text leaves nothing of a longer one."""
     message.set("text", "sixsix")

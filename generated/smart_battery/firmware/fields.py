@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 7b567dc54159a1b6
+# Inputs: 1c2ae7cce8271a70
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -11,7 +11,7 @@ import struct
 from struct import pack_into, unpack_from
 
 _INFINITY = float("inf")
-_len, _type = len, type  # found here, they are found sooner than among the built-in names
+_len, _list, _type = len, list, type  # found here, they are found sooner than among the built-in names
 _LAYOUTS = {}
 _FORGOTTEN = {}  # payloads of messages that know nothing
 _LIMITS = {code: (-(1 << bits - 1), (1 << bits - 1) - 1) for code, bits in (("b", 8), ("h", 16), ("i", 32), ("q", 64))}
@@ -73,17 +73,17 @@ def raw(message, field):
 
 def set(message, name, field, value):  # noqa: A001  what a message calls it too
     """Write a field; Message.set() describes it."""
-    if field[2] and _type(value) is list and _len(value) == field[2] and _are_whole(value, field[4], field[5]):
+    if field[2] and _type(value) is _list and _len(value) == field[2] and _are_whole(value, field[4], field[5]):
         pack_into(field[0], message.wire, field[1], *value)
-        return
+    else:
+        _write(message, name, field, value)
+
+
+def _write(message, name, field, value):
     try:
         write(message.wire, field, value)
     except ValueError as error:
-        _refuse(message, name, error)
-
-
-def _refuse(message, name, error):
-    raise ValueError(f"{message.NAME}.{name} {error}") from None
+        raise ValueError(f"{message.NAME}.{name} {error}") from None
 
 
 def forget(message):
@@ -123,7 +123,7 @@ def known(payload, field):
         return None if is_unknown(value, sentinels[0]) else value
     if len(sentinels) > count:
         return None if is_unknown(value[0], sentinels[0]) else value
-    pairs = zip(value, sentinels)
+    pairs = zip(value, sentinels)  # noqa: B905  MicroPython has no strict
     return tuple([None if a == b or (a != a and is_unknown(a, b)) else a for a, b in pairs])  # noqa: PLR0124  NaN
 
 
@@ -162,16 +162,17 @@ def _elements(field, value):
     if len(values) != count:
         raise ValueError(f"takes {count} values, not {len(values)}")
     if len(sentinels) == count and None in values:
-        values = [sentinel if element is None else element for element, sentinel in zip(values, sentinels)]
+        pairs = zip(values, sentinels)  # noqa: B905  as above
+        values = [sentinel if element is None else element for element, sentinel in pairs]
     for element in values:
         _demand(field, element)
     return values
 
 
-def _are_whole(values, low, high):
-    """Tell whether all are whole numbers that a type carries: to subtract its lowest leaves bits of its highest."""
+def _are_whole(values, low, span):
+    """Tell whether all are whole numbers that a type carries: from `low` to `span`, which becomes a 1 in all its bits."""
     try:
-        span = high - low
+        span -= low
         for value in values:
             if (value - low) & span != value - low:
                 return False

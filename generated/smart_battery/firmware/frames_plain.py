@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-# Inputs: a80d4f978dd8103d
+# Inputs: 855749bd28ed7a12
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length
@@ -14,9 +14,10 @@ A link's frame stands two bytes into its buffer, so that the payload begins at a
 buffer is the longest payload that it holds. Of 16 bytes that are copied the last 15 may lie behind the payload.
 
 A receiver's state is an array: [0] where to look on, [1] end of the received bytes; [12] whether data are kept that
-did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the frame that was found [3] start, [4] payload, [5] length of the payload, [6] message id, [7] checksum
-without CRC_EXTRA, [9] whether it is signed; counters of [8] frames with incompatible flags other than that, [10] frames
-that were read, [11] signed ones among them.
+did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the
+frame that was found [3] start, [4] payload, [5] length of the payload, [6] message id, [7] checksum without CRC_EXTRA,
+[9] whether it is signed; counters of [8] frames with incompatible flags other than that, [10] frames that were read,
+[11] signed ones among them.
 
 Each function has few locals: MicroPython puts those of larger ones on the heap at every call.
 """
