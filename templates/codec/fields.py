@@ -8,6 +8,8 @@ whole array, `=V1,,V3` element by element.
 import struct
 from struct import pack_into, unpack_from
 
+from message import keep
+
 _INFINITY = float("inf")
 _len, _list, _type = len, list, type  # found here, they are found sooner than among the built-in names
 _LAYOUTS = {}
@@ -32,6 +34,13 @@ def layout(cls):
     if cls not in _LAYOUTS:
         _LAYOUTS[cls] = _laid_out(cls.FIELDS)
     return _LAYOUTS[cls]
+
+
+def lay_out(message):
+    """Return the layout of a message's class, which the message keeps from now on."""
+    found = layout(type(message))
+    keep(message, "_layout", found)
+    return found
 
 
 def _laid_out(fields):
@@ -59,13 +68,15 @@ def text(message):
 
 def get(message, field):
     """Return a field, None for what is unknown; Message.get() describes it."""
-    _put_live(message, field)
+    if message._live:
+        _each_live(message, field, _put)
     return known(message.wire, field)
 
 
 def raw(message, field):
     """Return a field as it stands on the wire."""
-    _put_live(message, field)
+    if message._live:
+        _each_live(message, field, _put)
     return read(message.wire, field)
 
 
@@ -75,6 +86,23 @@ def set(message, name, field, value):  # noqa: A001  what a message calls it too
         pack_into(field[0], message.wire, field[1], *value)
     else:
         _write(message, name, field, value)
+
+
+def update(message, layout, values):
+    """Write several fields: what Message.set() does, without a call for each and what it would look up again."""
+    wire = message.wire
+    live = message._live
+    kind_of = type
+    for name in values:  # items() would make a tuple of each
+        value = values[name]
+        field = layout[name]
+        low = field[4]
+        if kind_of(value) is kind_of(low) and not field[2] and low <= value <= field[5]:
+            pack_into(field[0], wire, field[1], value)
+        else:
+            set(message, name, field, value)
+        if live:
+            take_live(message, field)
 
 
 def _write(message, name, field, value):
@@ -105,18 +133,21 @@ def forget(message):
 def read(payload, field):
     """Return a number, a tuple for an array, text up to the first NUL for characters; bytes if they are not ASCII."""
     values = unpack_from(field[0], payload, field[1])
+    if not field[2]:
+        return values[0]
     if field[4] is None:
         text = values[0].split(b"\0")[0]
         return text.decode() if _is_ascii(text) else text
-    return values if field[2] else values[0]
+    return values
 
 
 def known(payload, field):
     """Return what read() does, with None for what is unknown."""
     value = read(payload, field)
-    count, sentinels = field[2:4]
-    if field[4] is None or not sentinels:
+    sentinels = field[3]
+    if not sentinels or field[4] is None:
         return value
+    count = field[2]
     if not count:
         return None if is_unknown(value, sentinels[0]) else value
     if len(sentinels) > count:
@@ -168,7 +199,7 @@ def _elements(field, value):
 
 
 def _are_whole(values, low, span):
-    """Tell whether all are whole numbers that a type carries: from `low` to `span`, which becomes a 1 in all its bits."""
+    """Tell whether all are whole numbers that a type carries, from `low` to `span`; less `low`, that is all ones."""
     try:
         span -= low
         for value in values:
@@ -191,8 +222,7 @@ def _demand(field, value):
 def places(message, names):
     """Return what a message's image has to hold about its live fields, `name` or `name[index]`; see frames_plain.
 
-    From byte 9 on how many values there are of each kind, a byte for the start of the payload, and where each belongs;
-    then where the payload may start, and how many values there are.
+    All from byte 9 to the start of the payload, and how many values there are.
     """
     fields = _laid_out(message.FIELDS)  # not kept: most messages with live fields never need it again
     kinds = [[], [], [], []]
@@ -216,14 +246,11 @@ def places(message, names):
                 kinds[3] += [at, count, size | (8 if code.islower() else 0)]
             count += 1
     counts = [len(kind) // (3 if kind is kinds[3] else 2) for kind in kinds]
-    found = bytes(counts + [0] + kinds[0] + kinds[1] + kinds[2] + kinds[3])
-    return found, (9 + len(found) + 4) & -4, count
-
-
-def _put_live(message, field):
-    """Write the live values of a field into the payload, as a frame that is encoded does."""
-    if message._live:
-        _each_live(message, field, _put)
+    entries = kinds[0] + kinds[1] + kinds[2] + kinds[3]
+    start = (14 + len(entries) + 4) & -4
+    gap = [0] * (start - 15 - len(entries))
+    counts.append(start >> 2)
+    return bytes(counts + entries + gap) + b"\1", count
 
 
 def take_live(message, field):

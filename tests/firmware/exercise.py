@@ -192,14 +192,14 @@ def refusals(request):
         message = message_class({"NAME": "SAMPLE", "LENGTH": 64, "FIELDS": "before:8s field:" + field})(unknown=False)
         message.wire[:] = b"\x55" * 64
         try:
-            value = from_json(value)
-            message.set("field", value)
+            number = from_json(value)
+            message.set("field", number)
             by_name = bytes(message.wire)
             message.wire[:] = b"\x55" * 64
-            message.field = value
+            message.field = number
             by_attribute = bytes(message.wire)
             message.wire[:] = b"\x55" * 64
-            results.append([None, by_name == by_attribute == bytes(message.update(field=value).wire)])
+            results.append([None, by_name == by_attribute == bytes(message.update(field=number).wire)])
         except ValueError:
             results.append(["ValueError", bytes(message.wire) == b"\x55" * 64])
     return results

@@ -73,7 +73,7 @@ def test_fields_read_as_attributes(message: SimpleNamespace) -> None:
 
 
 def test_attributes_write_fields(message: SimpleNamespace) -> None:
-    """What is assigned goes out as set() has it, or is refused; a name that is no field is never kept without a word."""
+    """What is assigned goes out as set() has it, or is refused; a name that is no field is not kept silently."""
     message.id = 3
     message.cells = [1, None, 65534]
     message.text = "low"

@@ -1,13 +1,12 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 1b6b775a0e90ec62
+# Inputs: 9f2edd0c2a4e8ef5
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
-from struct import pack_into, unpack_from
+from struct import pack_into
 
-_NOTHING_LIVE = array("i")
 _type = type  # found here, it is found sooner than among the built-in names
-_keep = getattr(object, "__setattr__", setattr)  # a small port has none, and then does not ask __setattr__ either
+keep = getattr(object, "__setattr__", setattr)  # a small port has none, and then does not ask __setattr__ either
 _fields = None  # the module: names of fields take memory, it is read when the first one is used
 
 
@@ -39,21 +38,17 @@ class Message:
         ValueError: a field cannot be live. KeyError: there is no such field.
         """
         length = self.LENGTH
-        places, start, count = _read_fields().places(self, live) if live else (b"", 16, 0)
+        places, count = _read_fields().places(self, live) if live else (b"\0\0\0\0\4\0\1", 0)
+        start = 9 + len(places)
         image = bytearray(start + ((length + 15) & -16))  # frames_plain says what it holds
-        image[0] = self.ID & 0xFF
-        image[1] = (self.ID >> 8) & 0xFF
-        image[2] = self.ID >> 16
-        image[3] = self.CRC_EXTRA
-        image[4] = length
-        image[5] = self.BASE_LENGTH
-        image[9 : 9 + len(places)] = places
-        image[13] = start >> 2
-        image[start - 1] = 1
-        _keep(self, "_image", image)
-        _keep(self, "wire", memoryview(image)[start : start + length])
-        _keep(self, "_live", array("i", [0] * count) if live else _NOTHING_LIVE)
-        _keep(self, "live", self._live)
+        number = self.ID
+        pack_into("<HBBBB", image, 0, number & 0xFFFF, number >> 16, self.CRC_EXTRA, length, self.BASE_LENGTH)
+        image[9:start] = places
+        keep(self, "_image", image)
+        keep(self, "wire", memoryview(image)[start : start + length])
+        live = array("i", [0] * count)
+        keep(self, "_live", live)
+        keep(self, "live", live)
         if unknown and ("=" in self.FIELDS or self.DEFAULTS):
             _read_fields().forget(self)
 
@@ -97,18 +92,13 @@ class Message:
         A number, a tuple for an array, None for each unknown element in it. Characters come as text up to the first
         NUL, as bytes if they are not ASCII, and never as None. KeyError: there is no such field.
         """
-        field = (self._layout or _lay_out(self))[name]
-        if field[2] or self._live:
-            return _fields.get(self, field)
-        value = unpack_from(field[0], self.wire, field[1])[0]
-        return None if field[3] and _fields.is_unknown(value, field[3][0]) else value
+        layout = self._layout or _read_fields().lay_out(self)
+        return _fields.get(self, layout[name])
 
     def raw(self, name):
         """Return a field as get() does, but as it stands on the wire even if that means unknown."""
-        field = (self._layout or _lay_out(self))[name]
-        if field[2] or self._live:
-            return _fields.raw(self, field)
-        return unpack_from(field[0], self.wire, field[1])[0]
+        layout = self._layout or _read_fields().lay_out(self)
+        return _fields.raw(self, layout[name])
 
     def set(self, name, value):
         """Write a field: a number, as many numbers as the array has, or ASCII text or bytes, filled up with NUL.
@@ -116,7 +106,7 @@ class Message:
         None makes a field, or an element, unknown. ValueError: the field cannot carry the value, and keeps what it
         had. KeyError: there is no such field.
         """
-        field = (self._layout or _lay_out(self))[name]
+        field = (self._layout or _read_fields().lay_out(self))[name]
         low = field[4]
         if _type(value) is _type(low) and not field[2] and low <= value <= field[5]:
             pack_into(field[0], self.wire, field[1], value)
@@ -127,21 +117,8 @@ class Message:
 
     def update(self, **values):
         """Write several fields, one after the other, see set(); return the message itself."""
-        layout = self._layout or _lay_out(self)
-        wire = self.wire
-        live = self._live
-        kind_of = _type
-        for name in values:  # noqa: PLC0206  items() would make a tuple of each
-            # What set() does, without a call for each field and what it would look up again.
-            value = values[name]
-            field = layout[name]
-            low = field[4]
-            if kind_of(value) is kind_of(low) and not field[2] and low <= value <= field[5]:
-                pack_into(field[0], wire, field[1], value)
-            else:
-                _fields.set(self, name, field, value)
-            if live:
-                _fields.take_live(self, field)
+        layout = self._layout or _read_fields().lay_out(self)
+        _fields.update(self, layout, values)
         return self
 
 
@@ -152,9 +129,3 @@ def _read_fields():
 
         _fields = fields
     return _fields
-
-
-def _lay_out(message):
-    layout = _read_fields().layout(type(message))
-    _keep(message, "_layout", layout)
-    return layout
