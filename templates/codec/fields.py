@@ -66,15 +66,25 @@ def text(message):
     return message.NAME + "(" + ", ".join(f"{name}={message.get(name)!r}" for name in names(message)) + ")"
 
 
-def get(message, field):
+def get(message, name):
     """Return a field, None for what is unknown; Message.get() describes it."""
+    field = (message._layout or lay_out(message))[name]
     if message._live:
         _each_live(message, field, _put)
     return known(message.wire, field)
 
 
-def raw(message, field):
+def attribute(message, name):
+    """Return a field, as an attribute: AttributeError, there is no such field."""
+    try:
+        return message.get(name)
+    except KeyError:
+        raise AttributeError(name) from None
+
+
+def raw(message, name):
     """Return a field as it stands on the wire."""
+    field = (message._layout or lay_out(message))[name]
     if message._live:
         _each_live(message, field, _put)
     return read(message.wire, field)
@@ -88,8 +98,9 @@ def set(message, name, field, value):  # noqa: A001  what a message calls it too
         _write(message, name, field, value)
 
 
-def update(message, layout, values):
+def update(message, values):
     """Write several fields: what Message.set() does, without a call for each and what it would look up again."""
+    layout = message._layout or lay_out(message)
     wire = message.wire
     live = message._live
     kind_of = type

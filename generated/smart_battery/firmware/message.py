@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 9f2edd0c2a4e8ef5
+# Inputs: 523621f98a42f26a
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -41,22 +41,18 @@ class Message:
         places, count = _read_fields().places(self, live) if live else (b"\0\0\0\0\4\0\1", 0)
         start = 9 + len(places)
         image = bytearray(start + ((length + 15) & -16))  # frames_plain says what it holds
-        number = self.ID
-        pack_into("<HBBBB", image, 0, number & 0xFFFF, number >> 16, self.CRC_EXTRA, length, self.BASE_LENGTH)
+        pack_into("<IBB", image, 0, self.ID | self.CRC_EXTRA << 24, length, self.BASE_LENGTH)
         image[9:start] = places
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
         live = array("i", [0] * count)
         keep(self, "_live", live)
         keep(self, "live", live)
-        if unknown and ("=" in self.FIELDS or self.DEFAULTS):
+        if unknown:
             _read_fields().forget(self)
 
     def __getattr__(self, name):
-        try:
-            return self.get(name)
-        except KeyError:
-            raise AttributeError(name) from None
+        return _read_fields().attribute(self, name)
 
     def __setattr__(self, name, value):
         try:
@@ -92,13 +88,11 @@ class Message:
         A number, a tuple for an array, None for each unknown element in it. Characters come as text up to the first
         NUL, as bytes if they are not ASCII, and never as None. KeyError: there is no such field.
         """
-        layout = self._layout or _read_fields().lay_out(self)
-        return _fields.get(self, layout[name])
+        return _read_fields().get(self, name)
 
     def raw(self, name):
         """Return a field as get() does, but as it stands on the wire even if that means unknown."""
-        layout = self._layout or _read_fields().lay_out(self)
-        return _fields.raw(self, layout[name])
+        return _read_fields().raw(self, name)
 
     def set(self, name, value):
         """Write a field: a number, as many numbers as the array has, or ASCII text or bytes, filled up with NUL.
@@ -117,8 +111,7 @@ class Message:
 
     def update(self, **values):
         """Write several fields, one after the other, see set(); return the message itself."""
-        layout = self._layout or _read_fields().lay_out(self)
-        _fields.update(self, layout, values)
+        _read_fields().update(self, values)
         return self
 
 
