@@ -7,14 +7,15 @@ INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
 RELEASES := $(VENV)/.releases
 RESULTS := build/results
+VALGRIND ?= valgrind
 BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 
-.PHONY: build test browser lint clean benchmarks conformance
+.PHONY: build test browser valgrind lint clean benchmarks conformance
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-test: $(STATIONS) $(RELEASES) browser
+test: $(STATIONS) $(RELEASES) browser valgrind
 	@failed=""; rm -rf $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
@@ -26,6 +27,7 @@ test: $(STATIONS) $(RELEASES) browser
 	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
 	step "codegen build --check" $(BIN)/codegen build --check; \
 	step "codegen check" $(BIN)/codegen check; \
+	step "stored benchmarks" $(BIN)/python benchmarks/report.py --state; \
 	if [ -n "$$failed" ]; then echo "Not good yet: $${failed#, }"; exit 1; fi; \
 	echo "Everything is in order."
 
@@ -34,8 +36,8 @@ lint: $(INSTALLED)
 	$(BIN)/ruff format
 	$(BIN)/mypy
 
-# About two minutes; docs/benchmarks.md and docs/benchmarks.svg are what it found on this computer.
-benchmarks: $(INSTALLED)
+# About three minutes; benchmarks/results has what it found on this computer, and docs/benchmarks.md and .svg show that.
+benchmarks: $(INSTALLED) valgrind
 	$(BIN)/python benchmarks/report.py
 
 # About three minutes; docs/conformance.md says what was compared with pymavlink.
@@ -75,13 +77,22 @@ $(RELEASES): $(INSTALLED)
 		--implementation py --abi none --platform any --dest $(VENV)/releases 'pymavlink==2.4.37'
 	@touch $@
 
+# What Debian has is installed by root; $(1) is the package, $(2) what it is for.
+debian = if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+		echo "installing $(1) $(2)"; \
+		{ apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends $(1); } \
+			>/dev/null && exit 0; \
+	fi
+
 # The tests of the pages drive a real browser, any of these. Debian's is installed where that is possible; else the tests
 # that need one fail, and say so.
 browser:
 	@for name in $(BROWSERS); do command -v "$$name" >/dev/null && exit 0; done; \
-	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-		echo "installing Chromium for the tests of the pages"; \
-		{ apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends chromium; } \
-			>/dev/null && exit 0; \
-	fi; \
+	$(call debian,chromium,for the tests of the pages); \
 	echo "there is no Chromium for the tests of the pages: install one ($(BROWSERS))" >&2
+
+# Instructions are counted by valgrind: without it the tests that count them fail, and say so.
+valgrind:
+	@command -v $(VALGRIND) >/dev/null && exit 0; \
+	$(call debian,valgrind,to count instructions); \
+	echo "there is no valgrind to count instructions: install it ($(VALGRIND))" >&2

@@ -1,5 +1,5 @@
 # ruff: noqa: S603, T201  a benchmark starts the programs that it compares, and prints what it found
-"""What the benchmarks share: contestants that take turns, processes that are weighed, figures as a table and as JSON.
+"""What the benchmarks share: contestants that take turns, processes that are weighed, their command line.
 
 Times mean little on their own: another machine has others. Every figure here is a ratio of two runs on one machine, or
 a number of bytes. Contestants take turns for several rounds, so that a busy moment hits all of them, and of each the
@@ -16,69 +16,18 @@ import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
+import results
+from figure import Figure, table
+from results import HERE, ROOT
+
 TOOLS = Path(sys.executable).parent
 
 Result = dict[str, Any]
-
-
-@dataclass(frozen=True)
-class Figure:
-    """One result: `measure` against `against` is `value` `unit`; a target says how much it may be at `most` or `least`.
-
-    A value of None could not be measured here; `note` then says why.
-    """
-
-    key: str
-    measure: str
-    against: str
-    value: float | None
-    unit: str = "times"
-    most: float | None = None
-    least: float | None = None
-    note: str = ""
-
-    @property
-    def target(self) -> str:
-        """The target in words, or nothing."""
-        if self.most is not None:
-            return "0" if self.most == 0 else f"<= {number(self.most)}"
-        return "" if self.least is None else f">= {number(self.least)}"
-
-    @property
-    def is_met(self) -> bool | None:
-        """Whether the target is met, None without a target or without a value."""
-        if self.value is None or not self.target:
-            return None
-        return self.value <= self.most if self.most is not None else self.value >= (self.least or 0)
-
-    @property
-    def shown(self) -> str:
-        """The value with its unit."""
-        return f"not measured: {self.note}" if self.value is None else f"{number(self.value)} {self.unit}"
-
-    @property
-    def verdict(self) -> str:
-        """What became of the target."""
-        return {True: "met", False: "not met", None: ""}[self.is_met]
-
-
-def number(value: float) -> str:
-    """A number with as many digits as a benchmark can vouch for."""
-    if value == 0 or abs(value) >= 100:
-        return f"{value:.0f}"
-    return f"{value:.1f}" if abs(value) >= 10 else f"{value:.2f}" if abs(value) >= 0.1 else f"{value:.2g}"
-
-
-def ratio(of: float | None, to: float | None) -> float | None:
-    """One value over another; None where one of the contestants is missing."""
-    return None if of is None or to is None else of / to
 
 
 def best(contestants: Mapping[str, Callable[[], float]], rounds: int) -> dict[str, float]:
@@ -251,14 +200,4 @@ def run(compares: str, figures_of: Callable[[bool], list[Figure]]) -> None:
     print()
     print(table(figures))
     if arguments.json:
-        content = {"compares": compares, "figures": [asdict(figure) for figure in figures]}
-        arguments.json.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-
-
-def table(figures: Iterable[Figure]) -> str:
-    """Figures as columns of text."""
-    rows = [("measure", "against", "value", "target", "")]
-    rows += [(one.measure, one.against, one.shown, one.target, one.verdict) for one in figures]
-    widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
-    return "\n".join(lines)
+        results.write(arguments.json, results.Result(compares, tuple(figures), results.fingerprint()))

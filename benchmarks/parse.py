@@ -5,7 +5,8 @@ from functools import partial
 from pathlib import Path
 
 import measure
-from measure import Figure, Result, ratio
+from figure import Figure, ratio
+from measure import Result
 
 COMPARES = """Receiving 20 BATTERY_STATUS frames: the generated codec against C made of mavgen's headers (cc -O2, one
 call for each byte, decode), against a state machine in MicroPython's bytecode, and under CPython against pymavlink. All

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 import measure
-from measure import Figure
+from figure import Figure
 
 COMPARES = """codegen diff as a process of its own, from an older wheel to the installed pymavlink, each dialect with
 all that it includes, against a process that only parses the same XML files of both with pymavlink's parser: it

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import measure
-from measure import Figure
+from figure import Figure
 
 COMPARES = """Sizes of compiled codecs (codegen codec --mpy): bytes of the .mpy files, and bytes of heap once they are
 imported, after a collection. "messages" is that module with what it imports; the whole codec is "mavlink" with what it

@@ -34,6 +34,7 @@ STEPS = [
     "codegen trace --results build/results/*.xml",
     "codegen build --check",
     "codegen check",
+    "python benchmarks/report.py --state",
 ]
 
 
@@ -62,7 +63,7 @@ def called(checkout: Path) -> list[str]:
 def run(checkout: Path, *command: str, **environment: str) -> subprocess.CompletedProcess[str]:
     clean = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
     everything = {"FAILING": "nothing", "NO_ENSUREPIP": "0", "NO_VENV": "0", "NO_VIRTUALENV": "0", "TOO_OLD": "0"}
-    everything["BROWSERS"] = "sh"  # there is one
+    everything["BROWSERS"] = everything["VALGRIND"] = "sh"  # there is one
     return subprocess.run(
         command, cwd=checkout, env={**clean, **everything, **environment}, capture_output=True, text=True, check=False
     )
@@ -117,8 +118,17 @@ def test_ground_stations_are_installed_for_the_tests_only(checkout: Path) -> Non
 
 
 @pytest.mark.parametrize("user", ["0", "1000"])
-def test_a_missing_browser_is_installed_where_that_is_possible(checkout: Path, user: str) -> None:
-    """By root from Debian's packages; for everybody else the tests of the pages say what is missing."""
+@pytest.mark.parametrize(
+    ("variable", "package", "missing"),
+    [
+        ("BROWSERS", "chromium", "no Chromium for the tests of the pages: install one (no-such-program)"),
+        ("VALGRIND", "valgrind", "no valgrind to count instructions: install it (no-such-program)"),
+    ],
+)
+def test_a_missing_program_is_installed_where_that_is_possible(
+    checkout: Path, user: str, variable: str, package: str, missing: str
+) -> None:
+    """By root from Debian's packages; for everybody else a line says what is missing, as the tests that need it do."""
     tools = checkout / "tools"
     tools.mkdir()
     (tools / "id").write_text(f"#!/bin/sh\necho {user}\n")
@@ -126,18 +136,17 @@ def test_a_missing_browser_is_installed_where_that_is_possible(checkout: Path, u
     for tool in tools.iterdir():
         tool.chmod(0o755)
     path = f"{tools}:{os.environ['PATH']}"
-    ran = run(checkout, "make", "test", "BROWSERS=no-such-browser", PATH=path)
+    ran = run(checkout, "make", "test", f"{variable}=no-such-program", PATH=path)
     asked = [call for call in called(checkout) if call.startswith("apt-get")]
     assert ran.returncode == 0
     if user == "0":
-        assert asked == ["apt-get update", "apt-get install --yes --no-install-recommends chromium"]
+        assert asked == ["apt-get update", f"apt-get install --yes --no-install-recommends {package}"]
         assert ran.stderr == ""
-        assert "install one (no-such-browser)" in run(
-            checkout, "make", "browser", "BROWSERS=no-such-browser", PATH=path, FAILING="apt-get install"
-        ).stderr  # fmt: skip
+        again = run(checkout, "make", "test", f"{variable}=no-such-program", PATH=path, FAILING="apt-get install")
+        assert missing in again.stderr
     else:
         assert asked == []
-        assert "install one (no-such-browser)" in ran.stderr
+        assert missing in ran.stderr
 
 
 def test_a_browser_that_is_there_is_used(checkout: Path) -> None:

@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import report
+import results
 
 BENCHMARKS = Path(__file__).resolve().parents[2] / "benchmarks"
 
@@ -102,17 +104,20 @@ def figure(key: str, value: float | None, **others: Any) -> dict[str, Any]:
 def test_the_report_says_what_was_found(tmp_path: Path) -> None:
     """Targets that are met, targets that are not, what could not be measured; nothing about this computer."""
     found = {
+        "cost": [figure("battery_status", 3000.0, unit="instructions", most=2999)],
         "frame": [figure("values_over_c", 3.456, most=4), figure("state_over_c", None, most=10, note="no cc here")],
         "parse": [figure("objects_over_c", 0.125, least=0.2)],
         "generator": [figure("build_unchanged_over_mavgen", 0.25, most=0.5), figure("slope", 7.0, unit="ms")],
         "size": [figure("heap", 4321, unit="bytes", most=4000), figure("allocated", 0, unit="bytes", most=0)],
     }
     for name, figures in found.items():
-        content = {"compares": f"What {name} compares.", "figures": figures}
+        content = {"compares": f"What {name} compares.", "figures": figures, "sources": "0"}
         (tmp_path / f"{name}.json").write_text(json.dumps(content))
-    printed = run("report", "--figures", tmp_path, "--out", tmp_path / "docs")
+    (tmp_path / "versions.json").write_text(json.dumps({"MicroPython": "1.2.3"}))
+    printed = run("report", "--stored", "--results", tmp_path, "--out", tmp_path / "docs")
     page = (tmp_path / "docs" / "benchmarks.md").read_text()
     for row in (
+        "| our battery_status | 3000 | <= 2999 | not met | 4020 | 26.8 | 38.0 |",
         "| our values_over_c | theirs | 3.46 times | <= 4.00 | met |",
         "| our state_over_c | theirs | not measured: no cc here | <= 10.0 |  |",
         "| our objects_over_c | theirs | 0.12 times | >= 0.20 | not met |",
@@ -121,8 +126,10 @@ def test_the_report_says_what_was_found(tmp_path: Path) -> None:
         "| our allocated | theirs | 0 bytes | 0 | met |",
     ):
         assert row in page.splitlines()
-    assert "3 of 5 targets are met." in page
-    assert "3 of 5 targets are met." in printed
+    assert "3 of 6 targets are met." in page
+    assert "3 of 6 targets are met." in printed
+    assert "- our heap, against theirs: 4321 bytes instead of <= 4000" in page.splitlines()
+    assert "- MicroPython 1.2.3" in page.splitlines()
     assert "slope" not in page
     assert all(f"What {name} compares." in page for name in found)
     assert not re.search(r"20\d\d|/home|/work|/tmp", page)
@@ -132,3 +139,42 @@ def test_the_report_says_what_was_found(tmp_path: Path) -> None:
     bars = [bar.get("class") for bar in svg.iter("{http://www.w3.org/2000/svg}rect")]
     assert {"3.46", "8.00 not met", "1/4.00"} <= set(texts)
     assert bars == ["bar", "missed", "bar"]
+
+
+def test_stored_figures_of_other_sources_are_told(tmp_path: Path) -> None:
+    """What was measured before a change is named; what was measured since is not."""
+    for name in report.TITLES:
+        sources = "0" if name in ("frame", "size") else results.fingerprint()
+        results.write(tmp_path / f"{name}.json", results.Result("Compares.", (), sources))
+    told = run("report", "--state", "--results", tmp_path)
+    assert "codegen/ or templates/ changed since these were measured: frame, size." in told
+    for name in ("frame", "size"):
+        results.write(tmp_path / f"{name}.json", results.Result("Compares.", (), results.fingerprint()))
+    assert "changed" not in run("report", "--state", "--results", tmp_path)
+
+
+def test_every_file_of_the_sources_counts(tmp_path: Path) -> None:
+    """Another content, another name and a new file are another fingerprint; what Python compiled is not."""
+
+    def fingerprint() -> str:
+        return results.fingerprint(["a", "b"], tmp_path)
+
+    for name in ("a/one.py", "b/two.j2"):
+        (tmp_path / name).parent.mkdir()
+        (tmp_path / name).write_text("x")
+    seen = [fingerprint()]
+    (tmp_path / "b" / "two.j2").write_text("y")
+    seen.append(fingerprint())
+    (tmp_path / "b" / "two.j2").rename(tmp_path / "b" / "three.j2")
+    seen.append(fingerprint())
+    (tmp_path / "b" / "four.py").write_text("")
+    seen.append(fingerprint())
+    assert len(set(seen)) == len(seen)
+    (tmp_path / "a" / "one.cpython-311.pyc").write_text("z")
+    assert fingerprint() == seen[-1]
+
+
+def test_the_page_shows_what_is_stored() -> None:
+    """docs/ and benchmarks/results say the same: python benchmarks/report.py --stored writes the page anew."""
+    for name, text in report.written(report.stored(results.FOLDER), results.read_versions()).items():
+        assert (report.measure.ROOT / "docs" / name).read_text(encoding="utf-8") == text

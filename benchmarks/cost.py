@@ -1,0 +1,160 @@
+"""How many instructions the steady path of the firmware takes, and what that predicts for a board.
+
+Instructions are counted by valgrind's callgrind with the unix port of MicroPython on x86-64: at every run the same
+number, whatever else the computer does. CYCLES and MOST_CYCLES say how those of a board are predicted from it.
+"""
+
+import os
+import platform
+import re
+import shutil
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+import measure
+from figure import Figure
+
+COMPARES = """Instructions of one round, counted by valgrind's callgrind with MicroPython's unix port on x86-64, without
+those of the loop around it. Nothing is timed: a run on another day, or on a busy computer, counts the same. `make test`
+counts again, and fails where a figure is more than 3 % above the one that stands here.
+
+The cycles and microseconds of a board are predictions, not measurements. Seven of these workloads were run once in an
+emulator of the RP2350 that counts cycles, with MicroPython 1.28 for the Pico 2 W: interpreted and native code
+took 1.34 cycles for each instruction counted here (between 8 % less and 9 % more), and no machine code by viper more
+than 1.9. Microseconds are those of 150 MHz. Misses of the flash cache come on top."""
+
+CYCLES, MOST_CYCLES = 1.34, 1.9
+"""Cycles of an RP2350 for an instruction on x86-64: likely, and at most."""
+MEGAHERTZ = 150
+
+MARK = "setenv"  # what counting.py calls at the beginning and the end of each run
+FEW, MANY = 20, 220  # rounds of each run there
+PYTHON = "import sys; sys.path.append({!r}); from micropython_unix import main; main()"
+
+
+@dataclass(frozen=True)
+class Workload:
+    """What is counted: `name` in benchmarks/micropython/cost_`script`.py, less what others there take.
+
+    `most` is the goal; with `by_length` it is as much for each byte as that of BATTERY_STATUS.
+    """
+
+    key: str
+    measure: str
+    script: str
+    name: str
+    less: str = "nothing"
+    most: float | None = None
+    by_length: bool = False
+
+
+FRAME = 3000
+WORKLOADS = (
+    Workload("battery_status", "BATTERY_STATUS, state to frame", "firmware", "battery_status", most=FRAME),
+    Workload("build", "BATTERY_STATUS, build the message only", "firmware", "build"),
+    Workload("encode", "BATTERY_STATUS, encode the message only", "firmware", "encode"),
+    Workload("sys_status", "SYS_STATUS, state to frame", "firmware", "sys_status", most=FRAME, by_length=True),
+    Workload("v2", "BATTERY_STATUS_V2, state to frame", "firmware", "battery_status_v2", most=FRAME, by_length=True),
+    Workload("cells", "BATTERY_CELL_VOLTAGES, state to frame", "firmware", "cell_voltages", most=FRAME, by_length=True),
+    Workload("reading", "read the battery: 5 samples and their mean, without the conversions", "firmware", "reading"),
+    Workload("update", "update_battery, without the reading", "firmware", "update", less="stand_in", most=2000),
+    Workload("set_voltage", "set battery.voltage", "firmware", "set_voltage"),
+    Workload("live", "codec, six live values to frame", "codec", "live", most=3000),
+    Workload("keywords", "codec, update() of six fields by keywords, to frame", "codec", "keywords", most=46100),
+    Workload("set_field", "codec, set a field by its name", "codec", "set", most=4660),
+    Workload("read_field", "codec, read a field as an attribute", "codec", "read"),
+    Workload("parse", "codec, receive a BATTERY_STATUS into an object", "codec", "parse", most=8000),
+    Workload("idle", "pass of a link with nothing to do", "link", "idle"),
+    Workload("heartbeat", "a HEARTBEAT arrives: more for that pass", "link", "hear", less="idle"),
+)
+SCRIPTS = tuple(dict.fromkeys(workload.script for workload in WORKLOADS))
+
+
+def problem() -> str:
+    """Return why nothing can be counted here, or an empty text."""
+    if platform.machine() not in ("x86_64", "AMD64"):
+        return f"the instructions that are stored are those of x86-64, and this is {platform.machine()}"
+    return "" if shutil.which("valgrind") else "valgrind is missing: install it (Debian's package valgrind)"
+
+
+def figures(quick: bool) -> list[Figure]:  # noqa: ARG001  a count is no faster where less is asked for
+    """Count everything."""
+    with measure.scratch() as folder:
+        return [figure for script in SCRIPTS for figure in counted(script, folder)]
+
+
+def counted(script: str, folder: Path) -> list[Figure]:
+    """Return the figures of one script of benchmarks/micropython; what it needs is written into a folder."""
+    mine = [workload for workload in WORKLOADS if workload.script == script]
+    if note := problem():
+        return [_figure(workload, None, None, note) for workload in mine]
+    costs, lengths = instructions(f"cost_{script}.py", _modules(script, folder), folder)
+    return [
+        _figure(workload, costs[workload.name] - costs[workload.less], _share(workload, lengths)) for workload in mine
+    ]
+
+
+def _figure(workload: Workload, value: float | None, share: float | None, note: str = "") -> Figure:
+    most = workload.most if share is None or workload.most is None else round(workload.most * share)
+    return Figure(
+        workload.key, workload.measure, "x86-64", value and round(value), "instructions", most=most, note=note
+    )
+
+
+def _share(workload: Workload, lengths: Mapping[str, int]) -> float | None:
+    return lengths[workload.name] / lengths["battery_status"] if workload.by_length else None
+
+
+def _modules(script: str, folder: Path) -> list[Path]:
+    if script == "codec":
+        return [measure.codec(folder / "codec", "BATTERY_STATUS")]
+    rover = folder / "rover"
+    if not rover.exists():
+        measure.rover_specs(rover)
+        measure.said([measure.tool("codegen"), "build"], cwd=rover)
+    return [rover / "generated" / "firmware", rover / "generated" / "mocks"]
+
+
+def instructions(script: str, modules: Iterable[Path], folder: Path) -> tuple[dict[str, float], dict[str, int]]:
+    """Return the instructions of one round of each workload of a script, and the lengths of frames that it printed.
+
+    The interpreter is a module of CPython: it is started with as little of CPython as is possible.
+    """
+    found = find_spec("micropython_unix")
+    if found is None or found.origin is None:
+        raise SystemExit("micropython is not installed: make build installs it")
+    parts = folder / f"{script}.callgrind"
+    command = ["valgrind", "--tool=callgrind", "--smc-check=all-non-file", f"--callgrind-out-file={parts}"]
+    command += [f"--dump-before={MARK}", sys.executable, "-S", "-c", PYTHON.format(str(Path(found.origin).parent))]
+    path = [*map(str, modules), str(measure.HERE / "micropython"), ".frozen"]
+    # Nothing of this environment: what is in it lies on the stack, and the same stack counts the same.
+    environment = {"PYTHONHASHSEED": "0", "MICROPYPATH": os.pathsep.join(path)}
+    printed = measure.said([*command, str(measure.HERE / "micropython" / script)], env=environment, cwd=folder)
+    lines = [line.split() for line in printed.splitlines()]
+    counts = _totals(parts, 3 * len(lines))
+    # Of each workload: what came before, then the two runs.
+    costs = {
+        name: (many - few) / (MANY - FEW)
+        for (name, *_), few, many in zip(lines, counts[1::3], counts[2::3], strict=True)
+    }
+    return costs, {name: int(length[0]) for name, *length in lines if length}
+
+
+def _totals(parts: Path, count: int) -> list[int]:
+    """Return the instructions of the last parts that valgrind wrote, but for what came after the last mark."""
+    numbered = sorted(parts.parent.glob(f"{parts.name}.*"), key=lambda path: int(path.suffix[1:]))
+    if len(numbered) < count:
+        raise SystemExit(f"valgrind noticed {len(numbered)} marks of {count}: is {MARK} still what os.putenv calls?")
+    return [int(re.findall(r"(?m)^totals: (\d+)", path.read_text())[0]) for path in numbered[-count:]]
+
+
+def cycles(instructions: float) -> tuple[float, float]:
+    """Return the cycles predicted for a board: likely, and at most."""
+    return instructions * CYCLES, instructions * MOST_CYCLES
+
+
+if __name__ == "__main__":
+    measure.run(COMPARES, figures)

@@ -1,0 +1,120 @@
+"""The generated firmware of the rover: from a reading to the state, from the state to frames. See counting.py.
+
+All quantities of the battery are known. The state asks a stand-in for the board, whose own share is counted too, to be
+subtracted; the true board has a converter that answers at once, since how long a conversion takes is the converter's.
+"""
+
+import counting  # isort: skip  before anybody looks at the clock
+import machine
+import micropython
+import telemetry
+from board import Board
+from state import SystemState
+from streams import open_link
+
+
+class StandIn:
+    """Reads the same count at any time."""
+
+    battery_failures = (0, 0)
+
+    def read_battery_adc(self, _instance):
+        """Return the count."""
+        return 3000
+
+
+class Converter:
+    """An ADC that always reads 0, with a function in C as on the board."""
+
+    def __init__(self, _pin):
+        self.read_u16 = micropython.opt_level
+
+
+machine.ADC = Converter
+stand_in = StandIn()
+board = Board(log=lambda *_words: None)
+link = open_link(None)
+state = SystemState(log=lambda *_words: None)
+battery = state.battery[0]
+
+
+def take_readings(rounds):
+    """Let the state take readings, of which it keeps the trend: see that more than 40 came before."""
+    update = state.update_battery
+    for _ in range(rounds):
+        update(stand_in)
+
+
+def ask_the_stand_in(rounds):
+    """Call the stand-in alone."""
+    for _ in range(rounds):
+        stand_in.read_battery_adc(0)
+
+
+def read_the_board(rounds):
+    """Read the battery: five samples and their mean."""
+    for _ in range(rounds):
+        board.read_battery_adc(0)
+
+
+def build_battery_status(rounds):
+    """Make the message, not the frame."""
+    build = telemetry.build_battery_status
+    for _ in range(rounds):
+        build(state)
+
+
+def encode_battery_status(rounds):
+    """Make the frame of a message that is there."""
+    encode = link.encode
+    message = telemetry.build_battery_status(state)
+    for _ in range(rounds):
+        encode(message)
+
+
+def set_voltage(rounds):
+    """Set a quantity in the unit of people."""
+    for _ in range(rounds):
+        battery.voltage = 11.7
+
+
+def frame_of(name):
+    """Return the workload that makes the frame of a message of the first battery, and tells its full length."""
+    build = getattr(telemetry, "build_" + name)
+    length = 12 + build(state).LENGTH
+
+    def make_frames(rounds):
+        encode = link.encode
+        for _ in range(rounds):
+            encode(build(state))
+        return length
+
+    def make_frames_at_once(rounds):
+        encode = getattr(telemetry, "encode_" + name)
+        for _ in range(rounds):
+            encode(link, state)
+        return length
+
+    return make_frames_at_once if hasattr(telemetry, "encode_" + name) else make_frames
+
+
+battery.temperature = 23.45
+battery.current = 15.2
+battery.consumed = 1234
+battery.energy = 456700
+battery.remaining = 67
+take_readings(50)
+if battery.voltage is None or battery.trend is None or board.read_battery_adc(0) != 0:
+    raise SystemExit("a reading failed")
+counting.count(
+    update=take_readings,
+    stand_in=ask_the_stand_in,
+    reading=read_the_board,
+    build=build_battery_status,
+    encode=encode_battery_status,
+    battery_status=frame_of("battery_status"),
+    sys_status=frame_of("sys_status"),
+    battery_status_v2=frame_of("battery_status_v2"),
+    cell_voltages=frame_of("battery_cell_voltages"),
+    set_voltage=set_voltage,
+)

@@ -1,0 +1,49 @@
+"""The steady path takes no more instructions than is stored: what makes it slower is seen at once, on any computer."""
+
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import cost
+import pytest
+import results
+
+STORED = {figure.key: figure for figure in results.read(results.FOLDER / "cost.json").figures}
+MORE = 1.03  # what a small change elsewhere may add: other names lie elsewhere in the tables of the interpreter
+
+
+def test_every_workload_is_stored() -> None:
+    """None was left out when the figures were stored, and none could not be counted."""
+    assert list(STORED) == [workload.key for workload in cost.WORKLOADS]
+    assert all(figure.value for figure in STORED.values())
+
+
+@pytest.mark.parametrize("script", cost.SCRIPTS)
+def test_instructions_are_not_more_than_stored(script: str, tmp_path: Path) -> None:
+    """Up to 3 % more are none; else the change is to be mended, or `make benchmarks` stores the new figure."""
+    if shutil.which("valgrind") and cost.problem():
+        pytest.skip(cost.problem())  # another processor; make test says so
+    counted = cost.counted(script, tmp_path)
+    assert all(figure.value for figure in counted), counted[0].note
+    more = [
+        f"{figure.measure}: {figure.value:.0f} instructions, stored are {stored.value:.0f}"
+        for figure in counted
+        if figure.value > MORE * (stored := STORED[figure.key]).value
+    ]
+    versions = results.read_versions()
+    assert not more, "\n".join([*more, f"stored with MicroPython {versions['MicroPython']}"])
+
+
+def test_a_figure_that_could_not_be_counted_says_why(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Without valgrind nothing is guessed and nothing is taken as counted."""
+    monkeypatch.setattr(cost.shutil, "which", lambda _name: None)
+    found = cost.counted("codec", tmp_path)
+    assert found
+    assert all(figure.value is None and "valgrind" in figure.note for figure in found)
+    assert all("not measured: valgrind is missing" in figure.shown for figure in found)
+
+
+def test_prediction_of_a_board() -> None:
+    """Instructions become cycles by the two factors that the page names."""
+    assert cost.cycles(1000) == (1340, 1900)
+    assert replace(next(iter(STORED.values())), value=3001, most=3000).verdict == "not met"
