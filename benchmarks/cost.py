@@ -111,11 +111,10 @@ def _share(workload: Workload, lengths: Mapping[str, int]) -> float | None:
 def _modules(script: str, folder: Path) -> list[Path]:
     if script == "codec":
         return [measure.codec(folder / "codec", "BATTERY_STATUS")]
-    rover = folder / "rover"
-    if not rover.exists():
-        measure.rover_specs(rover)
-        measure.said([measure.tool("codegen"), "build"], cwd=rover)
-    return [rover / "generated" / "firmware", rover / "generated" / "mocks"]
+    generated = folder / "rover" / "generated"
+    if not generated.exists():
+        measure.rover(folder / "rover")
+    return [generated / "firmware", generated / "mocks"]
 
 
 def instructions(script: str, modules: Iterable[Path], folder: Path) -> tuple[dict[str, float], dict[str, int]]:

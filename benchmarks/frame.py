@@ -30,8 +30,8 @@ def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, C
     """Everybody who makes the frame, ready to run."""
     codec = measure.codec(folder / "codec", "BATTERY_STATUS")
     bytecode = measure.codec(folder / "bytecode", "BATTERY_STATUS", "--bytecode")
-    rover = firmware(folder / "rover", machine_code=True)
-    slow_rover = firmware(folder / "slow_rover", machine_code=False)
+    rover = measure.rover(folder / "rover") / "firmware"
+    slow_rover = measure.rover(folder / "slow_rover", machine_code=False) / "firmware"
     # What the rover sends of itself, its ids and its reading, is what the others have to send.
     has = fields(measure.micropython("frame_state.py", rover, 1, 1)["shown"][0])
     many = (passes, short, *has)
@@ -53,16 +53,6 @@ def contestants(folder: Path, passes: int, short: int, long: int) -> dict[str, C
     if program is not None:
         found["C"] = partial(measure.c_answer, program, passes, long, *has)
     return found
-
-
-def firmware(folder: Path, machine_code: bool) -> Path:
-    """Build the rover in a folder of its own; return the firmware."""
-    measure.rover_specs(folder)
-    if not machine_code:
-        with (folder / "specs" / "codegen.yaml").open("a", encoding="utf-8") as file:
-            file.write("machine_code: false\n")
-    measure.said([measure.tool("codegen"), "build"], cwd=folder)
-    return folder / "generated" / "firmware"
 
 
 def fields(frame: str) -> tuple[int, ...]:

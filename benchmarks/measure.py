@@ -51,10 +51,15 @@ def tool(name: str) -> str:
 def said(command: Iterable[str], **options: Any) -> str:
     """What a command prints; the benchmark ends with what it said if it fails."""
     command = list(command)
-    done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
+    done = ended(command, **options)
     if done.returncode:
         raise SystemExit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
     return done.stdout
+
+
+def ended(command: Iterable[str], **options: Any) -> "subprocess.CompletedProcess[str]":
+    """What a command printed, and how it ended."""
+    return subprocess.run(list(command), capture_output=True, text=True, check=False, **options)
 
 
 def micropython(script: str, folder: Path, *arguments: object) -> Result:
@@ -122,6 +127,16 @@ def rover_specs(folder: Path) -> Path:
     """Copy the rover's specification into a folder of its own, with nothing generated yet; return the folder."""
     shutil.copytree(ROOT / "specs", folder / "specs")
     return folder
+
+
+def rover(folder: Path, machine_code: bool = True) -> Path:
+    """Build the rover in a folder of its own; return the folder of what was generated."""
+    rover_specs(folder)
+    if not machine_code:
+        with (folder / "specs" / "codegen.yaml").open("a", encoding="utf-8") as file:
+            file.write("machine_code: false\n")
+    said([tool("codegen"), "build"], cwd=folder)
+    return folder / "generated"
 
 
 @dataclass(frozen=True)

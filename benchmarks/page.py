@@ -12,6 +12,7 @@ TITLES = {
     "parse": "From bytes to messages",
     "generator": "The generator",
     "size": "What it takes on a board",
+    "heap": "The heap of the whole program",
 }
 """The benchmarks in the order of the page: the name of each script, and its heading."""
 

@@ -9,10 +9,13 @@ ALONE = {**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 """The suite needs no plugin, and importing those of this environment takes longer than most parts of it."""
 
 
-def run_suite(folder: Path, *tests: str, options: tuple[str, ...] = ()) -> "subprocess.CompletedProcess[str]":
-    """Run tests of a suite; their paths are relative to ``folder``."""
+def run_suite(
+    folder: Path, *tests: str, options: tuple[str, ...] = (), micropython: Path | None = None
+) -> "subprocess.CompletedProcess[str]":
+    """Run tests of a suite, with another MicroPython than theirs if that is given; paths are relative to ``folder``."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, *tests]
-    return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=ALONE, check=False)
+    environment = {**ALONE, "MICROPYTHON": str(micropython)} if micropython else ALONE
+    return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=environment, check=False)
 
 
 def suite_is_green(folder: Path, *tests: str, only: str = "") -> None:

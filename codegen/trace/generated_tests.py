@@ -8,14 +8,11 @@ from codegen.model.system import System
 from codegen.targets.behaviour_checks import checks_of_behaviour
 from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
-from codegen.targets.program_suite import documents_of_topics
 from codegen.targets.receiver.suite import shown_by_receiver_tests
 from codegen.targets.suite import suite_origin
 from codegen.trace.graph import Test
 
 INTERPRETERS = ("cpython", "micropython")
-HEAP_NUMBER = 4
-"""The criterion of the document on the main loop that test_small_heap shows."""
 
 
 def generated_tests(systems: Iterable[System]) -> tuple[Test, ...]:
@@ -67,9 +64,6 @@ def _of_program(system: System, folder: str) -> Iterator[Test]:
                 found.setdefault(criterion, []).append(f"{interpreter}-{check.script}-{check.identifier}")
     for criterion, cases in found.items():
         yield Test(f"{folder}/test_program.py", "test_program", criterion, tuple(cases))
-    loop = _criterion(system, documents_of_topics(system, system.program)["loop"], HEAP_NUMBER)
-    if loop:
-        yield Test(f"{folder}/test_program.py", "test_small_heap", loop)
 
 
 def _of_receiver(system: System, folder: str) -> Iterator[Test]:

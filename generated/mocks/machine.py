@@ -1,16 +1,16 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 290744cc30a6a727
+# Inputs: de4ed66d31b96238
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
 """
 
+import errno
+
 import mock_time
 
 FULL_SCALE = 4095  # counts of the 12 bit converter
 
-_EIO = 5
-_ENODEV = 19
 _inputs = {}
 _chip = [b"\xe6\x61\x38\x52\x83\x1b\x2c\x21"]
 
@@ -50,10 +50,10 @@ class AnalogInput:
         mock_time.advance_us(self.delay_us)
         if self.failures > 0:
             self.failures -= 1
-            raise OSError(_EIO)
+            raise OSError(errno.EIO)
         count = self._next_count()
         if count is None:
-            raise OSError(_EIO)
+            raise OSError(errno.EIO)
         if not 0 <= count <= FULL_SCALE:
             raise ValueError(f"an ADC of 12 bits does not read {count!r}")
         return int(count)
@@ -134,7 +134,7 @@ class ADC:
         number = pin.id if isinstance(pin, Pin) else pin
         self._input = analog(number + 26 if 0 <= number <= 3 and not isinstance(pin, Pin) else number)
         if self._input.absent:
-            raise OSError(_ENODEV)
+            raise OSError(errno.ENODEV)
 
     def read_u16(self):
         """Take a reading of 0 to 65535: the 12 bits at the top and their first four again below, as RP2 does."""
@@ -193,7 +193,7 @@ class SerialLine:
     def _fail(self):
         if self.failures > 0:
             self.failures -= 1
-            raise OSError(_EIO)
+            raise OSError(errno.EIO)
 
 
 _lines = {}
@@ -224,7 +224,7 @@ class UART:
     def init(self, baudrate=115200, **settings):
         """Set the line up again."""
         if self._line.absent:
-            raise OSError(_ENODEV)
+            raise OSError(errno.ENODEV)
         settings["baudrate"] = baudrate
         self._line.settings = settings
 

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_asyncio.py: do not edit.
-# Inputs: ac49fedcf3425b81
+# Inputs: 99db8e2a48649ab2
 """Lets asyncio run on the clock of mock_time: while all tasks wait, the clock goes on to the first that is due.
 
 A program calls install() after mock_time.install() and before it makes a task. MicroPython keeps its own asyncio, with
@@ -11,7 +11,7 @@ import sys
 
 import mock_time
 
-_EPOCH_MS = 1 << 40  # the scheduler in C looks at the host's clock for tasks that are due at once: this is later
+_LATER_MS = 1 << 24  # five hours: the queue in C asks the host's clock when tasks are due at once: ours is ahead of it
 
 _hooks = []
 
@@ -43,15 +43,21 @@ def _wait(duration_us):
 
 def _until_us(milliseconds):
     """Return the microseconds to where ticks_ms() is so much more, which is when boards wake up."""
-    now_us = mock_time.elapsed_us()
-    return (now_us // 1000 + milliseconds) * 1000 - now_us
+    return milliseconds * 1000 - mock_time.elapsed_us() % 1000
 
 
 def _install_micropython():
     core = asyncio.core
+    host = mock_time.host_time
+    started = [0, 0]  # when the loop was made: milliseconds of the host's clock, of ours
 
     class VirtualQueue(core.IOQueue):
-        """The queue of tasks that wait for streams, in which MicroPython waits for time as well."""
+        """The queue of tasks that wait for streams, in which MicroPython waits for time as well: a loop makes one."""
+
+        def __init__(self):
+            core_init(self)
+            started[0] = host.ticks_add(host.ticks_ms(), _LATER_MS)
+            started[1] = mock_time.elapsed_us() // 1000
 
         def wait_io_event(self, milliseconds):
             if milliseconds < 0:  # only streams can go on
@@ -61,10 +67,11 @@ def _install_micropython():
             _wait(_until_us(milliseconds) if milliseconds > 0 else 0)
             core_wait(self, 0)
 
+    core_init = core.IOQueue.__init__
     core_wait = core.IOQueue.wait_io_event
-    core.ticks = lambda: _EPOCH_MS + mock_time.elapsed_us() // 1000
-    core.ticks_add = lambda ticks, delta: ticks + delta
-    core.ticks_diff = lambda end, start: end - start
+    core.ticks = lambda: host.ticks_add(started[0], mock_time.elapsed_us() // 1000 - started[1])
+    core.ticks_add = host.ticks_add
+    core.ticks_diff = host.ticks_diff
     core.IOQueue = VirtualQueue
     core.new_event_loop()
 

@@ -1,19 +1,26 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: 75df49e198fbb081
+# Inputs: 3ec5f290008ea824
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
-they do on boards, after 2**30 units: microseconds after 18 minutes, milliseconds after 12 days.
+they do on boards, after 2**30 units: microseconds after 18 minutes, milliseconds after 12 days. The clock goes on, and
+is read, without a number beyond 2**30, which 32-bit ports would have to put on the heap; elapsed_us() may be one.
 """
 
 import sys
 
 PERIOD = 1 << 30
-_HALF = PERIOD >> 1
+_MOST = 0x3FFFFFFF  # the last tick before they start again
+_HALF = 1 << 29
 
 _NAMES = ("ticks_ms", "ticks_us", "ticks_add", "ticks_diff", "sleep_ms", "sleep_us")
 
-_now_us = 0
+host_time = None  # under MicroPython, after install(): the true module, as for the queue of asyncio in C
+
+_turns = 0  # of the microseconds, each of PERIOD
+_us = 0
+_ms = 0
+_rest_us = 0  # since the last whole millisecond
 
 
 def install():
@@ -24,8 +31,11 @@ def install():
     """
     import time  # noqa: PLC0415 - the module to replace, or to add to
 
+    global host_time  # noqa: PLW0603 - there is one
     if sys.implementation.name == "micropython":
         mock = sys.modules[__name__]
+        if time is not mock:
+            host_time = time
         for module in list(sys.modules.values()):
             if module is not mock and getattr(module, "time", None) is time:
                 module.time = mock  # it imported the true time before
@@ -40,44 +50,67 @@ def install():
 
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
-    global _now_us  # noqa: PLW0603 - there is one clock
+    global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if now < 0:
         raise ValueError("the clock starts at 0")
-    _now_us = now
+    _turns, _us = divmod(now, PERIOD)
+    _ms = now // 1000 % PERIOD
+    _rest_us = now % 1000
 
 
 def advance_us(duration):
     """Let `duration` microseconds pass."""
+    global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if duration < 0:
         raise ValueError("time does not run backwards")
-    set_ticks_us(_now_us + duration)
+    if duration > _HALF:
+        set_ticks_us(elapsed_us() + duration)
+        return
+    before_us = _us
+    _us = _later(before_us, duration)
+    if _us < before_us:
+        _turns += 1
+    _rest_us += duration
+    _ms = _later(_ms, _rest_us // 1000)
+    _rest_us %= 1000
 
 
 def elapsed_us():
     """Return the microseconds since the start, not wrapped."""
-    return _now_us
+    return _turns * PERIOD + _us
 
 
 def ticks_us():
     """Return microseconds, 0 to 2**30 - 1."""
-    return _now_us % PERIOD
+    return _us
 
 
 def ticks_ms():
     """Return milliseconds, 0 to 2**30 - 1."""
-    return _now_us // 1000 % PERIOD
+    return _ms
 
 
 def ticks_diff(end, start):
     """Return the signed time from `start` to `end`, right as long as it is under half a period."""
-    return (end - start + _HALF) % PERIOD - _HALF
+    passed = end - start
+    if passed >= _HALF:
+        return passed - _MOST - 1
+    return passed + _MOST + 1 if passed < -_HALF else passed
 
 
 def ticks_add(ticks, delta):
     """Return `ticks` moved by `delta`; OverflowError from half a period on, as on boards."""
     if not -_HALF <= delta < _HALF:
         raise OverflowError("ticks interval overflow")
-    return (ticks + delta) % PERIOD
+    if delta >= 0:
+        return _later(ticks, delta)
+    moved = ticks + delta
+    return moved if moved >= 0 else moved + _MOST + 1
+
+
+def _later(ticks, delta):
+    moved = ticks - _MOST + delta - 1  # a period less, so that the sum stays small
+    return moved if moved >= 0 else moved + _MOST + 1
 
 
 def sleep_us(duration):
@@ -97,4 +130,4 @@ def sleep(duration):
 
 def time():
     """Return the seconds since the start, whole."""
-    return _now_us // 1000000
+    return elapsed_us() // 1000000

@@ -9,7 +9,7 @@ import sys
 
 import mock_time
 
-_EPOCH_MS = 1 << 40  # the scheduler in C looks at the host's clock for tasks that are due at once: this is later
+_LATER_MS = 1 << 24  # five hours: the queue in C asks the host's clock when tasks are due at once: ours is ahead of it
 
 _hooks = []
 
@@ -41,15 +41,21 @@ def _wait(duration_us):
 
 def _until_us(milliseconds):
     """Return the microseconds to where ticks_ms() is so much more, which is when boards wake up."""
-    now_us = mock_time.elapsed_us()
-    return (now_us // 1000 + milliseconds) * 1000 - now_us
+    return milliseconds * 1000 - mock_time.elapsed_us() % 1000
 
 
 def _install_micropython():
     core = asyncio.core
+    host = mock_time.host_time
+    started = [0, 0]  # when the loop was made: milliseconds of the host's clock, of ours
 
     class VirtualQueue(core.IOQueue):
-        """The queue of tasks that wait for streams, in which MicroPython waits for time as well."""
+        """The queue of tasks that wait for streams, in which MicroPython waits for time as well: a loop makes one."""
+
+        def __init__(self):
+            core_init(self)
+            started[0] = host.ticks_add(host.ticks_ms(), _LATER_MS)
+            started[1] = mock_time.elapsed_us() // 1000
 
         def wait_io_event(self, milliseconds):
             if milliseconds < 0:  # only streams can go on
@@ -59,10 +65,11 @@ def _install_micropython():
             _wait(_until_us(milliseconds) if milliseconds > 0 else 0)
             core_wait(self, 0)
 
+    core_init = core.IOQueue.__init__
     core_wait = core.IOQueue.wait_io_event
-    core.ticks = lambda: _EPOCH_MS + mock_time.elapsed_us() // 1000
-    core.ticks_add = lambda ticks, delta: ticks + delta
-    core.ticks_diff = lambda end, start: end - start
+    core.ticks = lambda: host.ticks_add(started[0], mock_time.elapsed_us() // 1000 - started[1])
+    core.ticks_add = host.ticks_add
+    core.ticks_diff = host.ticks_diff
     core.IOQueue = VirtualQueue
     core.new_event_loop()
 

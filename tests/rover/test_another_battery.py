@@ -9,7 +9,7 @@ import generated_suite
 import pytest
 from test_change_goes_everywhere import ROOT, apply, run
 
-ANYWHERE = "arming or instance or monitor or good_count or broken_board or order_within or partial_writes or small_heap"
+ANYWHERE = "arming or instance or monitor or good_count or broken_board or order_within or partial_writes"
 SECOND = "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n"
 PROGRAM = "cpython-failsafe or cpython-arming or cpython-health or cpython-instance or cpython-parameter"
 

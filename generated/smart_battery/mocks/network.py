@@ -1,9 +1,11 @@
 # Generated from templates/mocks/network.py: do not edit.
-# Inputs: bbb20ec2ccf7be8a
+# Inputs: 06c7d0f633818737
 """The board's module `network`, as far as the firmware uses it: a Wi-Fi station that follows a script, `radio`.
 
 Only the state of the connection is made up. Sockets are those of the host, and work without it.
 """
+
+import errno
 
 import mock_time
 
@@ -13,8 +15,6 @@ AP_IF = 1
 STAT_IDLE = 0
 STAT_CONNECTING = 1
 STAT_GOT_IP = 3
-
-_ENODEV = 19
 
 
 class Radio:
@@ -46,7 +46,7 @@ class Radio:
         self.credentials = credentials
         if self.failures > 0:
             self.failures -= 1
-            raise OSError(_ENODEV)
+            raise OSError(errno.ENODEV)
         self._since_us = mock_time.elapsed_us()
 
     def status(self):
@@ -67,7 +67,7 @@ class WLAN:
 
     def __init__(self, interface=STA_IF):
         if radio.absent:
-            raise OSError(_ENODEV)
+            raise OSError(errno.ENODEV)
         self._interface = interface
         self._is_active = False
 
@@ -83,7 +83,7 @@ class WLAN:
     def connect(self, ssid=None, key=None):
         """Begin to connect; OSError where the interface is off."""
         if not self._is_active:
-            raise OSError(_ENODEV)
+            raise OSError(errno.ENODEV)
         radio.connect(ssid, key)
 
     def disconnect(self):

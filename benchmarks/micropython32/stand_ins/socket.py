@@ -1,0 +1,19 @@
+"""There is no network on this port: the module is there to be imported, and what it makes cannot be made."""
+
+AF_INET = 2
+SOCK_DGRAM = 2
+SOL_SOCKET = 1
+SO_BROADCAST = 6
+SO_REUSEADDR = 2
+
+_ENODEV = 19
+
+
+def getaddrinfo(host, port):
+    """Return the address as it is."""
+    return [(AF_INET, SOCK_DGRAM, 0, "", (host, port))]
+
+
+def socket(*_kind):
+    """Fail as where there is no device."""
+    raise OSError(_ENODEV)

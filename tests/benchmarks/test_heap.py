@@ -1,0 +1,37 @@
+"""The rover's program starts and runs in the heap that is stored as its budget, counted in words of a board."""
+
+from pathlib import Path
+
+import heap
+import pytest
+import results
+
+STORED = {figure.key: figure.value for figure in results.read(results.FOLDER / "heap.json").figures}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The rover and what it runs with."""
+    made = tmp_path_factory.mktemp("heap")
+    heap.prepare(made)
+    return made
+
+
+@pytest.mark.parametrize("form", heap.FORMS)
+def test_program_runs_in_the_heap_that_is_stored(folder: Path, form: str) -> None:
+    """From its start through a simulated minute, in each of the heaps that the stored figure stands for.
+
+    What it has in use is at most 3 % more than what is stored.
+    """
+    smallest = int(STORED[f"smallest_{form}"])
+    for size in range(smallest, smallest + heap.IN_A_ROW * heap.STEP, heap.STEP):
+        used = heap.in_use(folder, form, size)
+        assert used, f"not in {size} KB; make benchmarks stores what it takes now"
+        for moment, count in used.items():
+            assert count <= 1.03 * STORED[f"{moment}_{form}"], moment
+
+
+@pytest.mark.parametrize("form", heap.FORMS)
+def test_too_small_a_heap_is_noticed(folder: Path, form: str) -> None:
+    """What is in use once the program has started does not fit into less: the limit of the heap is one."""
+    assert heap.in_use(folder, form, int(STORED[f"started_{form}"]) // 1024) is None
