@@ -59,7 +59,9 @@ WORKLOADS = (
     Workload("sys_status", "SYS_STATUS, state to frame", "firmware", "sys_status", most=FRAME, by_length=True),
     Workload("v2", "BATTERY_STATUS_V2, state to frame", "firmware", "battery_status_v2", most=FRAME, by_length=True),
     Workload("cells", "BATTERY_CELL_VOLTAGES, state to frame", "firmware", "cell_voltages", most=FRAME, by_length=True),
-    Workload("reading", "read the battery: 5 samples and their mean, without the conversions", "firmware", "reading"),
+    Workload(
+        "reading", "read the battery: 5 samples and their mean, without the converter", "firmware", "reading", most=3000
+    ),
     Workload("update", "update_battery, without the reading", "firmware", "update", less="stand_in", most=2000),
     Workload("set_voltage", "set battery.voltage", "firmware", "set_voltage"),
     Workload("live", "codec, six live values to frame", "codec", "live", most=3000),
