@@ -12,6 +12,7 @@ from codegen.answers.scope import Scope
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.step import Step
 from codegen.model.vehicle import Component
@@ -61,6 +62,11 @@ class CountAnswer(KindOfAnswer):
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """As many as it takes."""
         return bytes_of(self.count), bytes_of(self.count)
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The number."""
+        covers = self.covers
+        return [f"# {covers.label}: {self.words().source} ({covers.citation})", *code.store(covers, self.count)]
 
     def words(self) -> Words:
         """What is counted."""

@@ -14,6 +14,7 @@ from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
 from codegen.model.known import Known, Value, shown_value
+from codegen.model.payload_code import PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.step import Step
 from codegen.model.unit import decimal, read_measure
@@ -62,6 +63,20 @@ class FactAnswer(KindOfAnswer):
     def always(self) -> tuple[Value, ...] | None:
         """The values, where only the words for them differ."""
         return self.parts[0].fixed if len({part.fixed for part in self.parts}) == 1 else None
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """Those of the instance."""
+        covers, values = self.covers, [part.fixed[0] for part in self.parts]
+        texts = tuple(value for value in values if isinstance(value, str))
+        if texts:
+            return [f"# {covers.label}: text of each ({covers.citation})", *code.text(covers, texts)]
+        head = f"# {covers.label}: {', '.join(part.meaning for part in self.parts)} ({covers.citation})"
+        lines = [head]
+        for number, value in enumerate(values):
+            assert not isinstance(value, str)
+            test = "else:" if number == len(values) - 1 else f"{'elif' if number else 'if'} instance == {number}:"
+            lines += [test, *indented(code.fill(covers, value))]
+        return lines
 
     def words(self) -> Words:
         """The fact of each."""

@@ -13,6 +13,7 @@ from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind, SentinelForm
 from codegen.model.known import Known, Value, shown_value
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.step import Step
 from codegen.model.vehicle import Component
@@ -72,6 +73,27 @@ class FixedAnswer(KindOfAnswer):
             packed = b"".join(struct.pack(f"<{wire_type.code}", value) for value in self.fixed)
         used = len(packed.rstrip(b"\0"))
         return used, used
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The values; equal ones together."""
+        covers = self.covers
+        value = self.fixed[0]
+        zero = ", 0" if value == 0 and str(self.meaning) != "0" else ""
+        words = "text" if isinstance(value, str) and value else f"{self.meaning}{zero}"
+        head = f"# {covers.label}: {words} ({covers.citation})"
+        if isinstance(value, str):
+            return [head, *code.text(covers, value)]
+        if len(set(map(repr, self.fixed))) == 1:
+            return [head, *code.fill(covers, value)]
+        return [
+            head,
+            *(
+                line
+                for at, each in enumerate(self.fixed)
+                if not isinstance(each, str)
+                for line in code.store(covers, each, at)
+            ),
+        ]
 
     def words(self) -> Words:
         """What it means, and the values."""

@@ -14,6 +14,7 @@ from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, T
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, single
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, flag_names
 from codegen.model.step import Step
@@ -85,15 +86,16 @@ class FlagsAnswer(KindOfAnswer):
             every |= value
         return bytes_of(self.mask), bytes_of(every)
 
-    @property
-    def is_prefilled(self) -> bool:
-        """What is always set is."""
-        return True
-
-    @property
-    def is_built(self) -> bool:
-        """Where the state decides over a bit."""
-        return bool(self.conditional)
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The bits that are always set, then each condition; a number of more than 16 bits in parts of 16."""
+        covers = self.covers
+        label, cited = f"# {covers.label}:", f"({covers.citation})"
+        if not self.conditional:
+            return [f"{label} {FLAGS.join(self.names) or 'no flag'} {cited}", *code.fill(covers, self.mask)]
+        words = [f"{name} if {quantity.path}" for name, _, quantity in self.conditional]
+        line = f"{label} {', '.join(words)} {cited}"
+        head = [line] if len(line) < 100 else [f"{label} {cited}", *(f"#   {word}" for word in words)]
+        return head + code.flags(covers, self.mask, [(value, quantity) for _, value, quantity in self.conditional])
 
     def words(self) -> Words:
         """The flags, each with its condition."""

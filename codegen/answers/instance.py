@@ -10,6 +10,7 @@ from codegen.diagnostics import Rule
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value, stored_value
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.step import Step
 from codegen.model.vehicle import Parameter
@@ -64,10 +65,14 @@ class InstanceAnswer(KindOfAnswer):
         """As many as the number takes."""
         return bytes_of(first), bytes_of(last)
 
-    @property
-    def is_built(self) -> bool:
-        """Only a number that is counted from a parameter can change."""
-        return self.first is not None
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The index, or the number that was fixed at the start."""
+        covers = self.covers
+        if self.first is None:
+            words = f"# {covers.label}: the {self.component}'s number ({covers.citation})"
+            return [words, *code.store(covers, "instance")]
+        words = f"# {covers.label}: {self.first.name}, counted on ({covers.citation})"
+        return [words, f"value = {code.number(self.component)}", *code.store(covers, "value")]
 
     def words(self) -> Words:
         """Whose number, and from where it is counted."""

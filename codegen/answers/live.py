@@ -2,7 +2,9 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
+from codegen.answers.filling import comment, fitted, origin, read, stand_in
 from codegen.answers.fitting import BAD_SOURCE, NO_SENTINEL
 from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
@@ -24,6 +26,7 @@ from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, W
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, shown_value, stored_value
+from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
@@ -140,10 +143,46 @@ class LiveAnswer(KindOfAnswer):
             values = [0]
         return min(bytes_of(value) if value >= 0 else size for value in values), most
 
+    def statements(self, code: PayloadCode) -> list[str]:
+        """Read, scaled and limited; a float is limited before it is divided."""
+        lines = [comment(self.covers, origin(self.covers, self.source)), f"value = {read(code, self.source)}"]
+        initial = self.source.initial if isinstance(self.source, Quantity) else None
+        if self.covers.field.type.is_integer and initial is not None and self.scaling.whole(initial) == initial:
+            return [*lines, *fitted(self.scaling, initial, "until it is set"), *code.store(self.covers, "value")]
+        if self.unknown is None:
+            lines += stand_in(self.source)
+        if not self.covers.field.type.is_integer:
+            return lines + self._float(code)
+        assert self.unknown is None or isinstance(self.unknown, int)
+        return [*lines, *fitted(self.scaling, self.unknown), *code.store(self.covers, "value")]
+
+    def _float(self, code: PayloadCode) -> list[str]:
+        factor = self.scaling.factor
+        if self.makes_float:
+            write = code.make_float(self.covers, factor.numerator, factor.denominator)
+        else:
+            product = f"value * {factor.numerator}" if factor.numerator != 1 else "value"
+            write = code.put_float(self.covers, product, factor.denominator)
+        lines = [*fitted(self._in_steps, None), *write]
+        if self.unknown is None:
+            return lines
+        unknown = code.store(self.covers, self.unknown)
+        return [
+            f"if value == {UNKNOWN}:  # goes out as {shown_value(self.unknown)}",
+            *indented(unknown),
+            "else:",
+            *indented(lines),
+        ]
+
     @property
-    def is_built(self) -> bool:
-        """It is read then."""
-        return True
+    def _in_steps(self) -> Scaling:
+        """The limits of a float field in stored steps, in which nothing has to be scaled."""
+        low, high = self.scaling.steps
+        factor, hole, beside = self.scaling.factor, self.scaling.hole, self.scaling.beside
+        step = None if hole is None else hole / factor
+        if step is None or step.denominator != 1 or beside is None:
+            return Scaling(Fraction(1), self.scaling.rounding, Fraction(low), Fraction(high))
+        return Scaling(Fraction(1), self.scaling.rounding, Fraction(low), Fraction(high), step, beside / factor)
 
     def words(self) -> Words:
         """The path of the source, how it is scaled, and its limits on the wire."""

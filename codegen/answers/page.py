@@ -9,6 +9,7 @@ from codegen.answers.scope import Scope
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.step import Step
 
@@ -45,10 +46,10 @@ class PageAnswer(KindOfAnswer):
         """The values on the pages before."""
         return (page * self.size,)
 
-    @property
-    def is_built(self) -> bool:
-        """Each page has another one."""
-        return True
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The page times its size."""
+        words = f"# {self.covers.label}: number of the first value on the page ({self.covers.citation})"
+        return [words, *code.store(self.covers, f"page * {self.size}")]
 
     def words(self) -> Words:
         """What it counts, and in which steps."""

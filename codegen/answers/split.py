@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.answers.filling import comment, fitted, origin, read, stand_in
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.limits import Bounds
 from codegen.answers.scaled import (
@@ -23,6 +24,7 @@ from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, W
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, stored_value
+from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import Scaling
@@ -113,10 +115,26 @@ class SplitAnswer(KindOfAnswer):
         """That of the whole."""
         return (self.scaling,)
 
-    @property
-    def is_built(self) -> bool:
-        """It is read then."""
-        return True
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The value into the first element; what that cannot hold into the next ones."""
+        words = f"{origin(self.covers, self.source)}, spilling above {self.cell_high}"
+        return [comment(self.covers, words), *self.spilled(code)]
+
+    def spilled(self, code: PayloadCode) -> list[str]:
+        """The statements without their comment."""
+        covers, most, last = self.covers, self.cell_high, self.covers.first + self.covers.count - 1
+        spread = [
+            *fitted(self.scaling, None),
+            f"place = {covers.first}",
+            f"while value > {most} and place < {last}:",
+            *indented([*code.store_at(covers, "place", str(most)), f"value -= {most}", "place += 1"]),
+            *code.store_at(covers, "place", "value"),
+        ]
+        lines = [f"value = {read(code, self.source)}", *stand_in(self.source), *code.fill(covers, self.unused, 1)]
+        if self.source.initial is not None:
+            return lines + spread
+        unknown = code.store(covers, self.unused)
+        return [*lines, f"if value == {UNKNOWN}:", *indented(unknown), "else:", *indented(spread)]
 
     def words(self) -> Words:
         """The path of the source, how it is scaled and spread, and its limits on the wire."""

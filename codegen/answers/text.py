@@ -10,6 +10,7 @@ from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
 from codegen.model.known import Known, Value
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.step import Step
 from codegen.model.vehicle import Component
@@ -45,6 +46,10 @@ class TextAnswer(KindOfAnswer):
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """What the mocked board makes of it."""
         return (MOCK_CHIP.hex()[: self.covers.field.count],)
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """What the board was asked for at the start."""
+        return [f"# {self.covers.label}: number of the chip ({self.covers.citation})", *code.chip(self.covers)]
 
     def words(self) -> Words:
         """What it is, and how it is written."""

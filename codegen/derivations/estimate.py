@@ -32,6 +32,14 @@ class Estimate(Derivation):
     quantity: str
     curves: tuple[tuple[tuple[int, int], ...], ...]
 
+    @property
+    def curves_by_instance(self) -> tuple[tuple[tuple[int, int], ...], ...]:
+        return self.curves
+
+    @property
+    def comes_of_readings(self) -> bool:
+        return True
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         for number, curve in enumerate(self.curves, 1):
             points = ", ".join(f"{stored}: {percent}" for stored, percent in curve)

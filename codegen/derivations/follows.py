@@ -10,6 +10,7 @@ from codegen.diagnostics import Rule
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import FollowsSpec
 from codegen.model.known import Known, Stored
+from codegen.model.payload_code import UNKNOWN
 from codegen.model.state_spec import QuantitySpec
 from codegen.model.unit import NUMBER, UNITS, decimal
 from codegen.model.vehicle import SMALL_INT_MAX, Quantity
@@ -44,6 +45,18 @@ class Follows(Derivation):
     @property
     def differs_by_instance(self) -> bool:
         return len(set(self.limits)) > 1
+
+    @property
+    def own_limits(self) -> tuple[int, ...]:
+        return self.limits
+
+    def holds(self, limit: str) -> str:
+        # Unknown is less than every limit.
+        return f"value != {UNKNOWN} and value < {limit}" if self.is_below else f"value >= {limit}"
+
+    def attribute(self, place: str, own: str) -> str:
+        compare = "below" if self.is_below else "at_least"
+        return f"{compare}({place}, {self.limits[0]}{f', {own}' if self.differs_by_instance else ''})"
 
     def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:
         """False while the quantity is unknown. A component of a single instance has only that, whatever the message."""

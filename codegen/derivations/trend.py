@@ -29,6 +29,14 @@ class Trend(Derivation):
     readings: int
     spec: TrendSpec
 
+    @property
+    def kept_readings(self) -> int:
+        return self.readings
+
+    @property
+    def comes_of_readings(self) -> bool:
+        return True
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         yield DerivationFact("trend of", f"{self.quantity} over {self.readings} readings", "trend_of")
 

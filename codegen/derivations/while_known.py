@@ -8,6 +8,7 @@ from codegen.derivations.surroundings import UNKNOWN_QUANTITY, Kept, Surrounding
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import WhileKnownSpec
 from codegen.model.known import Known, Stored
+from codegen.model.payload_code import UNKNOWN
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
@@ -23,6 +24,12 @@ class WhileKnown(Derivation):
     @property
     def follows(self) -> str | None:
         return self.quantity
+
+    def holds(self, limit: str) -> str:
+        return f"value != {UNKNOWN}"
+
+    def attribute(self, place: str, own: str) -> str:
+        return f"known({place})"
 
     def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:
         return int(known[quantity.decided_by] is not None)

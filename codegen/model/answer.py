@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from codegen.model.account import Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.dialect import Dialect, WireField
 from codegen.model.known import Known, Value
+from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading
 from codegen.model.scaling import Scaling
@@ -110,15 +111,9 @@ class Answer(ABC):
 
     # Where the firmware writes it.
 
-    @property
-    def is_prefilled(self) -> bool:
-        """Whether the function that prefills a payload writes something for it."""
-        return not self.is_built
-
-    @property
-    def is_built(self) -> bool:
-        """Whether the builder writes it anew in every message."""
-        return False
+    @abstractmethod
+    def statements(self, code: PayloadCode) -> list[str]:
+        """The statements that write its elements, in the function of the message; a comment says which and why."""
 
     # How it is told.
 

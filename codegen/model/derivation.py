@@ -71,6 +71,36 @@ class Derivation(ABC):
         """The quantity of the component that counts returns and with each of them sets this one back."""
         return None
 
+    # the firmware
+
+    @property
+    def own_limits(self) -> tuple[int, ...]:
+        """The limits that it compares with, by instance, in stored units."""
+        return ()
+
+    @property
+    def kept_readings(self) -> int:
+        """How many readings are kept for it."""
+        return 0
+
+    @property
+    def curves_by_instance(self) -> tuple[tuple[tuple[int, int], ...], ...]:
+        """The points (stored steps of what is measured, value), rising, by which each reading sets it."""
+        return ()
+
+    @property
+    def comes_of_readings(self) -> bool:
+        """Whether a reading gives it, so that it is unknown once that is not believed any longer."""
+        return self.conversion is not None
+
+    def holds(self, limit: str) -> str:
+        """The condition on ``value``, what is stored of the one that it follows; ``limit`` is an expression."""
+        raise NotImplementedError(f"{self} follows nothing")
+
+    def attribute(self, place: str, own: str) -> str:
+        """The view of words that it is: ``place`` is the word that it follows, ``own`` that of the instance's limit."""
+        raise NotImplementedError(f"{self} follows nothing")
+
     def names(self, quantity: "Quantity") -> tuple[str, ...]:
         """Names that it takes in the firmware, beside those that every quantity takes."""
         return ()

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from codegen.model.system import System
+from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import ReaderView, board_view
-from codegen.targets.firmware.state import ComponentView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
 
 
@@ -22,7 +22,7 @@ class BehaviourCheck(NamedTuple):
 
 
 def behaviour_checks(
-    readers: Sequence[ReaderView], streams: Sequence[StreamView], components: Sequence[ComponentView]
+    readers: Sequence[ReaderView], streams: Sequence[StreamView], components: Sequence[ComponentFacts]
 ) -> tuple[BehaviourCheck, ...]:
     """The checks in the order in which they run."""
     measured = [component for component in components if component.measured]
@@ -39,7 +39,7 @@ def behaviour_checks(
     return (*checks, *(BehaviourCheck("", name) for name in general))
 
 
-def _of_reading(reader: ReaderView, component: ComponentView) -> Iterator[BehaviourCheck]:
+def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[BehaviourCheck]:
     measured = component.measured
     assert measured is not None
     found = [
@@ -51,7 +51,7 @@ def _of_reading(reader: ReaderView, component: ComponentView) -> Iterator[Behavi
         (component.cited["robustness"], "broken_board_does_not_raise", True),
         (reader.cited["read_limit"], "late_reading_keeps_the_last_value", bool(reader.read_limit_us)),
         (measured.cited["stale_after"], "old_reading_is_unknown", measured.stale_after_ms is not None),
-        (measured.cited["warn_above"], "high_value_warns_now_and_then", measured.warn_above is not None),
+        (measured.cited["warn_above"], "high_value_warns_now_and_then", measured.warns),
         (measured.citation, "formula_of_people_agrees", True),
         (measured.cited["calibration"], "calibration", True),
         (component.cited["scenarios"], "scenarios", True),
@@ -64,4 +64,4 @@ def _of_reading(reader: ReaderView, component: ComponentView) -> Iterator[Behavi
 
 def checks_of_behaviour(system: System) -> tuple[BehaviourCheck, ...]:
     """The same for a system of which no view has been made."""
-    return behaviour_checks(board_view(system).readers, stream_views(system), state_view(system).components)
+    return behaviour_checks(board_view(system).readers, stream_views(system), component_facts(system))

@@ -41,9 +41,14 @@ def builder_name(message: "PopulatedMessage") -> str:
     return f"build_{message.name.lower()}"
 
 
-def prefill_name(message: "PopulatedMessage") -> str:
-    """BATTERY_STATUS -> _new_battery_status, which fills in what never changes."""
-    return f"_new_{message.name.lower()}"
+def encoder_name(message: "PopulatedMessage") -> str:
+    """BATTERY_STATUS -> encode_battery_status."""
+    return f"encode_{message.name.lower()}"
+
+
+def writer_name(message: "PopulatedMessage") -> str:
+    """BATTERY_STATUS -> write_battery_status, the function from the words of the state to the payload."""
+    return f"write_{message.name.lower()}"
 
 
 def failsafe_class(component: str) -> str:

@@ -6,10 +6,10 @@ from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
 from codegen.render import render_template
+from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.program import ProgramView, program_view
-from codegen.targets.firmware.state import ComponentView, state_view
 from codegen.targets.firmware.streams import StreamsView, streams_view
 from codegen.targets.generation_facts import GenerationFacts, MessageFacts, generation_facts, message_facts
 from codegen.targets.naming import parameter_attribute
@@ -43,7 +43,7 @@ class ProgramSuiteView:
     """What the checks of the program compare with; ``requirements`` are the documents of each topic of the checks."""
 
     program: ProgramView
-    components: tuple[ComponentView, ...]
+    components: tuple[ComponentFacts, ...]
     readers: tuple[ReaderView, ...]
     parameters: tuple[ParameterView, ...]
     streams: StreamsView
@@ -61,7 +61,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         files = {path: text for path, text in files.items() if path not in LEFT_TO_THE_PROJECT}
     view = ProgramSuiteView(
         program=program_view(system, program),
-        components=tuple(component for component in state_view(system).components if component.measured),
+        components=tuple(component for component in component_facts(system) if component.measured),
         readers=board_view(system).readers,
         parameters=parameter_views(system),
         streams=streams_view(system),

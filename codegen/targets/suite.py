@@ -6,9 +6,9 @@ from codegen.model.system import System
 from codegen.render import render_template
 from codegen.targets.behaviour_checks import BehaviourCheck, behaviour_checks
 from codegen.targets.cases_file import cases_text
+from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import BoardView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
-from codegen.targets.firmware.state import ComponentView, StateView, state_view
 from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of
@@ -24,8 +24,8 @@ class SuiteView:
     system_id: int
     component_id: int
     board: BoardView
-    state: StateView
-    measured: tuple[ComponentView, ...]
+    components: tuple[ComponentFacts, ...]
+    measured: tuple[ComponentFacts, ...]
     builders: tuple[str, ...]
     steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
@@ -41,13 +41,13 @@ def render_suite(system: System) -> dict[str, str]:
     origin = suite_origin(system)
     about: dict[str, object] = {"from": list(origin.sources), "inputs": origin.digest}
     files = {**copied_files("tests"), "tests/cases.json": cases_text(system, about)}
-    board, state, streams = board_view(system), state_view(system), stream_views(system)
-    measured = tuple(component for component in state.components if component.measured)
+    board, components, streams = board_view(system), component_facts(system), stream_views(system)
+    measured = tuple(component for component in components if component.measured)
     view = SuiteView(
         system_id=system.system_id,
         component_id=system.component_id,
         board=board,
-        state=state,
+        components=components,
         measured=measured,
         builders=tuple(message.name.lower() for message in system.messages),
         steady=tuple(message.name.lower() for message in system.messages if not message.makes_floats),
@@ -55,8 +55,8 @@ def render_suite(system: System) -> dict[str, str]:
         choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
         has_program=system.program is not None,
         parameters=parameter_views(system),
-        checks=behaviour_checks(board.readers, streams, state.components),
-        expiring={component.name: _readers(component.name, system) for component in state.components},
+        checks=behaviour_checks(board.readers, streams, components),
+        expiring={component.name: _readers(component.name, system) for component in components},
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)

@@ -16,8 +16,8 @@ from codegen.targets.naming import (
     class_names,
     failsafe_class,
     parameter_attribute,
-    prefill_name,
     state_class,
+    writer_name,
 )
 from codegen.targets.receiver.view import ReceiverView, receiver_view
 from codegen.trace.graph import Symbol
@@ -28,6 +28,7 @@ MESSAGES = "firmware/messages.py"
 PARAMETERS = "firmware/parameters.py"
 STATE = "firmware/state.py"
 STREAMS = "firmware/streams.py"
+PAYLOADS = "firmware/telemetry_plain.py"
 TELEMETRY = "firmware/telemetry.py"
 VEHICLE = "firmware/vehicle.py"
 
@@ -66,11 +67,7 @@ class Symbols:
 
     def field(self, message: PopulatedMessage, answer: Answer) -> tuple[Symbol, ...]:
         """Where its value is written, and the quantities of the state and the parameters that it reads."""
-        found = []
-        if answer.is_prefilled:
-            found.append((TELEMETRY, prefill_name(message)))
-        if answer.is_built:
-            found.append((TELEMETRY, builder_name(message)))
+        found = [(TELEMETRY, builder_name(message)), (PAYLOADS, writer_name(message))]
         for quantity in answer.quantities:
             found += self._quantity(quantity)
         for parameter in answer.parameters:

@@ -1,10 +1,12 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: 69646923a7c50471
+# Inputs: 4bc21628c11b6ecf
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
 nothing as long as it stays below 2 ** 30.
 """
+
+from struct import pack_into
 
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
@@ -33,57 +35,6 @@ def limited(value, low, high):
     return value
 
 
-def nearest(value, numerator, denominator):
-    """Return value * numerator / denominator, a half away from zero."""
-    if value < 0:
-        return -((denominator // 2 - value * numerator) // denominator)
-    return (value * numerator + denominator // 2) // denominator
-
-
-def down(value, numerator, denominator):
-    """Return value * numerator / denominator, toward minus infinity."""
-    return value * numerator // denominator
-
-
-def up(value, numerator, denominator):
-    """Return value * numerator / denominator, toward plus infinity."""
-    return -(-value * numerator // denominator)
-
-
-def toward_zero(value, numerator, denominator):
-    """Return value * numerator / denominator without its fraction."""
-    if value < 0:
-        return -(-value * numerator // denominator)
-    return value * numerator // denominator
-
-
-def product(first, second, numerator, denominator):
-    """Return first * second * numerator / denominator for positive numbers, rounded to nearest.
-
-    The product of all three may pass 2 ** 30; that of the first two must not.
-    """
-    both = first * second
-    return both // denominator * numerator + (both % denominator * numerator + denominator // 2) // denominator
-
-
-def complete(values, room):
-    """Return whether there are values, no more than there is room for, and all of them are known."""
-    return 0 < len(values) <= room and None not in values
-
-
-def spill(live, index, cells, value, most, unused):
-    """Spread a value over live cells that hold up to `most` each; cells that are not reached get `unused`.
-
-    None, the unknown value, reaches no cell, 0 the first one.
-    """
-    cells += index
-    while index < cells:
-        if value is None:
-            live[index] = unused
-        elif value > most:
-            live[index] = most
-            value -= most
-        else:
-            live[index] = value
-            value = None
-        index += 1
+def make_float(code, wire, offset, value, numerator, denominator):
+    """Write value * numerator / denominator as a float that is made for it, by struct's code."""
+    pack_into(code, wire, offset, value * numerator / denominator)

@@ -1,223 +1,175 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
 # Inputs: 22bc6f042f62670f
-"""State of the vehicle: integers in the units that go out, None while a quantity is unknown.
+"""State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
-Properties show them in the units of people; to set a property to None or NaN makes the quantity unknown.
+Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
+None or NaN makes it unknown.
 """
 
 import time
+from array import array
 
-from conversion import product, to_steps
 from guard import Guard
+from micropython import const
 from parameters import Parameters
-from trend import Trend
+from words import (
+    UNKNOWN,
+    Component,
+    at_least,
+    below,
+    elements,
+    known,
+    result,
+    shown,
+    shown_elements,
+    together,
+    truth,
+    whole,
+)
+
+try:
+    from state_viper import expire_battery, read_battery, take_battery
+except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+    from state_plain import expire_battery, read_battery, take_battery
+
+_SIZE = const(139)
+# Where each component's words begin, how many each instance takes, and what stands where among them.
+_BATTERY = const(0)
+_BATTERY_SIZE = const(67)
+_BATTERY_VOLTAGE_MV = const(0)
+_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CONSUMED_MAH = const(2)
+_BATTERY_ENERGY_HJ = const(3)
+_BATTERY_REMAINING_PCT = const(4)
+_BATTERY_LEFT_MAH = const(5)
+_BATTERY_COUNTED_FROM_FULL = const(6)
+_BATTERY_TEMPERATURE_CDEGC = const(7)
+_BATTERY_TREND_MV_S = const(8)
+_BATTERY_HEALTH_NUMBER = const(9)
+_BATTERY_FAILSAFE_NUMBER = const(10)
+_BATTERY_SWAPS_NUMBER = const(11)
+_BATTERY_MONITORED = const(12)
+_BATTERY_PROTECTED = const(13)
+_BATTERY_COUNT = const(14)
+_BATTERY_MULTIPLIER = const(15)
+_BATTERY_FAILURES = const(16)
+_BATTERY_IS_LOGGED = const(17)
+_BATTERY_EXPIRES_MS = const(18)
+_BATTERY_WARNED_MS = const(19)
+_BATTERY_GONE = const(20)
+_BATTERY_TREND_COUNT = const(21)
+_BATTERY_TREND_NEWER = const(22)
+_BATTERY_TREND_OLDER = const(23)
+_BATTERY_TREND_READINGS = const(24)
+_BATTERY_CELLS_MV = const(64)
+_VEHICLE = const(134)
+_VEHICLE_SIZE = const(5)
+_VEHICLE_ARMED = const(0)
+_VEHICLE_READY = const(1)
+_VEHICLE_MODE_NUMBER = const(2)
+_VEHICLE_STATUS = const(3)
+_VEHICLE_LOAD_DPCT = const(4)
 
 # Names of the parameters that each has of its own.
 _BATT_MONITOR = ("batt_monitor", "batt2_monitor")
 _BATT_VOLT_MULT = ("batt_volt_mult", "batt2_volt_mult")
 
+# What is known of the battery from the start, for each of them where it differs.
+_BATTERY_START = (
+    (_BATTERY_COUNTED_FROM_FULL, 0),
+    (_BATTERY_HEALTH_NUMBER, 2),
+    (_BATTERY_FAILSAFE_NUMBER, 0),
+    (_BATTERY_SWAPS_NUMBER, 0),
+    (_BATTERY_MONITORED, 1),
+    (_BATTERY_PROTECTED, 0),
+    (_BATTERY_TREND_COUNT, 0),
+    (_BATTERY_TREND_NEWER, 0),
+    (_BATTERY_TREND_OLDER, 0),
+    (_BATTERY_FAILURES, 0),
+    (_BATTERY_IS_LOGGED, 0),
+    (_BATTERY_GONE, 0),
+)
 
-class BatteryState:
+# What is known of the vehicle from the start.
+_VEHICLE_START = (
+    (_VEHICLE_ARMED, 0),
+    (_VEHICLE_READY, 0),
+    (_VEHICLE_MODE_NUMBER, 0),
+    (_VEHICLE_STATUS, 3),
+    (_VEHICLE_LOAD_DPCT, 0),
+)
+
+
+class BatteryState(Component):
     """One battery of the rover."""
 
-    def __init__(self):
-        # Voltage of the whole pack [mV]
-        self.voltage_mv = None
-        # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
-        self.current_ca = None
-        # Charge drawn since the pack was full, or put in [mAh]
-        self.consumed_mah = None
-        # Energy drawn since the pack was full, or put in [hJ]
-        self.energy_hj = None
-        # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
-        self.remaining_pct = None
-        # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]
-        self.left_mah = None
-        # Whether the charge that was drawn counts from a full pack, and not from power-on
-        self.counted_from_full = False
-        # Voltage of each cell. Unknown until code sets it [mV]
-        self.cells_mv = [None] * 3
-        # Temperature of the pack. The rover has no sensor for it [cdegC]
-        self.temperature_cdegc = None
-        # Change of the pack's voltage per second, positive while it rises [mV/s]
-        self.trend_mv_s = None
-        # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
-        self.health_number = 2
-        # The level that the failsafe has reached, 0 none, 1 low, 2 critical
-        self.failsafe_number = 0
-        # How often a pack was put in since the start, and so may be another one
-        self.swaps_number = 0
-        # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
-        self.protected = False
-        self.failures = 0  # failed readings in a row
-        self.expires_ms = None  # when the last good one will be too old
-        self.warned_ms = None  # when it was last warned about
-        self.gone = False  # whether it was absent at the last good reading
-        self._readings = Trend(20, 1, 40)
-        # Whether the pack is measured at all: whether BATT_MONITOR is not 0
-        self.monitored = True
+    # Voltage of the whole pack [mV]
+    voltage_mv = whole(_BATTERY_VOLTAGE_MV)
+    voltage = shown(_BATTERY_VOLTAGE_MV, 1000)  # V, or None while it is unknown; FR-00069.1
+    # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
+    current_ca = whole(_BATTERY_CURRENT_CA)
+    current = shown(_BATTERY_CURRENT_CA, 100)  # A, or None while it is unknown; FR-00068.4
+    # Charge drawn since the pack was full, or put in [mAh]
+    consumed_mah = whole(_BATTERY_CONSUMED_MAH)
+    consumed = shown(_BATTERY_CONSUMED_MAH, 1)  # mAh, or None while it is unknown; FR-00068.6
+    # Energy drawn since the pack was full, or put in [hJ]
+    energy_hj = whole(_BATTERY_ENERGY_HJ)
+    energy = shown(_BATTERY_ENERGY_HJ, 1)  # hJ, or None while it is unknown; FR-00068.6
+    # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
+    remaining_pct = whole(_BATTERY_REMAINING_PCT)
+    remaining = shown(_BATTERY_REMAINING_PCT, 1)  # %, or None while it is unknown; FR-00068.5
+    # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]
+    left_mah = whole(_BATTERY_LEFT_MAH)
+    left = shown(_BATTERY_LEFT_MAH, 1)  # mAh, or None while it is unknown; FR-00072.4
+    # Whether the charge that was drawn counts from a full pack, and not from power-on
+    counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
+    # Voltage of each cell. Unknown until code sets it [mV]
+    cells_mv = elements(_BATTERY_CELLS_MV, 3)
+    cells = shown_elements(_BATTERY_CELLS_MV, 3, 1000)  # V each, or None while it is unknown; FR-00076.7
+    # Temperature of the pack. The rover has no sensor for it [cdegC]
+    temperature_cdegc = whole(_BATTERY_TEMPERATURE_CDEGC)
+    temperature = shown(_BATTERY_TEMPERATURE_CDEGC, 100)  # degC, or None while it is unknown; FR-00068.6
+    # Change of the pack's voltage per second, positive while it rises [mV/s]
+    trend_mv_s = whole(_BATTERY_TREND_MV_S)
+    trend = result(_BATTERY_TREND_MV_S, 1000)  # V/s, or None while it is unknown; FR-00021.1
+    # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
+    health_number = whole(_BATTERY_HEALTH_NUMBER)
+    health = shown(_BATTERY_HEALTH_NUMBER, 1)  # A number, known from the start; FR-00021.3
+    # The level that the failsafe has reached, 0 none, 1 low, 2 critical
+    failsafe_number = whole(_BATTERY_FAILSAFE_NUMBER)
+    failsafe = shown(_BATTERY_FAILSAFE_NUMBER, 1)  # A number, known from the start; FR-00073.5
+    # Whether no pack is connected. One that works has more volts; a failed reading does not count
+    absent = below(_BATTERY_VOLTAGE_MV, 3000)  # FR-00073.8
+    # How often a pack was put in since the start, and so may be another one
+    swaps_number = whole(_BATTERY_SWAPS_NUMBER)
+    swaps = shown(_BATTERY_SWAPS_NUMBER, 1)  # A number, known from the start; FR-00073.8
+    # Whether the pack is measured at all: whether BATT_MONITOR is not 0
+    monitored = truth(_BATTERY_MONITORED)
+    # Whether the pack's voltage is known
+    healthy = known(_BATTERY_VOLTAGE_MV)  # FR-00067.3
+    # Whether current flows into the pack
+    charging = below(_BATTERY_CURRENT_CA, 0)  # FR-00072.5
+    # Whether the pack cannot be relied on. Its voltage is too low, or unknown
+    unhealthy = at_least(_BATTERY_HEALTH_NUMBER, 2)  # FR-00072.5
+    # Whether the failsafe has found the pack low. Until the next start nothing arms the rover
+    used_up = at_least(_BATTERY_FAILSAFE_NUMBER, 1)  # FR-00072.5
+    # Whether the pack is charged above what its cells stand
+    over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
+    # Whether the pack is below what its cells stand
+    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000)  # FR-00072.5
+    # Whether the pack is warmer than it may be while it is discharged
+    hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
+    # Whether the pack is colder than it may be while it is discharged
+    cold = below(_BATTERY_TEMPERATURE_CDEGC, -2000)  # FR-00072.5
+    # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
+    protected = truth(_BATTERY_PROTECTED)
+    # Failed readings in a row
+    failures = whole(_BATTERY_FAILURES)
+    # When the last good reading will be too old
+    expires_ms = whole(_BATTERY_EXPIRES_MS)
 
-    @property
-    def voltage(self):
-        """V, or None while it is unknown; FR-00069.1."""
-        if self.voltage_mv is None:
-            return None
-        return self.voltage_mv / 1000
-
-    @voltage.setter
-    def voltage(self, value):
-        self.voltage_mv = to_steps(value, 1000)
-
-    @property
-    def current(self):
-        """A, or None while it is unknown; FR-00068.4."""
-        if self.current_ca is None:
-            return None
-        return self.current_ca / 100
-
-    @current.setter
-    def current(self, value):
-        self.current_ca = to_steps(value, 100)
-
-    @property
-    def consumed(self):
-        """mAh, or None while it is unknown; FR-00068.6."""
-        return self.consumed_mah
-
-    @consumed.setter
-    def consumed(self, value):
-        self.consumed_mah = to_steps(value, 1)
-
-    @property
-    def energy(self):
-        """hJ, or None while it is unknown; FR-00068.6."""
-        return self.energy_hj
-
-    @energy.setter
-    def energy(self, value):
-        self.energy_hj = to_steps(value, 1)
-
-    @property
-    def remaining(self):
-        """%, or None while it is unknown; FR-00068.5."""
-        return self.remaining_pct
-
-    @remaining.setter
-    def remaining(self, value):
-        self.remaining_pct = to_steps(value, 1)
-
-    @property
-    def left(self):
-        """mAh, or None while it is unknown; FR-00072.4."""
-        return self.left_mah
-
-    @left.setter
-    def left(self, value):
-        self.left_mah = to_steps(value, 1)
-
-    @property
-    def cells(self):
-        """List of values in V, None where one is unknown; FR-00076.7."""
-        return [None if value is None else value / 1000 for value in self.cells_mv]
-
-    @cells.setter
-    def cells(self, values):
-        """Take a list of as many values, or None: all are unknown."""
-        steps = self.cells_mv
-        if values is not None and len(values) != len(steps):
-            raise ValueError(f"there are {len(steps)} values, not {len(values)}")
-        for index in range(len(steps)):
-            steps[index] = None if values is None else to_steps(values[index], 1000)
-
-    @property
-    def temperature(self):
-        """degC, or None while it is unknown; FR-00068.6."""
-        if self.temperature_cdegc is None:
-            return None
-        return self.temperature_cdegc / 100
-
-    @temperature.setter
-    def temperature(self, value):
-        self.temperature_cdegc = to_steps(value, 100)
-
-    @property
-    def trend(self):
-        """V/s, or None while it is unknown; FR-00021.1."""
-        if self.trend_mv_s is None:
-            return None
-        return self.trend_mv_s / 1000
-
-    @property
-    def health(self):
-        """A number, known from the start; FR-00021.3."""
-        return self.health_number
-
-    @health.setter
-    def health(self, value):
-        self.health_number = to_steps(value, 1)
-
-    @property
-    def failsafe(self):
-        """A number, known from the start; FR-00073.5."""
-        return self.failsafe_number
-
-    @failsafe.setter
-    def failsafe(self, value):
-        self.failsafe_number = to_steps(value, 1)
-
-    @property
-    def absent(self):
-        """Whether no pack is connected. One that works has more volts; a failed reading does not count, FR-00073.8."""
-        return self.voltage_mv is not None and self.voltage_mv < 3000
-
-    @property
-    def swaps(self):
-        """A number, known from the start; FR-00073.8."""
-        return self.swaps_number
-
-    @swaps.setter
-    def swaps(self, value):
-        self.swaps_number = to_steps(value, 1)
-
-    @property
-    def healthy(self):
-        """Whether the pack's voltage is known, FR-00067.3."""
-        return self.voltage_mv is not None
-
-    @property
-    def charging(self):
-        """Whether current flows into the pack, FR-00072.5."""
-        return self.current_ca is not None and self.current_ca < 0
-
-    @property
-    def unhealthy(self):
-        """Whether the pack cannot be relied on. Its voltage is too low, or unknown, FR-00072.5."""
-        return self.health_number is not None and self.health_number >= 2
-
-    @property
-    def used_up(self):
-        """Whether the failsafe has found the pack low. Until the next start nothing arms the rover, FR-00072.5."""
-        return self.failsafe_number is not None and self.failsafe_number >= 1
-
-    @property
-    def over_voltage(self):
-        """Whether the pack is charged above what its cells stand, FR-00072.5."""
-        return self.voltage_mv is not None and self.voltage_mv >= 12750
-
-    @property
-    def under_voltage(self):
-        """Whether the pack is below what its cells stand, FR-00072.5."""
-        return self.voltage_mv is not None and self.voltage_mv < 9000
-
-    @property
-    def hot(self):
-        """Whether the pack is warmer than it may be while it is discharged, FR-00072.5."""
-        return self.temperature_cdegc is not None and self.temperature_cdegc >= 6000
-
-    @property
-    def cold(self):
-        """Whether the pack is colder than it may be while it is discharged, FR-00072.5."""
-        return self.temperature_cdegc is not None and self.temperature_cdegc < -2000
+    def __init__(self, words=None, instance=0):
+        Component.__init__(self, _BATTERY_SIZE, _BATTERY_START, words, instance)
 
     @staticmethod
     def voltage_from_adc(adc, mult):
@@ -225,148 +177,105 @@ class BatteryState:
         return adc / 4095 * 3.3 * mult
 
     def set_count(self, count, multiplier):
-        """Take over a count; the multiplier is in steps of BATT_VOLT_MULT.
+        """Take over a count; the multiplier is in steps of BATT_VOLT_MULT. Return what there is to tell.
 
-        The same formula as voltage_from_adc() in whole numbers: nothing is lost and nothing allocated.
+        The same formula as voltage_from_adc() in whole numbers: nothing is lost and nothing allocated. A count
+        that cannot be, such as -1, is a failed reading.
         """
-        self.voltage_mv = product(count, multiplier, 11, 136500)
-        self.trend_mv_s = self._readings.after(self.voltage_mv)
-
-    def keep(self):
-        """Count the last value once more: a reading has failed, and the trend takes readings at equal intervals."""
-        self.trend_mv_s = self._readings.after(self.voltage_mv)
-
-    def has_returned(self):
-        """Take in what a reading has shown; return whether it was absent before and is no longer, FR-00073.8.
-
-        Another one may have been put in: that is counted, and what was counted for the last one begins anew.
-        """
-        was_gone = self.gone
-        self.gone = self.absent
-        if self.gone or not was_gone:
-            return False
-        self.swaps_number = (self.swaps_number or 0) + 1
-        if self.consumed_mah is not None:
-            self.consumed_mah = 0
-        if self.energy_hj is not None:
-            self.energy_hj = 0
-        self.counted_from_full = False
-        return True
+        words = self.words
+        own = words[_BATTERY_MULTIPLIER]
+        words[_BATTERY_COUNT] = count
+        words[_BATTERY_MULTIPLIER] = multiplier
+        told = take_battery(words, time.ticks_ms())
+        words[_BATTERY_MULTIPLIER] = own
+        return told
 
     def forget(self):
         """Make everything that is measured unknown."""
-        self.voltage_mv = None
-        self.trend_mv_s = None
-        self._readings.forget()
+        self.words[_BATTERY_VOLTAGE_MV] = UNKNOWN
+        self.words[_BATTERY_TREND_MV_S] = UNKNOWN
+        self.words[_BATTERY_TREND_COUNT] = 0
+        self.words[_BATTERY_TREND_NEWER] = 0
+        self.words[_BATTERY_TREND_OLDER] = 0
 
     def expire(self):
         """Forget the last reading once it is older than 1000 ms, FR-00067.3."""
-        if self.expires_ms is not None and time.ticks_diff(time.ticks_ms(), self.expires_ms) > 0:
-            self.forget()
-            self.expires_ms = None
+        expire_battery(self.words, time.ticks_ms())
 
 
-class VehicleState:
+class VehicleState(Component):
     """The rover as a whole."""
 
-    def __init__(self):
-        # Whether the motors may turn
-        self.armed = False
-        # Whether the checks before arming pass
-        self.ready = False
-        # Drive mode, a number of the autopilot's own
-        self.mode_number = 0
-        # What the vehicle is doing (MAV_STATE)
-        self.status = 3
-        # Share of the main loop's time that is used [d%]
-        self.load_dpct = 0
+    # Whether the motors may turn
+    armed = truth(_VEHICLE_ARMED)
+    # Whether the checks before arming pass
+    ready = truth(_VEHICLE_READY)
+    # Drive mode, a number of the autopilot's own
+    mode_number = whole(_VEHICLE_MODE_NUMBER)
+    mode = shown(_VEHICLE_MODE_NUMBER, 1)  # A number, known from the start
+    # What the vehicle is doing (MAV_STATE)
+    status = whole(_VEHICLE_STATUS)
+    # Share of the main loop's time that is used [d%]
+    load_dpct = whole(_VEHICLE_LOAD_DPCT)
+    load = shown(_VEHICLE_LOAD_DPCT, 10)  # %, known from the start
 
-    @property
-    def mode(self):
-        """A number, known from the start."""
-        return self.mode_number
-
-    @mode.setter
-    def mode(self, value):
-        self.mode_number = to_steps(value, 1)
-
-    @property
-    def load(self):
-        """%, known from the start."""
-        if self.load_dpct is None:
-            return None
-        return self.load_dpct / 10
-
-    @load.setter
-    def load(self, value):
-        self.load_dpct = to_steps(value, 10)
+    def __init__(self, words=None, instance=0):
+        Component.__init__(self, _VEHICLE_SIZE, _VEHICLE_START, words, instance)
 
 
 class SystemState:
-    """Everything the telemetry reports."""
+    """Everything the telemetry reports; `words` is the whole array."""
 
     def __init__(self, parameters=None, log=print):
         self.parameters = parameters or Parameters()
+        self.words = array("i", [UNKNOWN] * _SIZE)
         self._log = log
         self._guard = Guard()
-        self.battery = [BatteryState() for _ in range(2)]
+        self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 2)
         for instance in range(2):
-            self.battery[instance].monitored = getattr(self.parameters, _BATT_MONITOR[instance]) != 0
-        # A multiplier that is changed counts from the next start.
-        self._batt_volt_mult = [getattr(self.parameters, _BATT_VOLT_MULT[instance]) for instance in range(2)]
-        self.vehicle = VehicleState()
-        self._battery_is_logged = [False] * 2
+            words = self.battery[instance].words
+            words[_BATTERY_MONITORED] = 1 if getattr(self.parameters, _BATT_MONITOR[instance]) != 0 else 0
+            words[_BATTERY_MULTIPLIER] = getattr(self.parameters, _BATT_VOLT_MULT[instance])
+        self.battery_words = tuple(self.battery[instance].words for instance in range(2))
+        self.vehicle = together(VehicleState, self.words, _VEHICLE, _VEHICLE_SIZE, 1)
 
     def update_battery(self, board):
         """Take one reading of each; call it every 100 ms, FR-00067.1.
 
         It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
         """
+        try:
+            read_battery(self, board)
+        except Exception:  # to keep it would cost heap at each call
+            self._guard_battery(board)
+
+    def _guard_battery(self, board):
+        """Read those of which there is no count yet, one by one; of one that the board cannot read learn why."""
         for instance in range(2):
-            self._update_battery(board, instance)
+            words = self.battery_words[instance]
+            if words[_BATTERY_COUNT] != -2 or not words[_BATTERY_MONITORED]:
+                continue
+            with self._guard:
+                count = board.read_battery_adc(instance)
+                words[_BATTERY_COUNT] = -1 if board.battery_failures[instance] else count
+            if self._guard.error is not None:
+                words[_BATTERY_COUNT] = -1
+                if words[_BATTERY_FAILURES] == 0:
+                    self._log(f"error: the board cannot read battery {instance + 1}:", self._guard.error)
+            self.tell_battery(take_battery(words, time.ticks_ms()), instance)
 
-    def _update_battery(self, board, instance):
-        battery = self.battery[instance]
-        if not battery.monitored:
-            return
-        count = self._read_battery(board, instance)
-        if not self._is_good_battery(board, count, instance):
-            battery.failures += 1
-            if battery.failures >= 5:
-                battery.forget()
-            if battery.voltage_mv is not None:
-                battery.keep()
-            return
-        battery.failures = 0
-        battery.set_count(count, self._batt_volt_mult[instance])
-        battery.expires_ms = time.ticks_add(time.ticks_ms(), 1000)
-        if not self._battery_is_logged[instance]:
-            self._log_battery(instance)
-        if battery.has_returned():
+    def tell_battery(self, told, instance):
+        """Do what a reading gives cause to."""
+        self._log_battery(told, instance)
+
+    def _log_battery(self, told, instance):
+        value = self.battery[instance].voltage
+        if told & 1:
+            self._log(f"battery {instance + 1}: voltage {value:.2f} V")
+        if told & 2:
             self._log(f"notice: Battery {instance + 1} connected")
-        self._warn_battery(battery, time.ticks_ms(), instance)
-
-    def _warn_battery(self, battery, now_ms, instance):
-        if battery.warned_ms is not None and time.ticks_diff(now_ms, battery.warned_ms) >= 10000:
-            battery.warned_ms = None  # at once, since ticks of long ago seem to lie ahead
-        if battery.voltage_mv > 13000 and battery.warned_ms is None:
-            battery.warned_ms = now_ms
-            self._log(f"warning: battery {instance + 1}'s voltage is above 13 V:", battery.voltage)
-
-    def _log_battery(self, instance):
-        self._battery_is_logged[instance] = True
-        self._log(f"battery {instance + 1}: voltage {self.battery[instance].voltage:.2f} V")
-
-    def _read_battery(self, board, instance):
-        with self._guard:
-            return board.read_battery_adc(instance)
-
-    def _is_good_battery(self, board, count, instance):
-        if self._guard.error is not None:
-            if self.battery[instance].failures == 0:
-                self._log(f"error: the board cannot read battery {instance + 1}:", self._guard.error)
-            return False
-        return not board.battery_failures[instance] and isinstance(count, int) and 0 <= count <= 4095
+        if told & 4:
+            self._log(f"warning: battery {instance + 1}'s voltage is above 13 V:", value)
 
     def calibrate_battery(self, measured, instance=0):
         """Set its multiplier to what a meter shows, in V; return whether it was accepted.
@@ -376,6 +285,6 @@ class SystemState:
         reading = self.battery[instance].voltage
         if not reading or measured is None:
             return False
-        name = ("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance]
-        old = self.parameters.value(name, self._batt_volt_mult[instance])
-        return self.parameters.set(name, old * measured / reading)
+        own = self.battery[instance].words[_BATTERY_MULTIPLIER]
+        old = self.parameters.value(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], own)
+        return self.parameters.set(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], old * measured / reading)

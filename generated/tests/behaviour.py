@@ -354,7 +354,7 @@ def battery_cells_in_their_unit():
     count = len(battery.cells_mv)
     assert battery.cells == [None] * count
     battery.cells = [None if place == 0 else place for place in range(count)]
-    assert battery.cells_mv == [None if place == 0 else place * 1000 for place in range(count)]
+    assert list(battery.cells_mv) == [None if place == 0 else place * 1000 for place in range(count)]
     assert battery.cells == [None if place == 0 else place for place in range(count)]
     for wrong in ([], [1.0] * (count + 1)):
         try:

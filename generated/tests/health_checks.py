@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 768812be70f18987
+# Inputs: b726e8b528c32a6b
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -42,7 +42,8 @@ def _trend_after(values):
             component.forget()
         else:
             setattr(component, measured["attribute"], value)
-            component.keep()
+            component.set_count(-1, 1)  # a failed reading counts the value once more
+            component.failures = 0
     return getattr(component, measured["trend"])
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: ce5671950f821ac8
+# Inputs: e196ebb7d5eef072
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reporting
@@ -40,7 +40,7 @@ def _by_parameter():
 def _owners(rover, component):
     """Return the instances of a component."""
     owner = getattr(rover.state, component)
-    return owner if isinstance(owner, list) else [owner]
+    return list(owner)
 
 
 def _frames(rover, number):

@@ -37,6 +37,8 @@ def install():
         for module in list(sys.modules.values()):
             if module is not mock and getattr(module, "time", None) is time:
                 module.time = mock  # it imported the true time before
+        for name in _NAMES:
+            _replace(name, getattr(time, name), globals()[name])
         sys.modules["time"] = mock
         return
     for name in _NAMES:
@@ -44,6 +46,14 @@ def install():
         # An earlier import of this module may have been here, with a clock of its own.
         if existing is None or existing.__module__ == __name__:
             setattr(time, name, globals()[name])
+            _replace(name, existing, globals()[name])
+
+
+def _replace(name, old, new):
+    """Give the new function to every module that has imported the old one by its name."""
+    for module in list(sys.modules.values()):
+        if old is not None and old is not new and getattr(module, name, None) is old:
+            setattr(module, name, new)
 
 
 def set_ticks_us(now):

@@ -32,7 +32,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "template_files": set(),
     "render": {"template_files"},
     "schemas": {"model", *GROUND},
-    "targets": {"answers", "derivations", "resolve", "render", "template_files", "schemas", "model", *GROUND},
+    "targets": {"derivations", "resolve", "render", "template_files", "schemas", "model", *GROUND},
     "manifest": GROUND,
     "project_files": set(),
     "emit": {"manifest", *GROUND},
@@ -65,16 +65,6 @@ MAY_IMPORT: dict[str, set[str]] = {
 KNOW_KINDS = {
     "resolve.population": {"answers", "answers.kind", "answers.pages", "answers.scope"},
     "resolve.scope": {"answers.scope"},
-    "targets.firmware.live": {
-        "answers.each.answer",
-        "answers.flags",
-        "answers.instance",
-        "answers.live",
-        "answers.page",
-    }
-    | {"answers.split"},
-    "targets.firmware.telemetry": {"answers.fact", "answers.fixed", "answers.flags", "answers.instance"}
-    | {"answers.page", "answers.text"},
 }
 """What modules outside of ``answers`` import of it: the stages ask ``model.answer.Answer`` and know no kind."""
 

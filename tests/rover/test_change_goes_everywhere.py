@@ -14,19 +14,21 @@ ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(sys.executable).parent
 
 DOCUMENT = "docs/telemetry.md"
+PAYLOADS = ("firmware/telemetry_plain.py", "firmware/telemetry_viper.py")
+READINGS = ("firmware/state_plain.py", "firmware/state_viper.py")
 CHANGES = [
     (
         "board.yaml",
         "reference: 3.3 V",
         "reference: 3.0 V",
-        {"firmware/state.py", "tests/cases.json", "docs/telemetry.md"},
+        {"firmware/state.py", *READINGS, "tests/cases.json", "docs/telemetry.md"},
         ("battery.voltage", "* 3 V"),
     ),
     (
         "messages/battery_status.yaml",
         "battery_remaining: {state: battery.remaining, min: 0, max: 100",
         "battery_remaining: {state: battery.remaining, min: 0, max: 95",
-        {"firmware/telemetry.py", "tests/cases.json", "docs/telemetry.md"},
+        {*PAYLOADS, "tests/cases.json", "docs/telemetry.md"},
         ("BATTERY_STATUS.battery_remaining", "0..95"),
     ),
     (
@@ -40,14 +42,14 @@ CHANGES = [
         "state.yaml",
         "invalid_after: 5",
         "invalid_after: 7",
-        {"firmware/state.py", "tests/behaviour.py"},
+        {"firmware/state.py", *READINGS, "tests/behaviour.py"},
         ("battery.voltage", "7 failed readings"),
     ),
     (
         "dialects/corrections.yaml",
         'invalid: "0"',
         'invalid: "-1"',
-        {"firmware/messages.py", "firmware/telemetry.py", "tests/cases.json", "docs/telemetry.md"},
+        {"firmware/messages.py", *PAYLOADS, "tests/cases.json", "docs/telemetry.md"},
         ("BATTERY_STATUS.time_remaining", "= -1"),
     ),
 ]
@@ -87,14 +89,14 @@ PROGRAM_CHANGES = [
         "state.yaml",
         "warn_every: 10 s",
         "warn_every: 20 s",
-        {"firmware/state.py", "tests/behaviour.py"},
+        {*READINGS, "tests/behaviour.py"},
         ("battery.voltage", "every 20000 ms at most"),
     ),
     (
         "state.yaml",
         "window: 4 s",
         "window: 2 s",
-        {"firmware/state.py", DOCUMENT},
+        {"firmware/state.py", "firmware/telemetry.py", *READINGS, *PAYLOADS, DOCUMENT},
         ("battery.trend", "over 2 s, 20 readings"),
     ),
     ("vehicle.yaml", "chunk: 64", "chunk: 32", {"firmware/vehicle.py", DOCUMENT}, None),

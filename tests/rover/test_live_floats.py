@@ -61,7 +61,8 @@ def counted():
     return mem_total() - before, more - used
 
 allocated, more = counted()
-print(telemetry.put_float is __import__("floats_plain").put_float, allocated, more, link.sequence, link.tx_errors)
+is_plain = telemetry.write_battery_info is __import__("telemetry_plain").write_battery_info
+print(is_plain, allocated, more, link.sequence, link.tx_errors)
 """
 
 

@@ -69,7 +69,7 @@ def test_the_tree_of_one_criterion(project: Project, capsys: pytest.CaptureFixtu
         "FR-1.2  [has tests]  specs/requirements/FR-1.md:11",
         "Its custom_mode is 7, which nobody reads.",
         "field HEARTBEAT.custom_mode  specs/messages/heartbeat.yaml:8",
-        "firmware/telemetry.py: _new_heartbeat",
+        "firmware/telemetry_plain.py: write_heartbeat",
         "generated/tests/test_frames.py::test_frames  (2 cases, HEARTBEAT)",
         "tests/test_beat.py::TestMode::test_seven",
     ):

@@ -36,6 +36,11 @@ def names_of(text: str) -> set[str]:
             found.add(node.name)
         if isinstance(node, ast.Assign):
             found |= {target.id for target in node.targets if isinstance(target, ast.Name)}
+        if isinstance(node, ast.ClassDef):  # views of the state's words
+            views = [each for each in node.body if isinstance(each, ast.Assign)]
+            found |= {
+                f"{node.name}.{target.id}" for each in views for target in each.targets if isinstance(target, ast.Name)
+            }
         for inner in ast.walk(node) if isinstance(node, ast.ClassDef) else ():
             match inner:
                 case ast.FunctionDef(name=name):

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from codegen.answers.each.elements import BAD_EACH, can_take, room_of, unknown_of
 from codegen.answers.each.reading import cell_readings
+from codegen.answers.filling import comment, fitted, origin
 from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
 from codegen.answers.limits import check_reach, scaling_of
 from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_cases, limit_words, sentinel_cases
@@ -14,6 +15,7 @@ from codegen.answers.split import SplitAnswer
 from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.answer import Answer, Elements
 from codegen.model.known import Known, Stored, Value
+from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading
 from codegen.model.scaling import Scaling
@@ -114,10 +116,49 @@ class EachAnswer(KindOfAnswer):
             return None
         return Together(self.source, self.room, self.fallback.source if self.fallback else None)
 
-    @property
-    def is_built(self) -> bool:
-        """They are read then."""
-        return True
+    def statements(self, code: PayloadCode) -> list[str]:
+        """Value by value; where they go out together, only after it was looked whether all are known."""
+        covers, fallback = self.covers, self.fallback
+        words = origin(covers, self.source) + (f", from {self.first}" if self.first else "")
+        words += ", a page of them" if self.is_paged else ""
+        words += " while all are known" if self.room is not None else ""
+        words += f", else {origin(covers, fallback.source)}, spilling above {fallback.cell_high}" if fallback else ""
+        head = [comment(covers, words)]
+        most = max(self.source.elements or (0,))
+        if not self.is_paged and self.first >= most:
+            return [*head, f"# there are {most}: all unknown", *code.fill(covers, self.unknown)]
+        if self.room is None:
+            return [*head, *self._each(code)]
+        others = fallback.spilled(code) if fallback else code.fill(covers, self.unknown)
+        count = code.count(self.source)
+        known = f"{code.read(self.source, 'place')} != {UNKNOWN}"
+        fits = f"place == {count}" if most <= self.room else f"place == {count} and place <= {self.room}"
+        return [
+            *head,
+            "place = 0",
+            f"while place < {count} and {known}:",
+            "    place += 1",
+            f"if {fits}:",
+            *indented(self._each(code)),
+            "else:",
+            *indented(others),
+        ]
+
+    def _each(self, code: PayloadCode) -> list[str]:
+        covers, last = self.covers, self.covers.first + self.covers.count
+        start = f"page * {covers.count}" if self.is_paged else str(self.first)
+        source = "place" if start == "0" and covers.first == 0 else f"place + {start}"
+        if covers.first:
+            source = f"place + {self.first - covers.first}" if not self.is_paged else f"{source} - {covers.first}"
+        return [
+            f"place = {covers.first}",
+            f"while place < {last}:",
+            f"    value = {UNKNOWN}",
+            f"    if {source} < {code.count(self.source)}:",
+            f"        value = {code.read(self.source, source)}",
+            *indented([*fitted(self.scaling, self.unknown), *code.store_at(covers, "place", "value")]),
+            "    place += 1",
+        ]
 
     def words(self) -> Words:
         """Which values, how each is scaled, and its limits on the wire."""

@@ -6,11 +6,14 @@ from codegen.render import render_template
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.firmware.board import board_view
+from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.program import dialect_text, program_view
+from codegen.targets.firmware.reading_view import readings_view
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
+from codegen.targets.firmware.words import word_layout
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 
 _PROGRAM = "firmware/program"
@@ -24,22 +27,33 @@ def render_firmware(system: System) -> dict[str, str]:
     streams = specification_file(system, "streams.yaml")
     tables = [message.population.place.file for message in system.messages]
     wires = [message.wire for message in system.messages]
-    view = state_view(system)
-    telemetry = telemetry_view(system)
+    written = [project, *tables, state, board, parameters]
+    layout = word_layout(system)
+    view = state_view(system, layout)
+    machine_code = system.spec.project.machine_code
+    plain = functions_view(system, layout, machine_code=False)
     rendered: dict[str, tuple[object, list[str], list[WireMessage]]] = {
         "board.py": (board_view(system), [board, state, parameters], []),
         "parameters.py": (parameter_views(system), [parameters], []),
         "state.py": (view, [state, board, parameters], []),
         "streams.py": (streams_view(system), [project, streams, parameters, *tables], []),
-        "telemetry.py": (telemetry, [project, *tables, state, board, parameters], wires),
+        "telemetry.py": (telemetry_view(system, plain, layout), written, wires),
+        "telemetry_plain.py": (plain, written, wires),
     }
-    accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
+    if view.is_measured:
+        rendered["state_plain.py"] = (readings_view(system, layout, machine_code=False), [state, board, parameters], [])
+        if machine_code:
+            readings = readings_view(system, layout, machine_code=True)
+            rendered["state_viper.py"] = (readings, [state, board, parameters], [])
+    if machine_code:
+        fast = functions_view(system, layout, machine_code=True)
+        rendered["telemetry_viper.py"] = (fast, written, wires)
+    accelerated = [MACHINE_CODE] if machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
     optional = {
         "discharge": view.has_estimate,
-        "floats_plain": telemetry.puts_floats,
-        "floats_viper": telemetry.puts_floats and system.spec.project.machine_code,
-        "trend": view.has_trend,
+        "floats_plain": plain.puts_floats,
+        "floats_viper": plain.puts_floats and machine_code,
     }
     for name, is_used in optional.items():
         if not is_used:

@@ -1,149 +1,98 @@
-"""View of state.py: the vehicle state with its integers, their views for people and the updates from the ADC."""
+"""View of state.py: the components of the vehicle state as views of words, and their updates from the ADC."""
 
-import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 
-from codegen.derivations.estimate import Estimate
-from codegen.derivations.follows import Follows
-from codegen.derivations.trend import Trend
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Component, Conversion, Quantity, QuantityKind, by_instance
+from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
+from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, expires
+from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ, measured_of
+from codegen.targets.imports import import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
 
 @dataclass(frozen=True, slots=True)
-class OwnView:
-    """An attribute that is not the same in all instances: its value in the first, and in each, as expressions."""
-
-    attribute: str
-    first: str
-    each: str
-
-
-@dataclass(frozen=True, slots=True)
-class QuantityView:
-    """One quantity: its attribute, its value at start, and, with a unit, its property for people.
-
-    ``shown`` says what the property returns. A boolean that ``follows`` an attribute is true while that is known and
-    ``condition`` holds. ``elements`` is the number of values of a list. ``own`` is what instances have of their own.
-    """
+class AttributeView:
+    """An attribute of a component: the view of words that it is, and what it means, in lines above it or behind it."""
 
     name: str
-    attribute: str
-    initial: str
-    comment: str
-    unit: str
-    shown: str
-    has_property: bool
-    read_only: bool
-    follows: str | None
-    condition: str
-    own: OwnView | None
-    elements: int | None
-    enabled_by: str | None
-    enabled_attribute: str
-    enabled_by_name: str
-    numerator: int
-    denominator: int
-    citation: str
+    expression: str
+    above: str
+    behind: str
 
 
 @dataclass(frozen=True, slots=True)
 class MeasuredView:
-    """How a component's quantity comes from an ADC count: ``count * steps * numerator / denominator``.
+    """How a component's quantity comes from an ADC count, and what is told about its readings.
 
-    ``formula`` is the same for people, in volts, with the names adc and mult.
+    ``formula`` is for people, in volts, with the names adc and mult. ``own_multiplier`` is the expression of the
+    steps of an instance's parameter, ``own_name`` that of its name.
     """
 
     name: str
-    attribute: str
+    word: str
     unit: str
     formula: str
-    full_scale: int
     citation: str
-    multiplier: str
     multiplier_name: str
     own_multiplier: str
+    own_name: str
     names: tuple[str, ...]
     latched: bool
-    numerator: int
-    denominator: int
-    warn_above: str | None
     warn_text: str
-    warn_every_ms: int | None
-    warnings: OwnView | None
-    warning_counts: tuple[int | None, ...]
     invalid_after: int | None
     stale_after_ms: int | None
     cited: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
-class TrendView:
-    """The trend of what is measured: the sum of ``half`` of the readings is compared with that of the others.
+class TellView:
+    """What is logged, as arguments of the generated Python, where a reading has given cause to: a bit of its result."""
 
-    The difference times ``numerator / denominator`` is the change per second.
-    """
-
-    attribute: str
-    half: int
-    numerator: int
-    denominator: int
+    bit: int
+    text: str
 
 
 @dataclass(frozen=True, slots=True)
 class EstimateView:
-    """The charge that is estimated from what is measured; ``curves`` are, by instance, (stored steps, %), rising."""
+    """The charge that is estimated from what is measured: its word, and the curve of each instance."""
 
-    attribute: str
+    word: str
+    constant: str
+    each: str
+    text: str
     name: str
-    curves: tuple[tuple[tuple[int, int], ...], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class RestartView:
-    """What begins anew when something has come back: with 0 if it is known, or ``initial``, a boolean."""
-
-    attribute: str
-    initial: str | None
-
-
-@dataclass(frozen=True, slots=True)
-class ReturnsView:
-    """``gone`` is the boolean whose end counts in the attribute ``count``; ``below`` its limit by instance, if any.
-
-    ``title`` is what texts call the component.
-    """
-
-    gone: str
-    below: tuple[int, ...]
-    count: str
-    title: str
-    restarting: tuple[RestartView, ...]
-    citation: str
 
 
 @dataclass(frozen=True, slots=True)
 class ComponentView:
-    """One class of the state, and how SystemState holds it: alone, or as a list of several."""
+    """One class of the state, and what is done with each reading of it.
+
+    ``start`` are the words that are known from the start, with their values, by instance where these differ; ``set_up``
+    those that parameters decide. What is logged is given as literals, which name the instance where there are several.
+    """
 
     name: str
     class_name: str
     doc: str
     instances: int
     several: bool
-    first_number: str | None
-    quantities: tuple[QuantityView, ...]
+    base: str
+    size: str
+    attributes: tuple[AttributeView, ...]
+    start: tuple[tuple[str, str], ...]
+    switch: str | None
+    forgotten: tuple[str, ...]
+    expires: bool
     measured: MeasuredView | None
-    trend: TrendView | None
     estimate: EstimateView | None
-    returns: ReturnsView | None
-    enabled: str | None
+    emptied: tuple[str, ...]
+    set_up: tuple[tuple[str, str], ...]
+    told: tuple[TellView, ...]
+    unreadable: str
     period_ms: int | None
     citation: str
     cited: Mapping[str, str]
@@ -151,34 +100,52 @@ class ComponentView:
 
 @dataclass(frozen=True, slots=True)
 class StateView:
-    """The module: the components in order, and the names that it imports from conversion."""
+    """The module: what it imports, the constants of its words, and the components in order."""
 
+    imports: tuple[str, ...]
+    readings: tuple[str, ...]
+    machine_code: bool
+    constants: tuple[ConstantView, ...]
+    size: int
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
-    conversions: tuple[str, ...]
-    is_measured: bool
-    uses_clock: bool
-    has_trend: bool
     has_estimate: bool
+    is_measured: bool
 
 
-def state_view(system: System) -> StateView:
+def state_view(system: System, layout: Layout) -> StateView:
     """The view of the whole module."""
-    components = tuple(_component(component, system) for component in system.components.values())
-    used = set()
-    if any(component.measured for component in components):
-        used |= {"product"}
-    if any(quantity.has_property for component in components for quantity in component.quantities):
-        used |= {"to_steps"}
-    measured = [component.measured for component in components if component.measured]
+    components = tuple(_component(component, layout) for component in system.components.values())
+    measured = [component for component in components if component.measured]
+    has_estimate = any(component.estimate for component in components)
+    words = {"Component", "UNKNOWN", "together"} | {
+        attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
+    }
+    names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
+    names |= {("words", word) for word in words}
+    names |= {("guard", "Guard")} if measured else set()
+    names |= {("discharge", "percent")} if has_estimate else set()
+    constants = [
+        constant
+        for block in layout.blocks.values()
+        for constant in (
+            ConstantView(block.base_constant, block.base),
+            ConstantView(block.size_constant, block.size),
+            *(ConstantView(block.constant(name), at) for name, at in block.offsets.items()),
+        )
+    ]
+    readings = [f"{verb}_{component.name}" for component in measured for verb in ("read", "take")]
+    readings += [f"expire_{component.name}" for component in measured if component.expires]
     return StateView(
-        components,
+        imports=import_lines(["time"] if measured else [], names),
+        readings=tuple(sorted(readings)),
+        machine_code=system.spec.project.machine_code,
+        constants=tuple(constants),
+        size=layout.size,
+        components=components,
         families=_families(system),
-        conversions=tuple(sorted(used)),
+        has_estimate=has_estimate,
         is_measured=bool(measured),
-        uses_clock=any(reading.stale_after_ms is not None or reading.warn_every_ms for reading in measured),
-        has_trend=any(component.trend for component in components),
-        has_estimate=any(component.estimate for component in components),
     )
 
 
@@ -190,177 +157,212 @@ def _families(system: System) -> tuple[FamilyView, ...]:
     return tuple(family_view(parameter) for parameter in (*switches, *multipliers) if parameter.siblings)
 
 
-def _component(component: Component, system: System) -> ComponentView:
-    measured = [
-        _measured(quantity, conversion, component, system)
-        for name, quantity, conversion in system.measured()
-        if name == component.name
-    ]
+def _component(component: Component, layout: Layout) -> ComponentView:
+    block = layout.blocks[component.name]
+    quantities = component.quantities.values()
+    measured = measured_of(component)
+    enabled = component.enabled
+    view = _measured(measured, component, block) if measured else None
     return ComponentView(
         name=component.name,
         class_name=state_class(component.name),
         doc=prose(component.spec.doc),
         instances=component.instances,
         several=component.instances > 1,
-        first_number=parameter_attribute(component.first_number.name) if component.first_number else None,
-        quantities=tuple(_quantity(quantity, component) for quantity in component.quantities.values()),
-        measured=measured[0] if measured else None,
-        trend=next(filter(None, (_trend(quantity, component) for quantity in component.quantities.values())), None),
-        estimate=next(filter(None, (_estimate(quantity) for quantity in component.quantities.values())), None),
-        returns=_returns(component),
-        enabled=component.enabled.name if component.enabled else None,
+        base=block.base_constant,
+        size=block.size_constant,
+        attributes=tuple(_attributes(component, block)),
+        start=tuple(_start(component, block)),
+        switch=block.constant(enabled.attribute) if enabled else None,
+        forgotten=tuple(_forgotten(component, block)),
+        expires=expires(component),
+        measured=view,
+        estimate=next(filter(None, (_estimate(quantity, component, block) for quantity in quantities)), None),
+        emptied=tuple(place for place, _ in _counters(component, block)),
+        set_up=tuple(_set_up(component, block, view)),
+        told=tuple(_told(component, view)) if view else (),
+        unreadable=_unreadable(component),
         period_ms=component.period_ms,
         citation=str(component.citation or ""),
         cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
     )
 
 
-def _quantity(quantity: Quantity, component: Component) -> QuantityView:
-    initial = "None"
+def _unreadable(component: Component) -> str:
+    """The text about a board that raises, as a literal of the generated Python."""
+    if component.instances == 1:
+        return f'"error: the board cannot read the {component.name}:"'
+    return f'f"error: the board cannot read {component.name} {{instance + 1}}:"'
+
+
+def _told(component: Component, measured: MeasuredView) -> Iterator[TellView]:
+    """What a reading can give cause to tell: that it is the first, that something came back, that it is too high."""
+    name, several = component.name, component.instances > 1
+    number, mark = (" {instance + 1}", "f") if several else ("", "")
+    yield TellView(FIRST, f'f"{name}{number}: {measured.name} {{value:.2f}} {measured.unit}"')
+    if component.returns:
+        yield TellView(RETURNED, f'{mark}"notice: {name.capitalize()}{number} connected"')
+    if measured.warn_text:
+        owner = f"{name}{number}'s" if several else f"the {name}'s"
+        text = f"warning: {owner} {measured.name} is above {measured.warn_text}:"
+        yield TellView(ABOVE, f'{"f" if "{" in text else ""}"{text}", value')
+
+
+def _set_up(component: Component, block: Block, measured: MeasuredView | None) -> Iterator[tuple[str, str]]:
+    """The words that parameters decide at the start."""
+    if component.first_number:
+        first = f"self.parameters.{parameter_attribute(component.first_number.name)}"
+        yield block.constant("number"), f"{first} + instance" if component.instances > 1 else first
+    if component.enabled and component.switch:
+        switch = parameter_expression(component.switch, "self.parameters")
+        yield block.constant(component.enabled.attribute), f"1 if {switch} != 0 else 0"
+    if measured:
+        yield block.constant("multiplier"), measured.own_multiplier
+
+
+def _attributes(component: Component, block: Block) -> Iterator[AttributeView]:
+    for quantity in component.quantities.values():
+        yield from _views(quantity, component, block)
+    told = {
+        "number": "What messages call it",
+        "failures": "Failed readings in a row",
+        "expires_ms": "When the last good reading will be too old",
+    }
+    for word, meaning in told.items():
+        if word in block.offsets:
+            yield AttributeView(word, f"whole({block.constant(word)})", meaning, "")
+
+
+def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[AttributeView]:
+    """The attribute for the integer, with what the quantity is above it, and the one for people."""
+    cited = f"; {quantity.citation}" if quantity.citation else ""
+    above = prose(quantity.spec.doc).rstrip(".")
+    derivation = quantity.derivation
+    if derivation.follows is not None:
+        followed = block.constant(component.quantities[derivation.follows].attribute)
+        expression = derivation.attribute(followed, block.constant(f"{quantity.name}_limit"))
+        yield AttributeView(quantity.name, expression, above, str(quantity.citation or ""))
+        return
+    place = block.constant(quantity.attribute)
+    above += f" [{quantity.stored.name}]" if quantity.stored.name else ""
+    above += f" ({quantity.enum.name})" if quantity.enum else ""
+    if derivation.switch:
+        above += f": whether {derivation.switch.name} is not 0"
+    numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
+    steps = f"{numerator}, {denominator}" if denominator != 1 else str(numerator)
+    shown = quantity.unit.name or "A number"
+    if quantity.elements is not None:
+        own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(quantity.elements) else ""
+        most = max(quantity.elements)
+        yield AttributeView(quantity.attribute, f"elements({_joined(place, most, own)})", above, "")
+        if quantity.attribute != quantity.name:
+            expression = f"shown_elements({_joined(place, most, steps, own)})"
+            yield AttributeView(quantity.name, expression, "", f"{shown} each, or None while it is unknown{cited}")
+        return
     if quantity.kind is QuantityKind.BOOLEAN:
-        initial = str(bool(quantity.initial))
-    elif quantity.initial is not None:
-        initial = str(quantity.initial)
-    stored = f" [{quantity.stored.name}]" if quantity.stored.name else ""
-    enum = f" ({quantity.enum.name})" if quantity.enum else ""
-    follows, switch = quantity.derivation.follows, quantity.derivation.switch
-    return QuantityView(
-        name=quantity.name,
-        attribute=quantity.attribute,
-        initial=initial,
-        comment=f"{prose(quantity.spec.doc).rstrip('.')}{stored}{enum}",
-        unit=quantity.unit.name,
-        shown=_shown(quantity),
-        has_property=quantity.attribute != quantity.name,
-        read_only=isinstance(quantity.derivation, Trend),
-        follows=component.quantities[follows].attribute if follows else None,
-        condition=_condition(quantity),
-        own=_own(quantity),
-        elements=quantity.elements[0] if quantity.elements else None,
-        enabled_by=parameter_expression(switch, "self.parameters") if switch else None,
-        enabled_attribute=parameter_attribute(switch.name) if switch else "",
-        enabled_by_name=switch.name if switch else "",
-        numerator=quantity.steps.numerator,
-        denominator=quantity.steps.denominator,
-        citation=str(quantity.citation) if quantity.citation else "",
-    )
+        yield AttributeView(quantity.attribute, f"truth({place})", above, "")
+        return
+    yield AttributeView(quantity.attribute, f"whole({place})", above, "")
+    if quantity.attribute != quantity.name:
+        view = "result" if derivation.kept_readings else "shown"
+        known = "known from the start" if quantity.initial is not None else "or None while it is unknown"
+        yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known}{cited}")
 
 
-def _shown(quantity: Quantity) -> str:
-    """What the property returns: ``V, or None while it is unknown``."""
-    what = quantity.unit.name or "A number"
-    return f"{what}, known from the start" if quantity.initial is not None else f"{what}, or None while it is unknown"
+def _joined(*parts: object) -> str:
+    return ", ".join(str(part) for part in parts if part != "")
 
 
-def _condition(quantity: Quantity) -> str:
-    """The comparison of a boolean that follows a limit; where instances differ, with the limit of its own."""
-    follows = quantity.derivation
-    if not isinstance(follows, Follows):
-        return ""
-    sign = "<" if follows.is_below else ">="
-    limit = str(follows.limits[0]) if len(set(follows.limits)) == 1 else f"self.{_limit_name(quantity)}"
-    return f"{sign} {limit}"
+def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
+    """The words that are known from the start, with their values; one that depends on the instance has all of them."""
+    for quantity in component.quantities.values():
+        yield from _own(quantity, block)
+        if quantity.is_computed or quantity.elements is not None:
+            continue
+        if quantity.derivation.switch:
+            yield block.constant(quantity.attribute), "1"
+        elif quantity.kind is QuantityKind.BOOLEAN:
+            yield block.constant(quantity.attribute), str(int(bool(quantity.initial)))
+        elif quantity.initial is not None:
+            yield block.constant(quantity.attribute), str(quantity.initial)
+    yield from _counters(component, block)
+    for word in ("number", "failures", "is_logged", "gone"):
+        if word in block.offsets:
+            yield block.constant(word), "0"
 
 
-def _limit_name(quantity: Quantity) -> str:
-    return f"{quantity.name}_limit"
+def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
+    """What each instance has of its own: limits and counts."""
+    threshold = quantity.derivation.threshold
+    own = {
+        f"{quantity.name}_limit": quantity.derivation.own_limits,
+        f"{quantity.attribute}_count": quantity.elements or (),
+    }
+    own["warn_above"] = threshold.above if threshold else ()
+    for word, numbers in own.items():
+        if differ(numbers):
+            yield block.constant(word), f"({', '.join(map(str, numbers))})"
 
 
-def _own(quantity: Quantity) -> OwnView | None:
-    """What is not the same in all instances, if there is such a thing."""
-    if isinstance(quantity.derivation, Follows):
-        return _own_numbers(_limit_name(quantity), quantity.derivation.limits)
-    own = _own_numbers(quantity.attribute, quantity.elements or ())
-    return own and OwnView(own.attribute, f"[None] * {own.first}", f"[None] * {own.each}")
+def _counters(component: Component, block: Block) -> Iterator[tuple[str, str]]:
+    """What a trend counts, which is nothing at the start."""
+    for quantity in component.quantities.values():
+        if quantity.derivation.kept_readings:
+            for word in TREND_WORDS:
+                yield block.constant(f"{quantity.name}_{word}"), "0"
 
 
-def _own_numbers(attribute: str, numbers: tuple[int, ...]) -> OwnView | None:
-    if len(set(numbers)) <= 1:
+def _forgotten(component: Component, block: Block) -> Iterator[str]:
+    """The words of what is measured, which forget() makes unknown."""
+    for quantity in component.quantities.values():
+        if quantity.derivation.comes_of_readings:
+            yield block.constant(quantity.attribute)
+
+
+def _estimate(quantity: Quantity, component: Component, block: Block) -> EstimateView | None:
+    curves = quantity.derivation.curves_by_instance
+    if not curves:
         return None
-    return OwnView(attribute, str(numbers[0]), f"({', '.join(map(str, numbers))})[instance]")
+    several = component.instances > 1
+    constant = f"_{component.name.upper()}_CURVE{'S' if several else ''}"
+    each = f"{constant}[self._instance]" if several else constant
+    text = repr(curves if several else curves[0])
+    return EstimateView(block.constant(quantity.attribute), constant, each, text, quantity.name)
 
 
-def _trend(quantity: Quantity, component: Component) -> TrendView | None:
-    trend = quantity.derivation
-    if not isinstance(trend, Trend) or component.period_ms is None:
-        return None
-    half = trend.readings // 2
-    scale = Fraction(1000, half * half * component.period_ms)
-    return TrendView(quantity.attribute, half, scale.numerator, scale.denominator)
-
-
-def _estimate(quantity: Quantity) -> EstimateView | None:
-    estimate = quantity.derivation
-    return EstimateView(quantity.attribute, quantity.name, estimate.curves) if isinstance(estimate, Estimate) else None
-
-
-def _returns(component: Component) -> ReturnsView | None:
-    returns = component.returns
-    if returns is None:
-        return None
-    follows = returns.gone.derivation
-    return ReturnsView(
-        gone=returns.gone.name,
-        below=follows.limits if isinstance(follows, Follows) and follows.is_below else (),
-        count=returns.count.attribute,
-        title=component.name.capitalize(),
-        restarting=tuple(
-            RestartView(each.attribute, str(bool(each.initial)) if each.kind is QuantityKind.BOOLEAN else None)
-            for each in returns.restarting
-        ),
-        citation=str(returns.count.citation or ""),
-    )
-
-
-def _measured(quantity: Quantity, conversion: Conversion, component: Component, system: System) -> MeasuredView:
+def _measured(quantity: Quantity, component: Component, block: Block) -> MeasuredView:
+    conversion, threshold = quantity.derivation.conversion, quantity.derivation.threshold
+    assert conversion is not None
     channel, multiplier = conversion.channel, conversion.multiplier
     warn_text = ""
-    warn_above = None
-    threshold = quantity.derivation.threshold
     if threshold is not None:
-        same = len(set(threshold.above)) == 1
-        warn_above = str(threshold.above[0]) if same else f"{quantity.component}.warn_above"
         text = decimal(threshold.above[0] / quantity.steps)
-        if not same:
-            text = f"{{{warn_above} / {decimal(quantity.steps)}}}"
+        if differ(threshold.above):
+            text = (
+                f"{{self.{component.name}_words[instance][{block.constant('warn_above')}] / {decimal(quantity.steps)}}}"
+            )
         warn_text = f"{text} {quantity.unit.name}"
     return MeasuredView(
         name=quantity.name,
-        attribute=quantity.attribute,
+        word=block.constant(quantity.attribute),
         unit=quantity.unit.name,
         formula=f"adc / {channel.full_scale} * {decimal(channel.reference)} * mult",
-        full_scale=channel.full_scale,
         citation=str(quantity.citation or ""),
-        multiplier=parameter_attribute(multiplier.name),
         multiplier_name=multiplier.name,
         own_multiplier=parameter_expression(multiplier, "self.parameters"),
+        own_name=_own_name(multiplier.name, multiplier.siblings),
         names=multiplier.siblings,
         latched=multiplier.spec.reboot,
-        numerator=conversion.numerator,
-        denominator=conversion.denominator,
-        warn_above=warn_above,
         warn_text=warn_text,
-        warn_every_ms=threshold.every_ms if threshold else None,
-        warnings=_own_numbers("warn_above", threshold.above if threshold else ()),
-        warning_counts=_warning_counts(quantity, conversion, component, system),
         invalid_after=quantity.trust.invalid_after,
         stale_after_ms=quantity.trust.stale_after_ms,
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )
 
 
-def _warning_counts(
-    quantity: Quantity, conversion: Conversion, component: Component, system: System
-) -> tuple[int | None, ...]:
-    """The smallest count of each instance that is warned about with its default multiplier; None if there is none."""
-    threshold = quantity.derivation.threshold
-    if threshold is None:
-        return (None,) * component.instances
-    multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
-    counts = []
-    for multiplier, limit in zip(multipliers, threshold.above, strict=True):
-        per_count = Fraction(multiplier.default * conversion.numerator, conversion.denominator)
-        # Rounded to nearest, a result is above the threshold from half a step above it.
-        first = math.ceil((limit + Fraction(1, 2)) / per_count)
-        counts.append(first if 0 < first <= conversion.channel.full_scale else None)
-    return tuple(counts)
+def _own_name(name: str, siblings: tuple[str, ...]) -> str:
+    """The expression of a parameter's name; of a family that of the instance."""
+    if not siblings:
+        return f'"{name}"'
+    names = ", ".join(f'"{sibling}"' for sibling in siblings)
+    return f"({names})[instance]" if len(siblings) > 1 else f'"{siblings[0]}"'

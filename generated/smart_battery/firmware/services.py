@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py: do not edit.
-# Inputs: b59fdaae76dc8915
+# Inputs: 0b0bfa070610cd91
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -27,15 +27,15 @@ class FtpHead(messages.FileTransferProtocol):
 def receivable():
     """Return a new message of each kind that Services answers, for a link to receive into."""
     return (
-        messages.Heartbeat(),
-        messages.Ping(),
-        messages.ParamRequestRead(),
-        messages.ParamRequestList(),
-        messages.ParamSet(),
-        messages.RequestDataStream(),
-        messages.CommandInt(),
-        messages.CommandLong(),
-        FtpHead(),
+        messages.Heartbeat(unknown=False),
+        messages.Ping(unknown=False),
+        messages.ParamRequestRead(unknown=False),
+        messages.ParamRequestList(unknown=False),
+        messages.ParamSet(unknown=False),
+        messages.RequestDataStream(unknown=False),
+        messages.CommandInt(unknown=False),
+        messages.CommandLong(unknown=False),
+        FtpHead(unknown=False),
     )
 
 

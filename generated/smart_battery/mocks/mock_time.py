@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: 3ec5f290008ea824
+# Inputs: b67eb314e2633fe1
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -39,6 +39,8 @@ def install():
         for module in list(sys.modules.values()):
             if module is not mock and getattr(module, "time", None) is time:
                 module.time = mock  # it imported the true time before
+        for name in _NAMES:
+            _replace(name, getattr(time, name), globals()[name])
         sys.modules["time"] = mock
         return
     for name in _NAMES:
@@ -46,6 +48,14 @@ def install():
         # An earlier import of this module may have been here, with a clock of its own.
         if existing is None or existing.__module__ == __name__:
             setattr(time, name, globals()[name])
+            _replace(name, existing, globals()[name])
+
+
+def _replace(name, old, new):
+    """Give the new function to every module that has imported the old one by its name."""
+    for module in list(sys.modules.values()):
+        if old is not None and old is not new and getattr(module, name, None) is old:
+            setattr(module, name, new)
 
 
 def set_ticks_us(now):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 1dfdaa9db8e66cc6
+# Inputs: d7500f7ad55f86a8
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -161,7 +161,7 @@ def _watched():
 
 def _owners(rover, component):
     owner = getattr(rover.state, component)
-    return owner if isinstance(owner, list) else [owner]
+    return list(owner)
 
 
 def told_of_a_change():

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: d8224f14312933bc
+# Inputs: ddde90b3422a9a1e
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
 from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_rover, run, run_passes
@@ -49,7 +49,7 @@ def reporting(rover, number):
     if facts["component"] is None or facts["enabled"] is None:
         return list(range(facts["instances"]))
     owners = getattr(rover.state, facts["component"])
-    owners = owners if isinstance(owners, list) else [owners]
+    owners = list(owners)
     return [place for place, owner in enumerate(owners) if getattr(owner, facts["enabled"])]
 
 

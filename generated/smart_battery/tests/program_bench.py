@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: e7398fbe8e58f391
+# Inputs: d9130dca02112065
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -397,8 +397,8 @@ class Watch:
         setattr(self.parameters, self.facts["after"], timer)
 
     def _update(self, board):
-        for instance in range(1, self.facts["instances"]):
-            getattr(self.rover.state, "_update_" + self.facts["component"])(board, instance)
+        state = self.rover.state
+        getattr(type(state), "update_" + self.facts["component"])(state, board)
         setattr(self.component, self.facts["attribute"], self.value)
 
     def readings(self, value, count=1):

@@ -25,15 +25,15 @@ class FtpHead(messages.FileTransferProtocol):
 def receivable():
     """Return a new message of each kind that Services answers, for a link to receive into."""
     return (
-        messages.Heartbeat(),
-        messages.Ping(),
-        messages.ParamRequestRead(),
-        messages.ParamRequestList(),
-        messages.ParamSet(),
-        messages.RequestDataStream(),
-        messages.CommandInt(),
-        messages.CommandLong(),
-        FtpHead(),
+        messages.Heartbeat(unknown=False),
+        messages.Ping(unknown=False),
+        messages.ParamRequestRead(unknown=False),
+        messages.ParamRequestList(unknown=False),
+        messages.ParamSet(unknown=False),
+        messages.RequestDataStream(unknown=False),
+        messages.CommandInt(unknown=False),
+        messages.CommandLong(unknown=False),
+        FtpHead(unknown=False),
     )
 
 

@@ -159,7 +159,7 @@ def _watched():
 
 def _owners(rover, component):
     owner = getattr(rover.state, component)
-    return owner if isinstance(owner, list) else [owner]
+    return list(owner)
 
 
 def told_of_a_change():

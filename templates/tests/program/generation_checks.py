@@ -47,7 +47,7 @@ def reporting(rover, number):
     if facts["component"] is None or facts["enabled"] is None:
         return list(range(facts["instances"]))
     owners = getattr(rover.state, facts["component"])
-    owners = owners if isinstance(owners, list) else [owners]
+    owners = list(owners)
     return [place for place, owner in enumerate(owners) if getattr(owner, facts["enabled"])]
 
 

@@ -40,7 +40,8 @@ def _trend_after(values):
             component.forget()
         else:
             setattr(component, measured["attribute"], value)
-            component.keep()
+            component.set_count(-1, 1)  # a failed reading counts the value once more
+            component.failures = 0
     return getattr(component, measured["trend"])
 
 

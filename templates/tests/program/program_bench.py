@@ -395,8 +395,8 @@ class Watch:
         setattr(self.parameters, self.facts["after"], timer)
 
     def _update(self, board):
-        for instance in range(1, self.facts["instances"]):
-            getattr(self.rover.state, "_update_" + self.facts["component"])(board, instance)
+        state = self.rover.state
+        getattr(type(state), "update_" + self.facts["component"])(state, board)
         setattr(self.component, self.facts["attribute"], self.value)
 
     def readings(self, value, count=1):

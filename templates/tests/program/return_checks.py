@@ -45,7 +45,7 @@ def _inputs(measured):
 
 def _owner(rover, measured, instance):
     owner = getattr(rover.state, measured["component"])
-    return owner[instance] if isinstance(owner, list) else owner
+    return owner[instance]
 
 
 def _counts(rover, measured, places):
@@ -145,6 +145,8 @@ def counting_begins_anew():
             rover = start()
             run(rover, SECOND_US)
             for attribute, initial in restarting:
+                if not is_known and initial is not None:
+                    continue  # a boolean is never unknown
                 before = (WORTH if initial is None else not initial) if is_known else None
                 after = (0 if is_known else None) if initial is None else initial
                 for instance in range(len(inputs)):

@@ -38,7 +38,7 @@ def _by_parameter():
 def _owners(rover, component):
     """Return the instances of a component."""
     owner = getattr(rover.state, component)
-    return owner if isinstance(owner, list) else [owner]
+    return list(owner)
 
 
 def _frames(rover, number):

@@ -1,0 +1,91 @@
+"""Statements that bring a stored value into an integer field: scaling, limits, sentinel."""
+
+import math
+from fractions import Fraction
+
+from codegen.model.answer import Elements
+from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.population_spec import Rounding
+from codegen.model.scaling import Scaling
+from codegen.model.vehicle import SMALL_INT_MAX, Parameter, Quantity
+
+
+def comment(covers: Elements, words: str) -> str:
+    """``# voltages [mV]: battery.voltage (FR-00068.3)``: field, unit, source and criterion."""
+    units = covers.field.definition.units
+    target = f"{covers.label} [{units}]" if units else covers.label
+    return f"# {target}: {words} ({covers.citation})"
+
+
+def origin(covers: Elements, source: Quantity | Parameter) -> str:
+    """The path of a source, with the unit that it is kept in, where the field has another one."""
+    kept = source.stored.name if isinstance(source, Quantity) else source.unit.name
+    return f"{source.path} [{kept}]" if kept and kept != covers.field.definition.units else source.path
+
+
+def read(code: PayloadCode, source: Quantity | Parameter) -> str:
+    """The expression of what is stored of a source."""
+    return code.parameter(source) if isinstance(source, Parameter) else code.read(source)
+
+
+def stand_in(source: Quantity | Parameter) -> list[str]:
+    """What a quantity that has a value at all times is while it is unknown."""
+    initial = source.initial if isinstance(source, Quantity) else None
+    return [] if initial is None else [f"if value == {UNKNOWN}:", f"    value = {initial}  # until it is set"]
+
+
+def fitted(scaling: Scaling, unknown: int | None, why: str = "unknown") -> list[str]:
+    """From stored steps in ``value`` to the number on the wire; ``unknown`` is what goes out for an unknown value.
+
+    Unknown lies below every limit, so a known value that is within them is compared with two numbers only. ``why`` is
+    the comment beside what goes out instead.
+    """
+    if scaling.factor == 1:
+        return _limited(scaling, unknown, why)
+    scaled = [*_narrowed(scaling), *_scaled(scaling.factor, scaling.rounding), *_limited(scaling, None, "")]
+    if unknown is None:
+        return scaled
+    return [f"if value == {UNKNOWN}:", f"    value = {unknown}  # {why}", "else:", *indented(scaled)]
+
+
+def _limited(scaling: Scaling, unknown: int | None, why: str) -> list[str]:
+    low, high = math.ceil(scaling.low), math.floor(scaling.high)
+    tests: list[tuple[str, str]] = []
+    if low <= -SMALL_INT_MAX:
+        tests += [] if unknown is None else [(f"value == {UNKNOWN}", f"value = {unknown}  # {why}")]
+    elif unknown is None or unknown == low:
+        tests.append((f"value < {low}", f"value = {low}"))
+    else:
+        tests.append((f"value < {low}", f"value = {unknown} if value == {UNKNOWN} else {low}  # {why}, or too small"))
+    if high < SMALL_INT_MAX:
+        tests.append((f"value > {high}", f"value = {high}"))
+    if scaling.hole is not None and low <= scaling.hole <= high:
+        tests.append((f"value == {scaling.hole}", f"value = {scaling.beside}  # {scaling.hole} would read as unknown"))
+    lines: list[str] = []
+    for test, statement in tests:
+        lines += [f"{'elif' if lines else 'if'} {test}:", f"    {statement}"]
+    return lines
+
+
+def _narrowed(scaling: Scaling) -> list[str]:
+    """Limits in stored steps, one step wider than the field, that keep the product of the scaling small."""
+    low, high = math.floor(scaling.low / scaling.factor) - 1, math.ceil(scaling.high / scaling.factor) + 1
+    return [f"if value < {low}:", f"    value = {low}", f"elif value > {high}:", f"    value = {high}"]
+
+
+def _scaled(factor: Fraction, rounding: Rounding) -> list[str]:
+    """``value * factor``, rounded: by divisions of positive numbers, which all interpreters round alike."""
+    numerator, denominator = factor.numerator, factor.denominator
+    product = f"value * {numerator}" if numerator != 1 else "value"
+    if denominator == 1:
+        return [f"value = {product}"]
+    half = denominator // 2
+    if rounding is Rounding.DOWN:
+        return [f"value = {product} // {denominator}"]
+    if rounding is Rounding.UP:
+        return [f"value = 0 - (0 - {product}) // {denominator}"]
+    if rounding is Rounding.TOWARD_ZERO:
+        half = 0
+    below = f"0 - ({half} - {product}) // {denominator}" if half else f"0 - (0 - {product}) // {denominator}"
+    above = f"({product} + {half}) // {denominator}" if half else f"{product} // {denominator}"
+    return ["if value < 0:", f"    value = {below}", "else:", f"    value = {above}"]

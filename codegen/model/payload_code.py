@@ -1,0 +1,99 @@
+"""How the function of a message reads the state and writes its payload: answers say what, this spells it in code.
+
+A firmware has each function twice, in machine code and in plain Python. Both are made of the same statements, which
+answers give; where they differ, in reading a word and in writing a number, they ask for the spelling.
+"""
+
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING
+
+from codegen.model.vehicle import Parameter, Quantity
+
+if TYPE_CHECKING:
+    from codegen.model.answer import Elements
+
+INDENT = "    "
+UNKNOWN = "_UNKNOWN"
+"""What a word has that is unknown: a constant of the generated module, less than every limit."""
+
+
+def indented(lines: list[str], levels: int = 1) -> list[str]:
+    """The lines, so many levels further in."""
+    return [INDENT * levels + line for line in lines]
+
+
+class PayloadCode(ABC):
+    """The spelling of one function. Values are whole numbers in stored steps, in the variable ``value`` for a time."""
+
+    @abstractmethod
+    def read(self, quantity: Quantity, element: str = "") -> str:
+        """What is stored of a quantity, of one with elements that of the place ``element``: an expression."""
+
+    @abstractmethod
+    def is_set(self, quantity: Quantity) -> str:
+        """Whether a boolean that is stored is true: an expression that is 0 where it is not."""
+
+    @abstractmethod
+    def limit(self, quantity: Quantity) -> str:
+        """The limit of a boolean that follows another quantity: a number, or where instances have their own, a word."""
+
+    @abstractmethod
+    def count(self, quantity: Quantity) -> str:
+        """How many elements a quantity has: a number, or where instances have their own, a word."""
+
+    @abstractmethod
+    def number(self, component: str) -> str:
+        """The number that messages give the instance, where that is counted on from a parameter."""
+
+    @abstractmethod
+    def parameter(self, parameter: Parameter) -> str:
+        """What a parameter is in steps."""
+
+    @abstractmethod
+    def text(self, covers: "Elements", value: str | tuple[str, ...]) -> list[str]:
+        """Write a text that is known at build time, or that of the instance, and NULs behind it."""
+
+    @abstractmethod
+    def chip(self, covers: "Elements") -> list[str]:
+        """Write the number of the chip in hex, as much of it as the field holds."""
+
+    @abstractmethod
+    def store(self, covers: "Elements", value: int | float | str, at: int = 0, *, always: bool = True) -> list[str]:
+        """Write a number, or the value of an expression, into the element ``at`` of those that are covered.
+
+        ``always``: these statements run at each call. Elements of which that cannot be said are 0 unless written.
+        """
+
+    @abstractmethod
+    def store_at(self, covers: "Elements", place: str, value: str) -> list[str]:
+        """Write the value of an expression into the element ``place``, an expression, counted from the field's first.
+
+        All elements are taken to be written by somebody at each call.
+        """
+
+    @abstractmethod
+    def put_float(self, covers: "Elements", value: str, divisor: int) -> list[str]:
+        """Write value / divisor into a float of 32 bits by whole numbers."""
+
+    @abstractmethod
+    def make_float(self, covers: "Elements", numerator: int, divisor: int) -> list[str]:
+        """Write ``value`` * numerator / divisor as a float that has to be made for it, for which boards allocate."""
+
+    @abstractmethod
+    def flags(self, covers: "Elements", mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
+        """Write a bitmask into each element: the bits of ``mask``, and each value while its boolean is true."""
+
+    def fill(self, covers: "Elements", value: int | float, first: int = 0) -> list[str]:
+        """Write the same number into all elements from ``first`` on: one by one, or many of them in a loop."""
+        left = covers.count - first
+        if left <= LONGEST_RUN:
+            return [line for index in range(first, covers.count) for line in self.store(covers, value, index)]
+        return [
+            f"place = {covers.first + first}",
+            f"while place < {covers.first + covers.count}:",
+            *indented([*self.store_at(covers, "place", str(value)), "place += 1"]),
+        ]
+
+
+LONGEST_RUN = 16
+"""So many elements that get the same value are written one by one: each is two instructions, a turn of a loop more."""

@@ -1,0 +1,191 @@
+"""What the generated tests know of the components: their quantities, and how one of them is measured."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.system import System
+from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
+from codegen.targets.firmware.words import measured_of
+from codegen.targets.naming import parameter_attribute
+
+
+@dataclass(frozen=True, slots=True)
+class QuantityFacts:
+    """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other."""
+
+    name: str
+    attribute: str
+    is_stored: bool
+    elements: int | None
+    numerator: int
+    denominator: int
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredFacts:
+    """How a component's quantity comes from an ADC count: ``count * steps * numerator / denominator``.
+
+    ``warning_counts`` are, by instance, the smallest counts that are warned about; None where there is none.
+    """
+
+    name: str
+    attribute: str
+    full_scale: int
+    citation: str
+    multiplier: str
+    multiplier_name: str
+    latched: bool
+    numerator: int
+    denominator: int
+    warns: bool
+    warn_every_ms: int | None
+    warning_counts: tuple[int | None, ...]
+    invalid_after: int | None
+    stale_after_ms: int | None
+    cited: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class ReturnsFacts:
+    """What counts that the component has come back, and what begins anew with it: its attribute and with what."""
+
+    gone: str
+    below: tuple[int, ...]
+    count: str
+    title: str
+    restarting: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TrendFacts:
+    """The trend of what is measured, over twice ``half`` readings."""
+
+    attribute: str
+    half: int
+
+
+@dataclass(frozen=True, slots=True)
+class EstimateFacts:
+    """The charge that is estimated from what is measured; ``curves`` are, by instance, (stored steps, %), rising."""
+
+    attribute: str
+    curves: tuple[tuple[tuple[int, int], ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ComponentFacts:
+    """One component; ``enabled`` is the attribute that says whether it is measured, ``enabled_by`` its parameter's."""
+
+    name: str
+    instances: int
+    several: bool
+    enabled: str | None
+    enabled_by: str | None
+    quantities: tuple[QuantityFacts, ...]
+    measured: MeasuredFacts | None
+    trend: TrendFacts | None
+    estimate: EstimateFacts | None
+    returns: ReturnsFacts | None
+    cited: Mapping[str, str]
+
+
+def component_facts(system: System) -> tuple[ComponentFacts, ...]:
+    """Every component, in order."""
+    return tuple(_component(component, system) for component in system.components.values())
+
+
+def _component(component: Component, system: System) -> ComponentFacts:
+    quantities = tuple(component.quantities.values())
+    measured = measured_of(component)
+    enabled = component.enabled
+    switch = component.switch
+    trend = next((quantity for quantity in quantities if quantity.derivation.kept_readings), None)
+    return ComponentFacts(
+        name=component.name,
+        instances=component.instances,
+        several=component.instances > 1,
+        enabled=enabled.name if enabled else None,
+        enabled_by=parameter_attribute(switch.name) if switch else None,
+        quantities=tuple(_quantity(quantity) for quantity in quantities),
+        measured=_measured(measured, component, system) if measured else None,
+        trend=TrendFacts(trend.attribute, trend.derivation.kept_readings // 2) if trend else None,
+        estimate=_estimate(component),
+        returns=_returns(component),
+        cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
+    )
+
+
+def _quantity(quantity: Quantity) -> QuantityFacts:
+    return QuantityFacts(
+        name=quantity.name,
+        attribute=quantity.attribute,
+        is_stored=not quantity.is_computed,
+        elements=quantity.elements[0] if quantity.elements else None,
+        numerator=quantity.steps.numerator,
+        denominator=quantity.steps.denominator,
+        citation=str(quantity.citation or ""),
+    )
+
+
+def _estimate(component: Component) -> EstimateFacts | None:
+    found = ((quantity, quantity.derivation.curves_by_instance) for quantity in component.quantities.values())
+    return next((EstimateFacts(quantity.attribute, curves) for quantity, curves in found if curves), None)
+
+
+def _returns(component: Component) -> ReturnsFacts | None:
+    returns = component.returns
+    if returns is None:
+        return None
+    follows = returns.gone.derivation
+    limits = follows.own_limits
+    return ReturnsFacts(
+        gone=returns.gone.name,
+        below=limits if limits and follows.deciding(0, None)["clear"] == limits[0] else (),
+        count=returns.count.attribute,
+        title=component.name.capitalize(),
+        restarting=tuple(
+            (each.attribute, str(bool(each.initial)) if each.kind is QuantityKind.BOOLEAN else "None")
+            for each in returns.restarting
+        ),
+    )
+
+
+def _measured(quantity: Quantity, component: Component, system: System) -> MeasuredFacts:
+    conversion, threshold = quantity.derivation.conversion, quantity.derivation.threshold
+    assert conversion is not None
+    return MeasuredFacts(
+        name=quantity.name,
+        attribute=quantity.attribute,
+        full_scale=conversion.channel.full_scale,
+        citation=str(quantity.citation or ""),
+        multiplier=parameter_attribute(conversion.multiplier.name),
+        multiplier_name=conversion.multiplier.name,
+        latched=conversion.multiplier.spec.reboot,
+        numerator=conversion.numerator,
+        denominator=conversion.denominator,
+        warns=threshold is not None,
+        warn_every_ms=threshold.every_ms if threshold else None,
+        warning_counts=_warning_counts(quantity, component, system),
+        invalid_after=quantity.trust.invalid_after,
+        stale_after_ms=quantity.trust.stale_after_ms,
+        cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
+    )
+
+
+def _warning_counts(quantity: Quantity, component: Component, system: System) -> tuple[int | None, ...]:
+    """The smallest count of each instance that is warned about with its default multiplier; None if there is none."""
+    conversion, threshold = quantity.derivation.conversion, quantity.derivation.threshold
+    if conversion is None or threshold is None:
+        return (None,) * component.instances
+    multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
+    counts = []
+    for multiplier, limit in zip(multipliers, threshold.above, strict=True):
+        per_count = Fraction(multiplier.default * conversion.numerator, conversion.denominator)
+        # Rounded to nearest, a result is above the threshold from half a step above it.
+        first = math.ceil((limit + Fraction(1, 2)) / per_count)
+        counts.append(first if 0 < first <= conversion.channel.full_scale else None)
+    return tuple(counts)

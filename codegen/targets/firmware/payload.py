@@ -1,0 +1,184 @@
+"""What both spellings of a message's function have in common: in machine code, and in plain Python."""
+
+import struct
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from codegen.model.answer import Elements
+from codegen.model.dialect import Kind
+from codegen.model.payload_code import PayloadCode
+from codegen.model.vehicle import Parameter, Quantity
+from codegen.targets.firmware.words import Layout, differ
+from codegen.targets.naming import parameter_attribute
+
+
+@dataclass(slots=True)
+class SpelledCode(PayloadCode):
+    """What both spellings have in common; what a function turns out to need is noted down while it is spelled."""
+
+    layout: Layout
+    message: str
+    uses: set[str] = field(default_factory=set)
+    words: dict[str, set[str]] = field(default_factory=dict)
+    parameters: dict[str, Parameter] = field(default_factory=dict)
+    texts: dict[str, str] = field(default_factory=dict)
+    written: set[int] = field(default_factory=set)
+
+    def word(self, component: str, name: str, element: str = "") -> str:
+        """A word of a component, as it stands in the array."""
+        self.words.setdefault(component, set()).add(name)
+        constant = self.layout.blocks[component].constant(name)
+        return self.subscript(component, f"{constant} + {element}" if element else constant)
+
+    def subscript(self, component: str, place: str) -> str:
+        """The word at a place of the component's block."""
+        raise NotImplementedError
+
+    def number_of(self, word: str) -> str:
+        """A word that can be negative."""
+        raise NotImplementedError
+
+    def difference(self, first: str, second: str) -> str:
+        """The difference of two words, which can be negative."""
+        raise NotImplementedError
+
+    def read(self, quantity: Quantity, element: str = "") -> str:
+        """The word, with its sign."""
+        return self.number_of(self.word(quantity.component, quantity.attribute, element))
+
+    def is_set(self, quantity: Quantity) -> str:
+        """The word."""
+        return self.word(quantity.component, quantity.attribute)
+
+    def limit(self, quantity: Quantity) -> str:
+        """A number, or the instance's own word."""
+        limits = quantity.derivation.own_limits
+        if not differ(limits):
+            return str(limits[0]) if limits else ""
+        return self.number_of(self.word(quantity.component, f"{quantity.name}_limit"))
+
+    def count(self, quantity: Quantity) -> str:
+        """A number, or the instance's own word."""
+        counts = quantity.elements or ()
+        if not differ(counts):
+            return str(counts[0])
+        return self.word(quantity.component, f"{quantity.attribute}_count")
+
+    def number(self, component: str) -> str:
+        """The word that was set at the start."""
+        return self.word(component, "number")
+
+    def parameter(self, parameter: Parameter) -> str:
+        """An argument of the function."""
+        name = parameter_attribute(parameter.name)
+        self.parameters[name] = parameter
+        return name
+
+    def condition(self, quantity: Quantity) -> tuple[str, str]:
+        """What is to be read into ``value``, if anything, and the condition."""
+        if quantity.derivation.follows is None:
+            return "", self.is_set(quantity)
+        followed = self.layout.blocks[quantity.component].component.quantities[quantity.derivation.follows]
+        return self.read(followed), quantity.derivation.holds(self.limit(quantity))
+
+    def store(self, covers: Elements, value: int | float | str, at: int = 0, *, always: bool = True) -> list[str]:
+        """An expression as it is; a number as one that the spelling can write."""
+        size = covers.field.type.size
+        offset = covers.offset + at * size
+        if isinstance(value, str):
+            return self.put(offset, size, value, always=always)
+        if covers.field.type.kind is Kind.FLOAT:
+            data = struct.pack(f"<{covers.field.type.code}", value)
+        else:
+            if -(1 << 30) <= value < 1 << 30:
+                return self.put(offset, size, int(value), always=always)
+            data = (int(value) & (1 << 8 * size) - 1).to_bytes(size, "little")
+        halves = struct.unpack(f"<{size // 2}H", data)
+        return [line for n, half in enumerate(halves) for line in self.put(offset + 2 * n, 2, half, always=always)]
+
+    def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
+        """Write a whole number of so many bytes at an offset of the payload."""
+        raise NotImplementedError
+
+    def put_float(self, covers: Elements, value: str, divisor: int) -> list[str]:
+        """By the function for it."""
+        self.uses.add("put_float")
+        self.written |= self.bytes_of(covers)
+        return [f"put_float({self.buffer(covers.offset)}, {value}, {divisor})"]
+
+    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
+        """By the function for it."""
+        self.uses.add("make_float")
+        self.written |= self.bytes_of(covers)
+        code = f'"<{covers.field.type.code}"'
+        return [f"make_float({code}, {self.buffer(covers.offset)}, value, {numerator}, {divisor})"]
+
+    def buffer(self, offset: int) -> str:
+        """The arguments by which a function is told where to write: an object and a place in it."""
+        raise NotImplementedError
+
+    def bytes_of(self, covers: Elements) -> set[int]:
+        """The offsets of the bytes that are covered."""
+        return set(range(covers.offset, covers.offset + covers.count * covers.field.type.size))
+
+    def text(self, covers: Elements, value: str | tuple[str, ...]) -> list[str]:
+        """From a constant of the module; of texts that differ each is as long as the longest."""
+        values = (value,) if isinstance(value, str) else value
+        length = max(map(len, values))
+        if not length:
+            return []
+        name = f"_{self.message}_{covers.field.name}".upper()
+        padded = [text.encode("ascii") + bytes(length - len(text)) for text in values]
+        literals = [f'b"{"".join(map(_escaped, data))}"' for data in padded]
+        self.texts[name] = literals[0] if len(literals) == 1 else f"({', '.join(literals)})"
+        return self.copied(covers, name if len(literals) == 1 else f"{name}[instance]", length)
+
+    def chip(self, covers: Elements) -> list[str]:
+        """From a constant of the module, too, made when it is imported."""
+        name = f"_{self.message}_{covers.field.name}".upper()
+        count = covers.field.count
+        self.uses.add("chip")
+        self.texts[name] = f"(hexlify(machine.unique_id()) + bytes({count}))[:{count}]"
+        return self.copied(covers, name, count)
+
+    def copied(self, covers: Elements, source: str, length: int) -> list[str]:
+        """Copy so many bytes of a constant into the field."""
+        raise NotImplementedError
+
+    @property
+    def returned(self) -> str:
+        """How the head of a function says what it returns."""
+        return ""
+
+    def arguments(self, values: Iterable[str]) -> str:
+        """The arguments of the function of a message; behind the words there are ``values``, whole numbers."""
+        raise NotImplementedError
+
+    def reach(self, component: str, instance: str) -> str:
+        """The statement that says where the words of a component's instance begin."""
+        raise NotImplementedError
+
+    def pointers(self) -> list[str]:
+        """The statements that make the variables which spelling has turned out to need."""
+        return []
+
+    def cleared(self, length: int) -> list[str]:  # noqa: ARG002  in plain Python nobody else writes the payload
+        """Zeros into the bytes of the payload that nothing writes at each call."""
+        return []
+
+    def _base(self, component: str, instance: str) -> str:
+        block = self.layout.blocks[component]
+        return f"{block.base_constant} + {block.size_constant} * {instance}" if instance else block.base_constant
+
+
+def _escaped(byte: int) -> str:
+    text = chr(byte)
+    return text if text.isprintable() and text not in '"\\' and byte < 128 else f"\\x{byte:02x}"
+
+
+def byte_of(value: str, number: int) -> str:
+    """A byte of an expression, which may be a literal."""
+    if value.lstrip("-").isdigit():
+        return str(int(value) >> 8 * number & 0xFF)
+    shown = value if value.isidentifier() else f"({value})"
+    return f"{shown} >> {8 * number} & 0xFF" if number else f"{shown} & 0xFF"

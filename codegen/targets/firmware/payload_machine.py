@@ -1,0 +1,185 @@
+"""The spelling of a message's function in machine code, by MicroPython's viper emitter."""
+
+import struct
+from collections.abc import Iterable
+
+from codegen.model.answer import Elements
+from codegen.model.payload_code import indented
+from codegen.model.vehicle import Quantity
+from codegen.targets.firmware.payload import SpelledCode, byte_of
+
+
+class MachineCode(SpelledCode):
+    """Viper: pointers in place of objects. A link's buffer is of all messages, so each byte is written each time."""
+
+    __slots__ = ()
+
+    def subscript(self, component: str, place: str) -> str:
+        """By a pointer to the block."""
+        return f"{component}[{place}]"
+
+    def number_of(self, word: str) -> str:
+        """64-bit interpreters do not extend the sign of a word that they read."""
+        self.uses.add("sign")
+        return f"({word} ^ sign) - sign"
+
+    def difference(self, first: str, second: str) -> str:
+        """The sign is that of the difference in 32 bits."""
+        return f"{self.number_of(first)} - ({self.number_of(second)})"
+
+    def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
+        """In one piece where the place is a multiple of the size; the smaller Cortex-M insist on that.
+
+        A 0 that is known at build time and fills no piece is left to what is cleared.
+        """
+        if value == 0 and offset % size:
+            return []
+        if always:
+            self.written |= set(range(offset, offset + size))
+        if size == 1:
+            self.uses.add("wire")
+            return [f"wire[{offset}] = {value}"]
+        if size == 2 and offset % 2 == 0:
+            self.uses.add("wire16")
+            return [f"wire16[{offset // 2}] = {value}"]
+        if size == 4 and offset % 4 == 0:
+            self.uses.add("wire32")
+            return [f"wire32[{offset // 4}] = {value}"]
+        return self._by_bytes(offset, size, value)
+
+    def flags(self, covers: Elements, mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
+        """In one number, or where small integers do not carry it in numbers of 16 bits."""
+        bits = 8 * covers.field.type.size
+        every = mask
+        for value, _ in conditional:
+            every |= value
+        width = bits if bits < 32 or every < 1 << 30 else 16
+        lines: list[str] = []
+        for shift in range(0, bits, width):
+            part = (1 << width) - 1
+            terms = [(value >> shift & part, quantity) for value, quantity in conditional if value >> shift & part]
+            lines += self._part(covers, shift, width, mask >> shift & part, terms)
+        return lines
+
+    def _part(
+        self, covers: Elements, shift: int, width: int, mask: int, terms: list[tuple[int, Quantity]]
+    ) -> list[str]:
+        lines = [f"flags = {mask:#x}" if mask else "flags = 0"] if terms else []
+        read = ""
+        for value, quantity in terms:
+            source, condition = self.condition(quantity)
+            if source and source != read:
+                lines.append(f"value = {source}")
+                read = source
+            lines += [f"if {condition}:", f"    flags |= {value:#x}"]
+        written = "flags" if terms else mask
+        for at in range(covers.count):
+            offset = covers.offset + at * covers.field.type.size + shift // 8
+            lines += self.put(offset, width // 8, written)
+        return lines
+
+    def _by_bytes(self, offset: int, size: int, value: int | str) -> list[str]:
+        if size == 8:
+            low = self.put(offset, 4, value if isinstance(value, str) else _signed(value, 4), always=False)
+            if not isinstance(value, str):
+                return [*low, *self.put(offset + 4, 4, -1 if value < 0 else 0, always=False)]
+            high = self.put(offset + 4, 4, -1, always=False)
+            none = self.put(offset + 4, 4, 0, always=False)
+            return [*low, f"if {value} < 0:", *indented(high), "else:", *indented(none)]
+        self.uses.add("wire")
+        shown = value if isinstance(value, int) else f"{value}" if value.isidentifier() else f"({value})"
+        if isinstance(shown, int):
+            return [f"wire[{offset + n}] = {shown >> 8 * n & 0xFF}" for n in range(size)]
+        return [f"wire[{offset + n}] = {shown}{f' >> {8 * n}' if n else ''}" for n in range(size)]
+
+    def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
+        """By a pointer of the type; into fields that are not aligned byte by byte."""
+        start, size = covers.field.offset, covers.field.type.size
+        self.written |= self.bytes_of(covers)
+        if start % size == 0 and size in (1, 2, 4):
+            name = {1: "wire", 2: "wire16", 4: "wire32"}[size]
+            self.uses.add(name)
+            return [f"{name}[{start // size} + {place}] = {value}" if start else f"{name}[{place}] = {value}"]
+        self.uses.add("wire")
+        lines = [f"at = {start} + {size} * {place}"]
+        return [*lines, *(f"wire[at{f' + {n}' if n else ''}] = {byte_of(value, n)}" for n in range(size))]
+
+    def buffer(self, offset: int) -> str:
+        """The payload as an object: functions take no pointers of others."""
+        self.uses.add("object")
+        return f"payload, {offset}"
+
+    def arguments(self, values: Iterable[str]) -> str:
+        """With their types; the first two stay in registers."""
+        payload = "payload" if "object" in self.uses else "wire: ptr8"
+        numbers = (f"{value}: int" for value in values)
+        return ", ".join(("value: int", "table_at: int", payload, "words: ptr32", *numbers))
+
+    @property
+    def returned(self) -> str:
+        """Its type."""
+        return " -> int"
+
+    def reach(self, component: str, instance: str) -> str:
+        """A pointer."""
+        base = self._base(component, instance)
+        return (
+            f"{component} = ptr32(int(words) + 4 * ({base}))"
+            if instance
+            else f"{component} = ptr32(int(words) + 4 * {base})"
+        )
+
+    def pointers(self) -> list[str]:
+        """To the payload as numbers of 8, 16 and 32 bits, and the bit of the sign."""
+        lines = [f"wire{bits} = ptr{bits}(wire)" for bits in (16, 32) if f"wire{bits}" in self.uses]
+        if "sign" in self.uses:
+            lines += ["bit = 1", "sign = bit << 31"]
+        return lines
+
+    def copied(self, covers: Elements, source: str, length: int) -> list[str]:
+        """By a pointer to the constant."""
+        self.uses.add("wire")
+        at = f"{covers.offset} + place" if covers.offset else "place"
+        return [
+            f"text = ptr8({source})",
+            "place = 0",
+            f"while place < {length}:",
+            f"    wire[{at}] = text[place]",
+            "    place += 1",
+        ]
+
+    def cleared(self, length: int) -> list[str]:
+        """Word by word, the last one whole: the end of the payload is looked for by words."""
+        words = sorted({at // 4 for at in set(range(-(-length // 4) * 4)) - self.written})
+        if not words:
+            return []
+        self.uses.add("wire32")
+        lines = ["# What nothing below writes is 0."]
+        for first, last in _runs(words):
+            if last - first < 8:
+                lines += [f"wire32[{at}] = 0" for at in range(first, last + 1)]
+            else:
+                lines += [f"place = {first}", f"while place < {last + 1}:", "    wire32[place] = 0", "    place += 1"]
+        return lines
+
+
+def _signed(value: int, size: int) -> int:
+    """The number of so many bytes with the same low bits."""
+    return struct.unpack("<i", struct.pack("<I", value & 0xFFFFFFFF))[0] if size == 4 else value
+
+
+def _runs(numbers: Iterable[int]) -> list[tuple[int, int]]:
+    """Numbers that follow one another, as first and last."""
+    runs: list[tuple[int, int]] = []
+    for number in numbers:
+        if runs and runs[-1][1] == number - 1:
+            runs[-1] = (runs[-1][0], number)
+        else:
+            runs.append((number, number))
+    return runs
+
+
+class MachineReading(MachineCode):
+    """Viper, in functions that are given the words of one instance."""
+
+    __slots__ = ()

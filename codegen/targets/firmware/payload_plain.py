@@ -1,0 +1,92 @@
+"""The spelling of a message's function in plain Python, for ports without machine code."""
+
+from collections.abc import Iterable
+
+from codegen.model.answer import Elements
+from codegen.model.payload_code import indented
+from codegen.model.vehicle import Quantity
+from codegen.targets.firmware.payload import SpelledCode, byte_of
+
+
+class PlainCode(SpelledCode):
+    """Plain Python: bytes, and numbers that are positive where they are written. Nothing else writes the payload.
+
+    So what is always 0 stays so. Locals are few: MicroPython puts those of larger functions on the heap at every call.
+    """
+
+    __slots__ = ()
+
+    def subscript(self, component: str, place: str) -> str:
+        """Counted from where the block begins: of several instances a variable, or else a constant."""
+        block = self.layout.blocks[component]
+        return f"words[{component if block.component.instances > 1 else block.base_constant} + {place}]"
+
+    def number_of(self, word: str) -> str:
+        """An array knows signs."""
+        return word
+
+    def difference(self, first: str, second: str) -> str:
+        """As it is."""
+        return f"{first} - {second}"
+
+    def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
+        """Byte by byte."""
+        if always:
+            self.written |= set(range(offset, offset + size))
+        if isinstance(value, int):
+            return [f"wire[{offset + n}] = {value >> 8 * n & 0xFF}" for n in range(size)]
+        return [f"wire[{offset + n}] = {byte_of(value, n)}" for n in range(size)]
+
+    def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
+        """Byte by byte, too."""
+        start, size = covers.field.offset, covers.field.type.size
+        if size == 1:
+            return [f"wire[{start} + {place}] = {byte_of(value, 0)}"]
+        at = f"{size} * {place}"
+        return [f"wire[{at}{f' + {start + n}' if start + n else ''}] = {byte_of(value, n)}" for n in range(size)]
+
+    def flags(self, covers: Elements, mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
+        """Bit by bit in the payload itself."""
+        lines, read = self.fill(covers, mask), ""
+        for bits, quantity in conditional:
+            source, condition = self.condition(quantity)
+            if source and source != read:
+                lines.append(f"value = {source}")
+                read = source
+            lines += [f"if {condition}:", *indented(self._set(covers, bits))]
+        return lines
+
+    def _set(self, covers: Elements, bits: int) -> list[str]:
+        size = covers.field.type.size
+        places = [
+            (covers.offset + at * size + n, bits >> 8 * n & 0xFF) for at in range(covers.count) for n in range(size)
+        ]
+        return [f"wire[{place}] |= {part:#x}" for place, part in places if part]
+
+    def buffer(self, offset: int) -> str:
+        """The payload."""
+        return f"wire, {offset}"
+
+    def arguments(self, values: Iterable[str]) -> str:
+        """Without types; what machine code is given for frames is a variable for loops here."""
+        return ", ".join(("value", "place", "wire", "words", *values))
+
+    def reach(self, component: str, instance: str) -> str:
+        """A number; none where the component is the only one."""
+        several = self.layout.blocks[component].component.instances > 1
+        return f"{component} = {self._base(component, instance)}" if several else ""
+
+    def copied(self, covers: Elements, source: str, length: int) -> list[str]:
+        """By index: a slice would be made on the heap."""
+        at = f"{covers.offset} + place" if covers.offset else "place"
+        return ["place = 0", f"while place < {length}:", f"    wire[{at}] = {source}[place]", "    place += 1"]
+
+
+class PlainReading(PlainCode):
+    """Plain Python, in functions that are given the words of one instance."""
+
+    __slots__ = ()
+
+    def subscript(self, component: str, place: str) -> str:
+        """The words are those of the component."""
+        return f"{component}[{place}]"

@@ -1,0 +1,139 @@
+"""Where the state keeps what: 32-bit words in one array, a block of them for each instance of each component.
+
+A number, an enum's value and a boolean take one word; what is unknown is -2 ** 30 there, less than every limit, and the
+largest magnitude that 32-bit boards read without allocating. A quantity with elements takes a word for each, last of
+all. Other types of a dialect fit the same array: 64 bits take two words, the low one first, and a float its binary32
+bits in one; both are unknown by a word of their own in front of them, which is -2 ** 30 then.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from codegen.model.system import System
+from codegen.model.vehicle import Component, Quantity
+
+UNKNOWN_TEXT = "-0x3FFFFFFF - 1"
+"""How the generated code spells unknown: viper does not compile -0x40000000 on 32-bit boards."""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """The words of one component: the first instance from ``base`` on, each of them takes ``size``.
+
+    ``offsets`` has the place of each word in the block of an instance, by name.
+    """
+
+    component: Component
+    base: int
+    size: int
+    offsets: Mapping[str, int]
+
+    @property
+    def base_constant(self) -> str:
+        """``_BATTERY``, where the words of the first instance begin in the array."""
+        return f"_{self.component.name.upper()}"
+
+    @property
+    def size_constant(self) -> str:
+        """``_BATTERY_SIZE``, what one instance takes."""
+        return f"{self.base_constant}_SIZE"
+
+    def constant(self, word: str) -> str:
+        """``_BATTERY_VOLTAGE_MV``, the place of a word in the block of an instance."""
+        return f"{self.base_constant}_{word.upper()}"
+
+
+@dataclass(frozen=True, slots=True)
+class ConstantView:
+    """A constant of a generated module."""
+
+    name: str
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The whole array: a block for each component, by name, and how many words there are."""
+
+    blocks: Mapping[str, Block]
+    size: int
+
+    def constants(self, component: str, words: set[str], *, in_array: bool) -> tuple[ConstantView, ...]:
+        """The constants with which a module reaches words of a component, in their order.
+
+        ``in_array``: from the whole array; else from the part of an instance.
+        """
+        block = self.blocks[component]
+        placed = [ConstantView(block.constant(word), at) for word, at in block.offsets.items() if word in words]
+        if not in_array:
+            return tuple(placed)
+        several = [ConstantView(block.size_constant, block.size)] if block.component.instances > 1 else []
+        return (ConstantView(block.base_constant, block.base), *several, *placed)
+
+
+def word_layout(system: System) -> Layout:
+    """The layout of a system's state."""
+    blocks: dict[str, Block] = {}
+    base = 0
+    for component in system.components.values():
+        offsets: dict[str, int] = {}
+        size = 0
+        for name, width in _words(component):
+            offsets[name] = size
+            size += width
+        blocks[component.name] = Block(component, base, size, offsets)
+        base += size * component.instances
+    return Layout(blocks, base)
+
+
+def _words(component: Component) -> Iterator[tuple[str, int]]:
+    """The names and widths of a component's words, in their order."""
+    quantities = component.quantities.values()
+    for quantity in quantities:
+        if quantity.elements is None and not quantity.is_computed:
+            yield quantity.attribute, 1
+        if differ(quantity.derivation.own_limits):
+            yield f"{quantity.name}_limit", 1
+    if component.first_number:
+        yield "number", 1
+    yield from _of_readings(component)
+    for quantity in quantities:
+        if quantity.elements is not None:
+            if differ(quantity.elements):
+                yield f"{quantity.attribute}_count", 1
+            yield quantity.attribute, max(quantity.elements)
+
+
+def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
+    """The words that readings need beside the values that they give."""
+    measured = measured_of(component)
+    if measured is None:
+        return
+    yield from (("count", 1), ("multiplier", 1), ("failures", 1), ("is_logged", 1))
+    if measured.trust.stale_after_ms is not None:
+        yield "expires_ms", 1
+    threshold = measured.derivation.threshold
+    if threshold is not None:
+        yield "warned_ms", 1
+        if differ(threshold.above):
+            yield "warn_above", 1
+    if component.returns:
+        yield "gone", 1
+    for quantity in component.quantities.values():
+        if quantity.derivation.kept_readings:
+            yield from ((f"{quantity.name}_{word}", 1) for word in TREND_WORDS)
+            yield f"{quantity.name}_readings", quantity.derivation.kept_readings
+
+
+def measured_of(component: Component) -> Quantity | None:
+    """The quantity that readings are taken of; None where there is none."""
+    return next((quantity for quantity in component.quantities.values() if quantity.derivation.conversion), None)
+
+
+TREND_WORDS = ("count", "newer", "older")
+"""What a trend keeps beside its readings: how many there were, and the sums of the two halves."""
+
+
+def differ(numbers: tuple[int, ...]) -> bool:
+    """Whether instances have numbers of their own."""
+    return len(set(numbers)) > 1

@@ -1,0 +1,50 @@
+"""Lines of generated modules: what they import, as their views have turned out to need it, and long statements."""
+
+from collections.abc import Iterable
+
+LINE_LENGTH = 120
+
+STANDARD = frozenset({"array", "asyncio", "binascii", "gc", "select", "struct", "time"})
+"""Modules of Python's own library that MicroPython has, too: they come first."""
+
+
+def import_lines(modules: Iterable[str] = (), names: Iterable[tuple[str, str]] = ()) -> tuple[str, ...]:
+    """``import machine`` for each module and ``from time import ticks_ms`` for each name of one, in ruff's order.
+
+    An empty line parts Python's own modules from the others.
+    """
+    by_module: dict[str, set[str]] = {}
+    for module, name in names:
+        by_module.setdefault(module, set()).add(name)
+    groups = []
+    for is_standard in (True, False):
+        whole = [f"import {module}" for module in sorted(set(modules)) if (module in STANDARD) is is_standard]
+        parts = [
+            line
+            for module, found in sorted(by_module.items())
+            if (module in STANDARD) is is_standard
+            for line in _from(module, sorted(found, key=order))
+        ]
+        groups.append([*whole, *parts])
+    return tuple("\n\n".join("\n".join(group) for group in groups if group).split("\n"))
+
+
+def _from(module: str, names: list[str]) -> list[str]:
+    line = f"from {module} import {', '.join(names)}"
+    if len(line) <= LINE_LENGTH:
+        return [line]
+    return [f"from {module} import (", *(f"    {name}," for name in names), ")"]
+
+
+def in_brackets(before: str, inside: str, after: str) -> str:
+    """A statement with brackets, as the formatter prints it: where it is too long, what they hold has its own line."""
+    line = f"{before}({inside}){after}"
+    if len(line) <= LINE_LENGTH:
+        return line
+    indent = " " * (len(before) - len(before.lstrip()))
+    return f"{before}(\n{indent}    {inside}\n{indent}){after}"
+
+
+def order(name: str) -> tuple[int, str]:
+    """Constants, then classes, then functions, as ruff sorts them."""
+    return (0 if name.isupper() else 1 if name[:1].isupper() else 2, name)

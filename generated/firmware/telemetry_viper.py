@@ -1,0 +1,1291 @@
+# Generated from specs/board.yaml, specs/codegen.yaml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
+#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
+#   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
+# Inputs: bd634d5381aacf98
+"""From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
+
+`value` is at first the time in ms, then each value in turn, at last the checksum: viper keeps a function's first locals
+in registers. `wire` is where the payload goes, in a message or in a link's buffer; `words` are those of the state, see
+state.py. With the address of the checksum's table the functions make the frame around the payload in a link's buffer
+and return its length; 0 is no frame: there is no table, or Link.encode() has to make it, since the link is too short,
+signs or sends MAVLink 1.
+
+Viper checks no bounds. All that is read or written in steps of two or four bytes lies at a multiple of that, which the
+smaller Cortex-M insist on. telemetry_plain has the same functions for ports without machine code.
+"""
+
+# ptr8, ptr16 and ptr32 are viper's own names.
+# ruff: noqa: F821
+
+from time import ticks_ms
+
+import micropython
+from checksum import TABLE
+from floats_viper import put_float
+from micropython import const
+
+_UNKNOWN = const(-0x3FFFFFFF - 1)
+# Where the state keeps what.
+_BATTERY = const(0)
+_BATTERY_SIZE = const(67)
+_BATTERY_VOLTAGE_MV = const(0)
+_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CONSUMED_MAH = const(2)
+_BATTERY_ENERGY_HJ = const(3)
+_BATTERY_REMAINING_PCT = const(4)
+_BATTERY_LEFT_MAH = const(5)
+_BATTERY_COUNTED_FROM_FULL = const(6)
+_BATTERY_TEMPERATURE_CDEGC = const(7)
+_BATTERY_TREND_MV_S = const(8)
+_BATTERY_HEALTH_NUMBER = const(9)
+_BATTERY_FAILSAFE_NUMBER = const(10)
+_BATTERY_MONITORED = const(12)
+_BATTERY_PROTECTED = const(13)
+_BATTERY_EXPIRES_MS = const(18)
+_BATTERY_TREND_COUNT = const(21)
+_BATTERY_TREND_NEWER = const(22)
+_BATTERY_TREND_OLDER = const(23)
+_BATTERY_CELLS_MV = const(64)
+_VEHICLE = const(134)
+_VEHICLE_ARMED = const(0)
+_VEHICLE_READY = const(1)
+_VEHICLE_MODE_NUMBER = const(2)
+_VEHICLE_STATUS = const(3)
+_VEHICLE_LOAD_DPCT = const(4)
+_SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
+_BATTERY_INFO_NAME = b"generic_LiPo-3300"
+
+
+@micropython.viper
+def write_heartbeat(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
+    """HEARTBEAT (0), FR-00068.8."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 9:
+        return 0
+    wire32 = ptr32(wire)
+    bit = 1
+    sign = bit << 31
+    vehicle = ptr32(int(words) + 4 * _VEHICLE)
+
+    # What nothing below writes is 0.
+    wire32[2] = 0
+
+    # custom_mode: vehicle.mode (FR-00068.8)
+    value = (vehicle[_VEHICLE_MODE_NUMBER] ^ sign) - sign
+    if value < 0:
+        value = 0
+    elif value > 1000000:
+        value = 1000000
+    wire32[0] = value
+
+    # type: MAV_TYPE_GROUND_ROVER (FR-00068.8)
+    wire[4] = 10
+
+    # autopilot: MAV_AUTOPILOT_ARDUPILOTMEGA (FR-00068.8)
+    wire[5] = 3
+
+    # base_mode: MAV_MODE_FLAG_SAFETY_ARMED if vehicle.armed (FR-00068.8)
+    flags = 0x41
+    if vehicle[_VEHICLE_ARMED]:
+        flags |= 0x80
+    wire[6] = flags
+
+    # system_status: vehicle.status (FR-00068.8)
+    value = (vehicle[_VEHICLE_STATUS] ^ sign) - sign
+    if value < 0:
+        value = 3 if value == _UNKNOWN else 0  # until it is set, or too small
+    elif value > 8:
+        value = 8
+    wire[7] = value
+
+    # mavlink_version: version of the dialect (FR-00068.8)
+    wire[8] = 3
+
+    if table_at == 0:
+        return 0
+    frame[9] = 0
+    frame[10] = 0
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 8)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 50) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, battery_instance: int) -> int:
+    """SYS_STATUS (1), FR-00068.9."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 43:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+    bit = 1
+    sign = bit << 31
+    battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * battery_instance))
+    vehicle = ptr32(int(words) + 4 * _VEHICLE)
+
+    # What nothing below writes is 0.
+    wire32[7] = 0
+    wire32[8] = 0
+    wire32[9] = 0
+    wire32[10] = 0
+
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
+    flags = 0x10000000
+    if battery[_BATTERY_MONITORED]:
+        flags |= 0x2000000
+    wire32[0] = flags
+
+    # onboard_control_sensors_enabled: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
+    flags = 0x10000000
+    if battery[_BATTERY_MONITORED]:
+        flags |= 0x2000000
+    wire32[1] = flags
+
+    # onboard_control_sensors_health: (FR-00067.3)
+    #   MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy
+    #   MAV_SYS_STATUS_PREARM_CHECK if vehicle.ready
+    flags = 0
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value != _UNKNOWN:
+        flags |= 0x2000000
+    if vehicle[_VEHICLE_READY]:
+        flags |= 0x10000000
+    wire32[2] = flags
+
+    # load [d%]: vehicle.load (FR-00068.9)
+    value = (vehicle[_VEHICLE_LOAD_DPCT] ^ sign) - sign
+    if value < 0:
+        value = 0
+    elif value > 1000:
+        value = 1000
+    wire16[6] = value
+
+    # voltage_battery [mV]: battery.voltage (FR-00068.9)
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value < 0:
+        value = 65535 if value == _UNKNOWN else 0  # unknown, or too small
+    elif value > 65534:
+        value = 65534
+    wire16[7] = value
+
+    # current_battery [cA]: battery.current (FR-00068.4)
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value < -32768:
+        value = -1 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32767:
+        value = 32767
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire16[8] = value
+
+    # drop_rate_comm: 0 (FR-00068.9)
+    wire16[9] = 0
+
+    # errors_comm: 0 (FR-00068.9)
+    wire16[10] = 0
+
+    # errors_count1: 0 (FR-00068.9)
+    wire16[11] = 0
+
+    # errors_count2: 0 (FR-00068.9)
+    wire16[12] = 0
+
+    # errors_count3: 0 (FR-00068.9)
+    wire16[13] = 0
+
+    # errors_count4: 0 (FR-00068.9)
+    wire16[14] = 0
+
+    # battery_remaining [%]: battery.remaining (FR-00068.5)
+    value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
+    if value < 0:
+        value = -1 if value == _UNKNOWN else 0  # unknown, or too small
+    elif value > 100:
+        value = 100
+    wire[30] = value
+
+    # onboard_control_sensors_present_extended: no flag (FR-00068.9)
+
+    # onboard_control_sensors_enabled_extended: no flag (FR-00068.9)
+
+    # onboard_control_sensors_health_extended: no flag (FR-00068.9)
+
+    if table_at == 0:
+        return 0
+    frame[9] = 1
+    frame[10] = 0
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 40)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 124) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, instance: int) -> int:
+    """BATTERY_STATUS (147), FR-00068.1."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 54:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+    bit = 1
+    sign = bit << 31
+    battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * instance))
+
+    # What nothing below writes is 0.
+    wire32[10] = 0
+    wire32[11] = 0
+    wire32[12] = 0
+    wire32[13] = 0
+
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # current_consumed [mAh]: battery.consumed (FR-00068.6)
+    value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire32[0] = value
+
+    # energy_consumed [hJ]: battery.energy (FR-00068.6)
+    value = (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire32[1] = value
+
+    # temperature [cdegC]: battery.temperature (FR-00068.6)
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value < -32768:
+        value = 32767 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32766:
+        value = 32766
+    wire16[4] = value
+
+    # voltages [mV]: battery.cells while all are known, else battery.voltage, spilling above 65534 (FR-00068.3)
+    place = 0
+    while place < 3 and (battery[_BATTERY_CELLS_MV + place] ^ sign) - sign != _UNKNOWN:
+        place += 1
+    if place == 3:
+        place = 0
+        while place < 10:
+            value = _UNKNOWN
+            if place < 3:
+                value = (battery[_BATTERY_CELLS_MV + place] ^ sign) - sign
+            if value < 0:
+                value = 65535 if value == _UNKNOWN else 0  # unknown, or too small
+            elif value > 65534:
+                value = 65534
+            wire16[5 + place] = value
+            place += 1
+    else:
+        value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+        wire16[6] = 65535
+        wire16[7] = 65535
+        wire16[8] = 65535
+        wire16[9] = 65535
+        wire16[10] = 65535
+        wire16[11] = 65535
+        wire16[12] = 65535
+        wire16[13] = 65535
+        wire16[14] = 65535
+        if value == _UNKNOWN:
+            wire16[5] = 65535
+        else:
+            if value < 0:
+                value = 0
+            elif value > 655340:
+                value = 655340
+            place = 0
+            while value > 65534 and place < 9:
+                wire16[5 + place] = 65534
+                value -= 65534
+                place += 1
+            wire16[5 + place] = value
+
+    # current_battery [cA]: battery.current (FR-00068.4)
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value < -32768:
+        value = -1 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32767:
+        value = 32767
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire16[15] = value
+
+    # id: the battery's number (FR-00068.7)
+    wire[32] = instance
+
+    # battery_function: MAV_BATTERY_FUNCTION_ALL (FR-00068.7)
+    wire[33] = 1
+
+    # type: MAV_BATTERY_TYPE_LIPO (FR-00068.7)
+    wire[34] = 1
+
+    # battery_remaining [%]: battery.remaining (FR-00068.5)
+    value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
+    if value < 0:
+        value = -1 if value == _UNKNOWN else 0  # unknown, or too small
+    elif value > 100:
+        value = 100
+    wire[35] = value
+
+    # time_remaining: unknown (0), 0 (FR-00068.6)
+    wire32[9] = 0
+
+    # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
+    wire[40] = 0
+
+    # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
+    # there are 3: all unknown
+
+    # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
+    wire[49] = 0
+
+    # fault_bitmask: (FR-00068.6)
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
+    #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
+    flags = 0
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 9000:
+        flags |= 0x1
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value >= 6000:
+        flags |= 0x10
+    if value != _UNKNOWN and value < -2000:
+        flags |= 0x20
+    wire[50] = flags
+    wire[51] = flags >> 8
+    wire[52] = flags >> 16
+    wire[53] = flags >> 24
+
+    if table_at == 0:
+        return 0
+    frame[9] = 147
+    frame[10] = 0
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 52)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 154) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_autopilot_version(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
+    """AUTOPILOT_VERSION (148), FR-00070.2."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 78:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+
+    # What nothing below writes is 0.
+    wire32[19] = 0
+
+    # capabilities: MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT + MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST +
+    #   MAV_PROTOCOL_CAPABILITY_MAVLINK2 + MAV_PROTOCOL_CAPABILITY_COMMAND_INT (FR-00070.2)
+    wire32[0] = 139274
+    wire32[1] = 0
+
+    # uid: 0 (FR-00070.2)
+    wire32[2] = 0
+    wire32[3] = 0
+
+    # flight_sw_version: 16777216 (FR-00070.2)
+    wire32[4] = 16777216
+
+    # middleware_sw_version: 0 (FR-00070.2)
+    wire32[5] = 0
+
+    # os_sw_version: 0 (FR-00070.2)
+    wire32[6] = 0
+
+    # board_version: 0 (FR-00070.2)
+    wire32[7] = 0
+
+    # vendor_id: 0 (FR-00070.2)
+    wire16[16] = 0
+
+    # product_id: 0 (FR-00070.2)
+    wire16[17] = 0
+
+    # flight_custom_version: 0 (FR-00070.2)
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 0
+    wire[39] = 0
+    wire[40] = 0
+    wire[41] = 0
+    wire[42] = 0
+    wire[43] = 0
+
+    # middleware_custom_version: 0 (FR-00070.2)
+    wire[44] = 0
+    wire[45] = 0
+    wire[46] = 0
+    wire[47] = 0
+    wire[48] = 0
+    wire[49] = 0
+    wire[50] = 0
+    wire[51] = 0
+
+    # os_custom_version: 0 (FR-00070.2)
+    wire[52] = 0
+    wire[53] = 0
+    wire[54] = 0
+    wire[55] = 0
+    wire[56] = 0
+    wire[57] = 0
+    wire[58] = 0
+    wire[59] = 0
+
+    # uid2: 0 (FR-00070.2)
+    place = 0
+    while place < 18:
+        wire[60 + place] = 0
+        place += 1
+
+    if table_at == 0:
+        return 0
+    frame[9] = 148
+    frame[10] = 0
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 76)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 178) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_protocol_version(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
+    """PROTOCOL_VERSION (300), FR-00070.2."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 22:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+
+    # What nothing below writes is 0.
+    wire32[5] = 0
+
+    # version: 200 (FR-00070.2)
+    wire16[0] = 200
+
+    # min_version: 100 (FR-00070.2)
+    wire16[1] = 100
+
+    # max_version: 200 (FR-00070.2)
+    wire16[2] = 200
+
+    # spec_version_hash: 0 (FR-00070.2)
+    wire[6] = 0
+    wire[7] = 0
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
+
+    # library_version_hash: 0 (FR-00070.2)
+    wire[14] = 0
+    wire[15] = 0
+    wire[16] = 0
+    wire[17] = 0
+    wire[18] = 0
+    wire[19] = 0
+    wire[20] = 0
+    wire[21] = 0
+
+    if table_at == 0:
+        return 0
+    frame[9] = 44
+    frame[10] = 1
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 20)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 217) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, instance: int) -> int:
+    """BATTERY_STATUS_V2 (369), FR-00072.1."""
+    wire = ptr8(payload)
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 27:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+    bit = 1
+    sign = bit << 31
+    battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * instance))
+
+    # What nothing below writes is 0.
+    wire32[6] = 0
+
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # voltage [V]: battery.voltage [mV] (FR-00072.4)
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value == _UNKNOWN:  # goes out as NaN
+        wire16[0] = 0
+        wire16[1] = 32704
+    else:
+        put_float(payload, 0, value, 1000)
+
+    # current [A]: battery.current [cA] (FR-00072.4)
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value == _UNKNOWN:  # goes out as NaN
+        wire16[2] = 0
+        wire16[3] = 32704
+    else:
+        put_float(payload, 4, value, 100)
+
+    # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
+    value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
+    if value == _UNKNOWN:  # goes out as NaN
+        wire16[4] = 0
+        wire16[5] = 32704
+    else:
+        put_float(payload, 8, value, 1000)
+
+    # capacity_remaining [Ah]: battery.left [mAh] (FR-00072.4)
+    value = (battery[_BATTERY_LEFT_MAH] ^ sign) - sign
+    if value == _UNKNOWN:  # goes out as NaN
+        wire16[6] = 0
+        wire16[7] = 32704
+    else:
+        if value < 0:
+            value = 0
+        put_float(payload, 12, value, 1000)
+
+    # state_of_charge [%]: battery.remaining (FR-00072.4)
+    value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
+    if value == _UNKNOWN:  # goes out as NaN
+        wire16[8] = 0
+        wire16[9] = 32704
+    else:
+        if value < 0:
+            value = 0
+        elif value > 100:
+            value = 100
+        put_float(payload, 16, value, 1)
+
+    # status_flags: (FR-00072.5)
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
+    #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
+    #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
+    flags = 0
+    value = (battery[_BATTERY_HEALTH_NUMBER] ^ sign) - sign
+    if value >= 2:
+        flags |= 0x1
+    value = (battery[_BATTERY_FAILSAFE_NUMBER] ^ sign) - sign
+    if value >= 1:
+        flags |= 0x1
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value != _UNKNOWN and value < 0:
+        flags |= 0x2
+    if battery[_BATTERY_PROTECTED]:
+        flags |= 0x80
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value >= 12750:
+        flags |= 0x200
+    if value != _UNKNOWN and value < 9000:
+        flags |= 0x400
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value >= 6000:
+        flags |= 0x800
+    if value != _UNKNOWN and value < -2000:
+        flags |= 0x1000
+    if battery[_BATTERY_COUNTED_FROM_FULL]:
+        flags |= 0x40000
+    wire32[5] = flags
+
+    # temperature [cdegC]: battery.temperature (FR-00072.4)
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value < -32768:
+        value = 32767 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32766:
+        value = 32766
+    wire16[12] = value
+
+    # id: the battery's number (FR-00073.4)
+    wire[26] = instance
+
+    if table_at == 0:
+        return 0
+    frame[9] = 113
+    frame[10] = 1
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 24)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 145) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_smart_battery_info(
+    value: int, table_at: int, wire: ptr8, words: ptr32, instance: int, batt_capacity: int
+) -> int:
+    """SMART_BATTERY_INFO (370), FR-00076.1."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 109:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+
+    # What nothing below writes is 0.
+    place = 5
+    while place < 22:
+        wire32[place] = 0
+        place += 1
+    wire32[24] = 0
+    wire32[25] = 0
+    wire32[26] = 0
+    wire32[27] = 0
+
+    # capacity_full_specification [mAh]: BATT_CAPACITY (FR-00076.1)
+    value = batt_capacity
+    if value < 0:
+        value = 0
+    elif value > 1000000:
+        value = 1000000
+    wire32[0] = value
+
+    # capacity_full: unknown (-1) (FR-00076.1)
+    wire32[1] = -1
+
+    # cycle_count: unknown (UINT16_MAX) (FR-00076.1)
+    wire16[4] = 65535
+
+    # weight: 250 g (FR-00076.1)
+    wire16[5] = 250
+
+    # discharge_minimum_voltage: 3.3 V (FR-00076.1)
+    wire16[6] = 3300
+
+    # charging_minimum_voltage: 3.0 V (FR-00076.1)
+    wire16[7] = 3000
+
+    # resting_minimum_voltage: 3.6 V (FR-00076.1)
+    wire16[8] = 3600
+
+    # id: the battery's number (FR-00073.4)
+    wire[18] = instance
+
+    # battery_function: MAV_BATTERY_FUNCTION_ALL (FR-00076.1)
+    wire[19] = 1
+
+    # type: MAV_BATTERY_TYPE_LIPO (FR-00076.1)
+    wire[20] = 1
+
+    # serial_number: unknown ([0]) (FR-00076.1)
+
+    # device_name: text (FR-00076.1)
+    text = ptr8(_SMART_BATTERY_INFO_DEVICE_NAME)
+    place = 0
+    while place < 17:
+        wire[37 + place] = text[place]
+        place += 1
+
+    # charging_maximum_voltage: 4.2 V (FR-00076.1)
+    wire[87] = 104
+    wire[88] = 16
+
+    # cells_in_series: 3 (FR-00076.1)
+    wire[89] = 3
+
+    # discharge_maximum_current: 66 A (FR-00076.1)
+    wire[90] = 208
+    wire[91] = 1
+    wire[92] = 1
+    wire[93] = 0
+
+    # discharge_maximum_burst_current: 132 A (FR-00076.1)
+    wire[94] = 160
+    wire[95] = 3
+    wire[96] = 2
+    wire[97] = 0
+
+    # manufacture_date: unknown ([0]) (FR-00076.1)
+
+    if table_at == 0:
+        return 0
+    frame[9] = 114
+    frame[10] = 1
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 108)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 75) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_battery_info(value: int, table_at: int, payload, words: ptr32, instance: int, batt_capacity: int) -> int:
+    """BATTERY_INFO (372), FR-00076.2."""
+    wire = ptr8(payload)
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 140:
+        return 0
+    wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
+
+    # What nothing below writes is 0.
+    place = 12
+    while place < 35:
+        wire32[place] = 0
+        place += 1
+
+    # discharge_minimum_voltage: 3.3 V (FR-00076.2)
+    wire16[0] = 13107
+    wire16[1] = 16467
+
+    # charging_minimum_voltage: 3.0 V (FR-00076.2)
+    wire16[2] = 0
+    wire16[3] = 16448
+
+    # resting_minimum_voltage: 3.6 V (FR-00076.2)
+    wire16[4] = 26214
+    wire16[5] = 16486
+
+    # charging_maximum_voltage: 4.2 V (FR-00076.2)
+    wire16[6] = 26214
+    wire16[7] = 16518
+
+    # charging_maximum_current: 3.3 A (FR-00076.2)
+    wire16[8] = 13107
+    wire16[9] = 16467
+
+    # nominal_voltage: 11.1 V (FR-00076.2)
+    wire16[10] = 39322
+    wire16[11] = 16689
+
+    # discharge_maximum_current: 66 A (FR-00076.2)
+    wire16[12] = 0
+    wire16[13] = 17028
+
+    # discharge_maximum_burst_current: 132 A (FR-00076.2)
+    wire16[14] = 0
+    wire16[15] = 17156
+
+    # design_capacity [Ah]: BATT_CAPACITY [mAh] (FR-00076.2)
+    value = batt_capacity
+    if value < 1:
+        value = 1
+    elif value > 1000000:
+        value = 1000000
+    put_float(payload, 32, value, 1000)
+
+    # full_charge_capacity: unknown (NaN) (FR-00076.2)
+    wire16[18] = 0
+    wire16[19] = 32704
+
+    # cycle_count: unknown (UINT16_MAX) (FR-00076.2)
+    wire16[20] = 65535
+
+    # weight: 250 g (FR-00076.2)
+    wire16[21] = 250
+
+    # id: the battery's number (FR-00073.4)
+    wire[44] = instance
+
+    # battery_function: MAV_BATTERY_FUNCTION_ALL (FR-00076.2)
+    wire[45] = 1
+
+    # type: MAV_BATTERY_TYPE_LIPO (FR-00076.2)
+    wire[46] = 1
+
+    # state_of_health: unknown (UINT8_MAX) (FR-00076.2)
+    wire[47] = 255
+
+    # cells_in_series: 3 (FR-00076.2)
+    wire[48] = 3
+
+    # manufacture_date: unknown ([0]) (FR-00076.2)
+
+    # serial_number: unknown ([0]) (FR-00076.2)
+
+    # name: text (FR-00076.2)
+    text = ptr8(_BATTERY_INFO_NAME)
+    place = 0
+    while place < 17:
+        wire[90 + place] = text[place]
+        place += 1
+
+    if table_at == 0:
+        return 0
+    frame[9] = 116
+    frame[10] = 1
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 136)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 26) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def write_battery_cell_voltages(value: int, table_at: int, wire: ptr8, words: ptr32, instance: int, page: int) -> int:
+    """BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    frame = ptr8(int(wire) - 12)
+    if table_at and int(frame[0]) < 28:
+        return 0
+    wire16 = ptr16(wire)
+    bit = 1
+    sign = bit << 31
+    battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * instance))
+
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # id: the battery's number (FR-00073.4)
+    wire16[0] = instance
+
+    # index: number of the first value on the page (FR-00076.7)
+    wire16[1] = page * 12
+
+    # voltages [mV]: battery.cells, a page of them (FR-00076.7)
+    place = 0
+    while place < 12:
+        value = _UNKNOWN
+        if place + page * 12 < 3:
+            value = (battery[_BATTERY_CELLS_MV + place + page * 12] ^ sign) - sign
+        if value < 1:
+            value = 0 if value == _UNKNOWN else 1  # unknown, or too small
+        elif value > 65535:
+            value = 65535
+        wire16[2 + place] = value
+        place += 1
+
+    if table_at == 0:
+        return 0
+    frame[9] = 99
+    frame[10] = 212
+    frame[11] = 0
+    # Zeros at the end are left out, but never the first byte; the source, which is never 0, stands before them all.
+    words = ptr32(int(wire) + 24)
+    while words[0] == 0:
+        words = ptr32(int(words) - 4)
+    last = ptr8(int(words) + 3)
+    while last[0] == 0:
+        last = ptr8(int(last) - 1)
+    length = int(last) - int(wire) + 1
+    if length < 1:
+        length = 1
+    frame[3] = length
+    # The byte of the length stands at an odd address, everything after it begins at an even one.
+    table = ptr16(table_at)
+    high = ptr16(table_at + 512)
+    value = high[length ^ 0xFF] ^ 0xFF
+    data = ptr16(int(frame) + 4)
+    left = (length + 8) >> 3
+    while left:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[2]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[3]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 8)
+        left -= 1
+    if length & 4:
+        value ^= data[0]
+        value = table[value & 0xFF] ^ high[value >> 8] ^ data[1]
+        value = table[value & 0xFF] ^ high[value >> 8]
+        data = ptr16(int(data) + 4)
+    last = ptr8(data)
+    left = length & 3
+    while left:
+        value = high[(value ^ last[0]) & 0xFF] ^ (value >> 8)
+        last = ptr8(int(last) + 1)
+        left -= 1
+    value = high[(value ^ 8) & 0xFF] ^ (value >> 8)
+    last[0] = value
+    last[1] = value >> 8
+    return length
+
+
+@micropython.viper
+def _address(data: ptr8) -> int:
+    return int(data)
+
+
+TABLE_AT = _address(TABLE)  # it stays right: MicroPython moves nothing
+
+
+def encoder(write, build):
+    """Return encode(link, state), which makes the frame of a message: what it has around it is faster than globals."""
+    table_at = TABLE_AT
+
+    @micropython.native
+    def encode(link, state):
+        length = write(ticks_ms(), table_at, link.room, state.words)
+        if length:
+            return link.views[length]
+        return link.encode(build(state))
+
+    return encode
+
+
+def each_encoder(write, build):
+    """Return encode(link, state, instance), the same for messages of which each instance has one."""
+    table_at = TABLE_AT
+
+    @micropython.native
+    def encode(link, state, instance=0):
+        length = write(ticks_ms(), table_at, link.room, state.words, instance)
+        if length:
+            return link.views[length]
+        return _whole(link, write, state, instance)
+
+    _BUILDERS.append((write, build))  # a closure of more than five cells and arguments would take heap at each call
+    return encode
+
+
+_BUILDERS = []
+
+
+def _whole(link, write, state, instance):
+    for builder in _BUILDERS:
+        if builder[0] is write:
+            return link.encode(builder[1](state, instance))
+    return None

@@ -1,0 +1,714 @@
+# Generated from specs/messages/autopilot_version.yaml, specs/messages/battery_cell_voltages.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
+#   specs/smart_battery/codegen.yaml, specs/smart_battery/messages/battery_info.yaml,
+#   specs/smart_battery/messages/heartbeat.yaml,
+#   specs/smart_battery/messages/smart_battery_info.yaml,
+#   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
+# Inputs: 8591f96d2e77c6e6
+"""From the words of the state to the payload of a message, in plain Python: one function for each message.
+
+`value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
+the state, see state.py. Frames are made by Link.encode().
+
+Locals are few, and what machine code is told in `place` is a variable for loops here: MicroPython puts the locals of
+larger functions on the heap at every call.
+"""
+
+from binascii import hexlify
+
+import machine
+from floats_plain import put_float
+from micropython import const
+
+_UNKNOWN = const(-0x3FFFFFFF - 1)
+# Where the state keeps what.
+_BATTERY = const(0)
+_BATTERY_VOLTAGE_MV = const(0)
+_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CONSUMED_MAH = const(2)
+_BATTERY_ENERGY_HJ = const(3)
+_BATTERY_REMAINING_PCT = const(4)
+_BATTERY_LEFT_MAH = const(5)
+_BATTERY_COUNTED_FROM_FULL = const(6)
+_BATTERY_TEMPERATURE_CDEGC = const(7)
+_BATTERY_USED_UP = const(10)
+_BATTERY_PROTECTED = const(11)
+_BATTERY_NUMBER = const(12)
+_BATTERY_EXPIRES_MS = const(17)
+_BATTERY_CELLS_MV = const(20)
+_SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
+_SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
+_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
+_BATTERY_INFO_NAME = b"generic_LiPo-3300"
+
+
+def write_heartbeat(value, place, wire, words):
+    """HEARTBEAT (0), FR-00074.1."""
+    # custom_mode: 0 (FR-00074.1)
+    wire[0] = 0
+    wire[1] = 0
+    wire[2] = 0
+    wire[3] = 0
+
+    # type: MAV_TYPE_BATTERY (FR-00074.1)
+    wire[4] = 36
+
+    # autopilot: MAV_AUTOPILOT_INVALID (FR-00074.1)
+    wire[5] = 8
+
+    # base_mode: no flag (FR-00074.1)
+    wire[6] = 0
+
+    # system_status: MAV_STATE_ACTIVE (FR-00074.1)
+    wire[7] = 4
+
+    # mavlink_version: version of the dialect (FR-00074.1)
+    wire[8] = 3
+
+
+def write_battery_status(value, place, wire, words, instance):
+    """BATTERY_STATUS (147), FR-00068.1."""
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # current_consumed [mAh]: battery.consumed (FR-00068.6)
+    value = words[_BATTERY + _BATTERY_CONSUMED_MAH]
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire[0] = value & 0xFF
+    wire[1] = value >> 8 & 0xFF
+    wire[2] = value >> 16 & 0xFF
+    wire[3] = value >> 24 & 0xFF
+
+    # energy_consumed [hJ]: battery.energy (FR-00068.6)
+    value = words[_BATTERY + _BATTERY_ENERGY_HJ]
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire[4] = value & 0xFF
+    wire[5] = value >> 8 & 0xFF
+    wire[6] = value >> 16 & 0xFF
+    wire[7] = value >> 24 & 0xFF
+
+    # temperature [cdegC]: battery.temperature (FR-00068.6)
+    value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
+    if value < -32768:
+        value = 32767 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32766:
+        value = 32766
+    wire[8] = value & 0xFF
+    wire[9] = value >> 8 & 0xFF
+
+    # voltages [mV]: battery.cells while all are known, else battery.voltage, spilling above 65534 (FR-00068.3)
+    place = 0
+    while place < 3 and words[_BATTERY + _BATTERY_CELLS_MV + place] != _UNKNOWN:
+        place += 1
+    if place == 3:
+        place = 0
+        while place < 10:
+            value = _UNKNOWN
+            if place < 3:
+                value = words[_BATTERY + _BATTERY_CELLS_MV + place]
+            if value < 0:
+                value = 65535 if value == _UNKNOWN else 0  # unknown, or too small
+            elif value > 65534:
+                value = 65534
+            wire[2 * place + 10] = value & 0xFF
+            wire[2 * place + 11] = value >> 8 & 0xFF
+            place += 1
+    else:
+        value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
+        wire[12] = 255
+        wire[13] = 255
+        wire[14] = 255
+        wire[15] = 255
+        wire[16] = 255
+        wire[17] = 255
+        wire[18] = 255
+        wire[19] = 255
+        wire[20] = 255
+        wire[21] = 255
+        wire[22] = 255
+        wire[23] = 255
+        wire[24] = 255
+        wire[25] = 255
+        wire[26] = 255
+        wire[27] = 255
+        wire[28] = 255
+        wire[29] = 255
+        if value == _UNKNOWN:
+            wire[10] = 255
+            wire[11] = 255
+        else:
+            if value < 0:
+                value = 0
+            elif value > 655340:
+                value = 655340
+            place = 0
+            while value > 65534 and place < 9:
+                wire[2 * place + 10] = 254
+                wire[2 * place + 11] = 255
+                value -= 65534
+                place += 1
+            wire[2 * place + 10] = value & 0xFF
+            wire[2 * place + 11] = value >> 8 & 0xFF
+
+    # current_battery [cA]: battery.current (FR-00068.4)
+    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    if value < -32768:
+        value = -1 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32767:
+        value = 32767
+    elif value == -1:
+        value = -2  # -1 would read as unknown
+    wire[30] = value & 0xFF
+    wire[31] = value >> 8 & 0xFF
+
+    # id: BATT_ID, counted on (FR-00068.7)
+    value = words[_BATTERY + _BATTERY_NUMBER]
+    wire[32] = value & 0xFF
+
+    # battery_function: MAV_BATTERY_FUNCTION_ALL (FR-00068.7)
+    wire[33] = 1
+
+    # type: MAV_BATTERY_TYPE_LIPO (FR-00068.7)
+    wire[34] = 1
+
+    # battery_remaining [%]: battery.remaining (FR-00068.5)
+    value = words[_BATTERY + _BATTERY_REMAINING_PCT]
+    if value < 0:
+        value = -1 if value == _UNKNOWN else 0  # unknown, or too small
+    elif value > 100:
+        value = 100
+    wire[35] = value & 0xFF
+
+    # time_remaining: unknown (0), 0 (FR-00068.6)
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 0
+    wire[39] = 0
+
+    # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
+    wire[40] = 0
+
+    # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
+    # there are 3: all unknown
+    wire[41] = 0
+    wire[42] = 0
+    wire[43] = 0
+    wire[44] = 0
+    wire[45] = 0
+    wire[46] = 0
+    wire[47] = 0
+    wire[48] = 0
+
+    # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
+    wire[49] = 0
+
+    # fault_bitmask: (FR-00068.6)
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
+    #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
+    wire[50] = 0
+    wire[51] = 0
+    wire[52] = 0
+    wire[53] = 0
+    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
+    if value != _UNKNOWN and value < 9000:
+        wire[50] |= 0x1
+    value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
+    if value >= 6000:
+        wire[50] |= 0x10
+    if value != _UNKNOWN and value < -2000:
+        wire[50] |= 0x20
+
+
+def write_autopilot_version(value, place, wire, words):
+    """AUTOPILOT_VERSION (148), FR-00070.2."""
+    # capabilities: MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT + MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST +
+    #   MAV_PROTOCOL_CAPABILITY_MAVLINK2 + MAV_PROTOCOL_CAPABILITY_COMMAND_INT (FR-00070.2)
+    wire[0] = 10
+    wire[1] = 32
+    wire[2] = 2
+    wire[3] = 0
+    wire[4] = 0
+    wire[5] = 0
+    wire[6] = 0
+    wire[7] = 0
+
+    # uid: 0 (FR-00070.2)
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
+    wire[14] = 0
+    wire[15] = 0
+
+    # flight_sw_version: 16777216 (FR-00070.2)
+    wire[16] = 0
+    wire[17] = 0
+    wire[18] = 0
+    wire[19] = 1
+
+    # middleware_sw_version: 0 (FR-00070.2)
+    wire[20] = 0
+    wire[21] = 0
+    wire[22] = 0
+    wire[23] = 0
+
+    # os_sw_version: 0 (FR-00070.2)
+    wire[24] = 0
+    wire[25] = 0
+    wire[26] = 0
+    wire[27] = 0
+
+    # board_version: 0 (FR-00070.2)
+    wire[28] = 0
+    wire[29] = 0
+    wire[30] = 0
+    wire[31] = 0
+
+    # vendor_id: 0 (FR-00070.2)
+    wire[32] = 0
+    wire[33] = 0
+
+    # product_id: 0 (FR-00070.2)
+    wire[34] = 0
+    wire[35] = 0
+
+    # flight_custom_version: 0 (FR-00070.2)
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 0
+    wire[39] = 0
+    wire[40] = 0
+    wire[41] = 0
+    wire[42] = 0
+    wire[43] = 0
+
+    # middleware_custom_version: 0 (FR-00070.2)
+    wire[44] = 0
+    wire[45] = 0
+    wire[46] = 0
+    wire[47] = 0
+    wire[48] = 0
+    wire[49] = 0
+    wire[50] = 0
+    wire[51] = 0
+
+    # os_custom_version: 0 (FR-00070.2)
+    wire[52] = 0
+    wire[53] = 0
+    wire[54] = 0
+    wire[55] = 0
+    wire[56] = 0
+    wire[57] = 0
+    wire[58] = 0
+    wire[59] = 0
+
+    # uid2: 0 (FR-00070.2)
+    place = 0
+    while place < 18:
+        wire[60 + place] = 0
+        place += 1
+
+
+def write_protocol_version(value, place, wire, words):
+    """PROTOCOL_VERSION (300), FR-00070.2."""
+    # version: 200 (FR-00070.2)
+    wire[0] = 200
+    wire[1] = 0
+
+    # min_version: 100 (FR-00070.2)
+    wire[2] = 100
+    wire[3] = 0
+
+    # max_version: 200 (FR-00070.2)
+    wire[4] = 200
+    wire[5] = 0
+
+    # spec_version_hash: 0 (FR-00070.2)
+    wire[6] = 0
+    wire[7] = 0
+    wire[8] = 0
+    wire[9] = 0
+    wire[10] = 0
+    wire[11] = 0
+    wire[12] = 0
+    wire[13] = 0
+
+    # library_version_hash: 0 (FR-00070.2)
+    wire[14] = 0
+    wire[15] = 0
+    wire[16] = 0
+    wire[17] = 0
+    wire[18] = 0
+    wire[19] = 0
+    wire[20] = 0
+    wire[21] = 0
+
+
+def write_battery_status_v2(value, place, wire, words, instance):
+    """BATTERY_STATUS_V2 (369), FR-00072.1."""
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # voltage [V]: battery.voltage [mV] (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
+    if value == _UNKNOWN:  # goes out as NaN
+        wire[0] = 0
+        wire[1] = 0
+        wire[2] = 192
+        wire[3] = 127
+    else:
+        put_float(wire, 0, value, 1000)
+
+    # current [A]: battery.current [cA] (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    if value == _UNKNOWN:  # goes out as NaN
+        wire[4] = 0
+        wire[5] = 0
+        wire[6] = 192
+        wire[7] = 127
+    else:
+        put_float(wire, 4, value, 100)
+
+    # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_CONSUMED_MAH]
+    if value == _UNKNOWN:  # goes out as NaN
+        wire[8] = 0
+        wire[9] = 0
+        wire[10] = 192
+        wire[11] = 127
+    else:
+        put_float(wire, 8, value, 1000)
+
+    # capacity_remaining [Ah]: battery.left [mAh] (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_LEFT_MAH]
+    if value == _UNKNOWN:  # goes out as NaN
+        wire[12] = 0
+        wire[13] = 0
+        wire[14] = 192
+        wire[15] = 127
+    else:
+        if value < 0:
+            value = 0
+        put_float(wire, 12, value, 1000)
+
+    # state_of_charge [%]: battery.remaining (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_REMAINING_PCT]
+    if value == _UNKNOWN:  # goes out as NaN
+        wire[16] = 0
+        wire[17] = 0
+        wire[18] = 192
+        wire[19] = 127
+    else:
+        if value < 0:
+            value = 0
+        elif value > 100:
+            value = 100
+        put_float(wire, 16, value, 1)
+
+    # status_flags: (FR-00072.5)
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
+    #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
+    #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
+    wire[20] = 0
+    wire[21] = 0
+    wire[22] = 0
+    wire[23] = 0
+    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
+    if value != _UNKNOWN and value < 9900:
+        wire[20] |= 0x1
+    if words[_BATTERY + _BATTERY_USED_UP]:
+        wire[20] |= 0x1
+    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    if value != _UNKNOWN and value < 0:
+        wire[20] |= 0x2
+    if words[_BATTERY + _BATTERY_PROTECTED]:
+        wire[20] |= 0x80
+    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
+    if value >= 12750:
+        wire[21] |= 0x2
+    if value != _UNKNOWN and value < 9000:
+        wire[21] |= 0x4
+    value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
+    if value >= 6000:
+        wire[21] |= 0x8
+    if value != _UNKNOWN and value < -2000:
+        wire[21] |= 0x10
+    if words[_BATTERY + _BATTERY_COUNTED_FROM_FULL]:
+        wire[22] |= 0x4
+
+    # temperature [cdegC]: battery.temperature (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
+    if value < -32768:
+        value = 32767 if value == _UNKNOWN else -32768  # unknown, or too small
+    elif value > 32766:
+        value = 32766
+    wire[24] = value & 0xFF
+    wire[25] = value >> 8 & 0xFF
+
+    # id: BATT_ID, counted on (FR-00073.4)
+    value = words[_BATTERY + _BATTERY_NUMBER]
+    wire[26] = value & 0xFF
+
+
+def write_smart_battery_info(value, place, wire, words, instance, batt_capacity):
+    """SMART_BATTERY_INFO (370), FR-00074.4."""
+    # capacity_full_specification [mAh]: BATT_CAPACITY (FR-00074.4)
+    value = batt_capacity
+    if value < 0:
+        value = 0
+    elif value > 1000000:
+        value = 1000000
+    wire[0] = value & 0xFF
+    wire[1] = value >> 8 & 0xFF
+    wire[2] = value >> 16 & 0xFF
+    wire[3] = value >> 24 & 0xFF
+
+    # capacity_full: unknown (-1) (FR-00074.4)
+    wire[4] = 255
+    wire[5] = 255
+    wire[6] = 255
+    wire[7] = 255
+
+    # cycle_count: unknown (UINT16_MAX) (FR-00074.4)
+    wire[8] = 255
+    wire[9] = 255
+
+    # weight: 250 g (FR-00074.4)
+    wire[10] = 250
+    wire[11] = 0
+
+    # discharge_minimum_voltage: 3.3 V (FR-00074.4)
+    wire[12] = 228
+    wire[13] = 12
+
+    # charging_minimum_voltage: 3.0 V (FR-00074.4)
+    wire[14] = 184
+    wire[15] = 11
+
+    # resting_minimum_voltage: 3.6 V (FR-00074.4)
+    wire[16] = 16
+    wire[17] = 14
+
+    # id: BATT_ID, counted on (FR-00074.7)
+    value = words[_BATTERY + _BATTERY_NUMBER]
+    wire[18] = value & 0xFF
+
+    # battery_function: MAV_BATTERY_FUNCTION_ALL (FR-00074.4)
+    wire[19] = 1
+
+    # type: MAV_BATTERY_TYPE_LIPO (FR-00074.4)
+    wire[20] = 1
+
+    # serial_number: number of the chip (FR-00074.6)
+    place = 0
+    while place < 16:
+        wire[21 + place] = _SMART_BATTERY_INFO_SERIAL_NUMBER[place]
+        place += 1
+
+    # device_name: text (FR-00074.4)
+    place = 0
+    while place < 17:
+        wire[37 + place] = _SMART_BATTERY_INFO_DEVICE_NAME[place]
+        place += 1
+
+    # charging_maximum_voltage: 4.2 V (FR-00074.4)
+    wire[87] = 104
+    wire[88] = 16
+
+    # cells_in_series: 3 (FR-00074.4)
+    wire[89] = 3
+
+    # discharge_maximum_current: 66 A (FR-00074.4)
+    wire[90] = 208
+    wire[91] = 1
+    wire[92] = 1
+    wire[93] = 0
+
+    # discharge_maximum_burst_current: 132 A (FR-00074.4)
+    wire[94] = 160
+    wire[95] = 3
+    wire[96] = 2
+    wire[97] = 0
+
+    # manufacture_date: unknown ([0]) (FR-00074.4)
+
+
+def write_battery_info(value, place, wire, words, instance, batt_capacity):
+    """BATTERY_INFO (372), FR-00074.4."""
+    # discharge_minimum_voltage: 3.3 V (FR-00074.4)
+    wire[0] = 51
+    wire[1] = 51
+    wire[2] = 83
+    wire[3] = 64
+
+    # charging_minimum_voltage: 3.0 V (FR-00074.4)
+    wire[4] = 0
+    wire[5] = 0
+    wire[6] = 64
+    wire[7] = 64
+
+    # resting_minimum_voltage: 3.6 V (FR-00074.4)
+    wire[8] = 102
+    wire[9] = 102
+    wire[10] = 102
+    wire[11] = 64
+
+    # charging_maximum_voltage: 4.2 V (FR-00074.4)
+    wire[12] = 102
+    wire[13] = 102
+    wire[14] = 134
+    wire[15] = 64
+
+    # charging_maximum_current: 3.3 A (FR-00074.4)
+    wire[16] = 51
+    wire[17] = 51
+    wire[18] = 83
+    wire[19] = 64
+
+    # nominal_voltage: 11.1 V (FR-00074.4)
+    wire[20] = 154
+    wire[21] = 153
+    wire[22] = 49
+    wire[23] = 65
+
+    # discharge_maximum_current: 66 A (FR-00074.4)
+    wire[24] = 0
+    wire[25] = 0
+    wire[26] = 132
+    wire[27] = 66
+
+    # discharge_maximum_burst_current: 132 A (FR-00074.4)
+    wire[28] = 0
+    wire[29] = 0
+    wire[30] = 4
+    wire[31] = 67
+
+    # design_capacity [Ah]: BATT_CAPACITY [mAh] (FR-00074.4)
+    value = batt_capacity
+    if value < 1:
+        value = 1
+    elif value > 1000000:
+        value = 1000000
+    put_float(wire, 32, value, 1000)
+
+    # full_charge_capacity: unknown (NaN) (FR-00074.4)
+    wire[36] = 0
+    wire[37] = 0
+    wire[38] = 192
+    wire[39] = 127
+
+    # cycle_count: unknown (UINT16_MAX) (FR-00074.4)
+    wire[40] = 255
+    wire[41] = 255
+
+    # weight: 250 g (FR-00074.4)
+    wire[42] = 250
+    wire[43] = 0
+
+    # id: BATT_ID, counted on (FR-00074.7)
+    value = words[_BATTERY + _BATTERY_NUMBER]
+    wire[44] = value & 0xFF
+
+    # battery_function: MAV_BATTERY_FUNCTION_ALL (FR-00074.4)
+    wire[45] = 1
+
+    # type: MAV_BATTERY_TYPE_LIPO (FR-00074.4)
+    wire[46] = 1
+
+    # state_of_health: unknown (UINT8_MAX) (FR-00074.4)
+    wire[47] = 255
+
+    # cells_in_series: 3 (FR-00074.4)
+    wire[48] = 3
+
+    # manufacture_date: unknown ([0]) (FR-00074.4)
+
+    # serial_number: number of the chip (FR-00074.6)
+    place = 0
+    while place < 32:
+        wire[58 + place] = _BATTERY_INFO_SERIAL_NUMBER[place]
+        place += 1
+
+    # name: text (FR-00074.4)
+    place = 0
+    while place < 17:
+        wire[90 + place] = _BATTERY_INFO_NAME[place]
+        place += 1
+
+
+def write_battery_cell_voltages(value, place, wire, words, instance, page):
+    """BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # id: BATT_ID, counted on (FR-00073.4)
+    value = words[_BATTERY + _BATTERY_NUMBER]
+    wire[0] = value & 0xFF
+    wire[1] = value >> 8 & 0xFF
+
+    # index: number of the first value on the page (FR-00076.7)
+    wire[2] = (page * 12) & 0xFF
+    wire[3] = (page * 12) >> 8 & 0xFF
+
+    # voltages [mV]: battery.cells, a page of them (FR-00076.7)
+    place = 0
+    while place < 12:
+        value = _UNKNOWN
+        if place + page * 12 < 3:
+            value = words[_BATTERY + _BATTERY_CELLS_MV + place + page * 12]
+        if value < 1:
+            value = 0 if value == _UNKNOWN else 1  # unknown, or too small
+        elif value > 65535:
+            value = 65535
+        wire[2 * place + 4] = value & 0xFF
+        wire[2 * place + 5] = value >> 8 & 0xFF
+        place += 1
+
+
+TABLE_AT = 0  # the functions make payloads only
+
+
+def encoder(_write, build):
+    """Return encode(link, state), which makes the frame of a message."""
+
+    def encode(link, state):
+        return link.encode(build(state))
+
+    return encode
+
+
+def each_encoder(_write, build):
+    """Return encode(link, state, instance), the same for messages of which each instance has one."""
+
+    def encode(link, state, instance=0):
+        return link.encode(build(state, instance))
+
+    return encode
