@@ -1,10 +1,10 @@
 """What the stages have to say about their input: values with a rule, a place and a hint, never exceptions."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from difflib import get_close_matches
 from enum import StrEnum
 
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 

@@ -3,12 +3,13 @@
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from posixpath import normpath
 from string import hexdigits
 from typing import Any
 
 from codegen.diagnostics import Report, Rule, Severity
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 MANIFEST = "manifest.json"

@@ -14,10 +14,10 @@ import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from typing import Any
 
 from codegen.emit.folder import leads_outside, other_files
+from codegen.frozen import dataclass
 from codegen.manifest import MANIFEST
 from codegen.template_files import templates_folder
 

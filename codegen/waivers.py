@@ -3,11 +3,12 @@
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import date
 
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.fingerprint import LENGTH
+from codegen.frozen import dataclass
 from codegen.model.waiver_spec import WaiverSpec
 
 WAIVER_UNUSED = Rule(

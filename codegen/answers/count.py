@@ -1,7 +1,6 @@
 """How many instances of a component there are."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.answers.constant import read_constant
@@ -9,6 +8,7 @@ from codegen.answers.fitting import BAD_SOURCE
 from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value

@@ -1,7 +1,6 @@
 """Facts of the board: one for all, or one that differs between the instances of a component."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.answers.constant import read_constant
@@ -10,6 +9,7 @@ from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.text import UNIQUE_ID
 from codegen.diagnostics import did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind

@@ -2,13 +2,13 @@
 
 import struct
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from codegen.answers.constant import fits, read_constant
 from codegen.answers.fitting import NO_SENTINEL, field_enum
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind, SentinelForm

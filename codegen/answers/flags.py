@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from codegen.answers.constant import fits
 from codegen.answers.fitting import NOT_AN_ENUM_FIELD, field_enum
@@ -10,6 +9,7 @@ from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
 from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect

@@ -1,12 +1,12 @@
 """The number of the instance that a message is about."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from codegen.answers.fitting import BAD_SOURCE
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value, stored_value

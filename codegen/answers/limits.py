@@ -1,10 +1,10 @@
 """What a live value is limited to, with the sentinel kept out of reach."""
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
+from codegen.frozen import dataclass
 from codegen.measure import read_number
 from codegen.model.answer import Elements
 from codegen.model.dialect import WireField

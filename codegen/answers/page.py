@@ -1,11 +1,11 @@
 """The number of the first value on a page, in a message that is sent in pages."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.pages import BAD_PAGES
 from codegen.answers.scope import Scope
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value

@@ -2,9 +2,9 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report
+from codegen.frozen import dataclass
 from codegen.model.answer import Elements
 from codegen.model.board_spec import BoardSpec
 from codegen.model.dialect import Dialect, EnumDefinition

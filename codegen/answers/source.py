@@ -1,12 +1,12 @@
 """A quantity or a parameter that is read when a message is built: found, and held against its field."""
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.answers.fitting import BAD_SOURCE, NOT_AN_ENUM_FIELD, field_unit
 from codegen.answers.limits import Bounds, dialect_bounds, written_bounds
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report
+from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind

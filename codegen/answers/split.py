@@ -1,7 +1,6 @@
 """A quantity that is spread over the elements of an array, because one element cannot hold it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.answers.filling import comment, fitted, origin, read, stand_in
@@ -20,6 +19,7 @@ from codegen.answers.scaled import (
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
 from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect

@@ -1,11 +1,11 @@
 """A text that only the running board knows: the number of its chip."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from codegen.answers.constant import BAD_CONSTANT
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind

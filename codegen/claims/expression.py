@@ -2,8 +2,9 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
+
+from codegen.frozen import dataclass
 
 MAX_TOKENS = 60
 """Longest expression that is looked at."""

@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import groupby
 
 from codegen.claims.identifier import commented_id
 from codegen.claims.reading import Reading
+from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
 from codegen.model.wire_types import SPELLINGS

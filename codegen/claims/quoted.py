@@ -1,12 +1,12 @@
 """What the XML in a document defines: messages, enums, and fields and entries that are quoted without their message."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from codegen.decode.dialect_element import ElementReader
 from codegen.decode.dialect_enum import decode_enum
 from codegen.decode.dialect_message import decode_message
 from codegen.diagnostics import Report
+from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock
 from codegen.load.xml_tree import XmlElement, parse_xml
 from codegen.model.dialect import EnumDefinition, FieldDefinition, MessageDefinition

@@ -3,7 +3,7 @@
 import re
 from bisect import bisect_left
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import reduce
 from operator import add
 from typing import Protocol, TypeVar
@@ -11,6 +11,7 @@ from typing import Protocol, TypeVar
 from codegen.claims.quoted import Quoted, quoted_definitions
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.fingerprint import fingerprint
+from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, Prose, read_prose
 from codegen.model.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
 from codegen.model.price import Range

@@ -1,9 +1,9 @@
 """What all elements of a dialect have in common: required attributes, names, booleans, lifecycle, unknown parts."""
 
 from collections.abc import Set
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.frozen import dataclass
 from codegen.load.xml_tree import XmlElement, place_of
 from codegen.model.dialect import IN_USE, Lifecycle
 from codegen.model.literals import boolean, is_identifier

@@ -3,10 +3,11 @@
 import os
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report, Rule
+from codegen.frozen import dataclass
 from codegen.load.text import read_bytes
 from codegen.load.trees import exists
 from codegen.model.spec import ProgramProject, Project

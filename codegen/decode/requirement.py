@@ -9,10 +9,10 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from difflib import get_close_matches
 
 from codegen.diagnostics import Report, Rule, Severity
+from codegen.frozen import dataclass
 from codegen.load.markdown import Document, Item, Section
 from codegen.model.spec import Criterion, HostLimit, Requirement
 from codegen.source import Place

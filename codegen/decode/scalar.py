@@ -1,11 +1,11 @@
 """One scalar against one shape: the decoded value, or what is wrong with it."""
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import assert_never
 
 from codegen.diagnostics import Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
 from codegen.model.shape import (
     AnyScalar,

@@ -1,11 +1,11 @@
 """What counts that something came back after it was gone, such as a pack that was exchanged."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import CountsReturnsSpec, FollowsSpec, MeasuredSpec
 from codegen.model.unit import NUMBER

@@ -1,10 +1,10 @@
 """A boolean that a parameter switches, and with it the component."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import EnabledBySpec
 from codegen.model.vehicle import Parameter, Quantity

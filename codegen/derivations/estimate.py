@@ -1,13 +1,13 @@
 """The charge that a measured voltage stands for, by the discharge curve of the board's chemistry."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import EstimateSpec, MeasuredSpec

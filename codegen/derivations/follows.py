@@ -1,12 +1,12 @@
 """A boolean that is true while another quantity has reached a limit, or is below it."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import FollowsSpec
 from codegen.model.known import Known, Stored

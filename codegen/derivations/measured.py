@@ -1,13 +1,13 @@
 """What an ADC measures: the conversion from its counts, and the value above which a warning is logged."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.derivations.follows import BAD_FOLLOWING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec

@@ -1,9 +1,9 @@
 """What code of the vehicle sets, and nothing else."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.step import Step
 from codegen.model.vehicle import Quantity, QuantityKind

@@ -1,10 +1,11 @@
 """What a derivation may ask while it is resolved: the quantity that it belongs to, and all that stands around it."""
 
+import dataclasses
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.measure import read_time
 from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
@@ -35,7 +36,7 @@ class Kept:
     initial: int | None
 
 
-@dataclass(slots=True)
+@dataclasses.dataclass(slots=True)
 class Surroundings:
     """A quantity ``name`` of ``component`` as written, with what the specification says elsewhere.
 

@@ -1,12 +1,12 @@
 """The change per second of a measured quantity."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec, TrendSpec
 from codegen.model.vehicle import Quantity

@@ -1,10 +1,10 @@
 """A boolean that is true while another quantity is known."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import UNKNOWN_QUANTITY, Kept, Surroundings
+from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import WhileKnownSpec
 from codegen.model.known import Known, Stored

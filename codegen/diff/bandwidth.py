@@ -1,11 +1,11 @@
 """What the telemetry takes of the links, before and after: whole frames at the default rates of their streams."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from codegen.diff.behaviour_rules import BANDWIDTH
 from codegen.diff.change import Change, changed
+from codegen.frozen import dataclass
 from codegen.model.price import NOTHING, Range, capacity, message_price, sent_messages, total
 from codegen.model.system import System
 from codegen.source import Place

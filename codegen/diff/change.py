@@ -1,10 +1,10 @@
 """A change between two resolved models: what was and what is, who notices, who breaks, and what it reaches."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import StrEnum
 
 from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 

@@ -1,11 +1,11 @@
 """Changes as reports show them: those that say the same about several things are one line."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, joined
 from codegen.fingerprint import fingerprint
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 AREAS = tuple(Area)

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.bandwidth import Bandwidth
@@ -10,6 +9,7 @@ from codegen.diff.change import Area, Reach
 from codegen.diff.grouping import Group, difference, line_text, notice_text, numbers_of
 from codegen.diff.markdown import TITLES
 from codegen.diff.review import Review, elsewhere_text
+from codegen.frozen import dataclass
 from codegen.render import render_page
 
 

@@ -1,9 +1,10 @@
 """What a change touches beyond itself: requirements, symbols of the firmware, tests, in either version."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from codegen.diff.change import Area, Change, Reach, joined
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.trace.graph import Trace, reached
 

@@ -1,7 +1,7 @@
 """Everything that a report of a comparison says, whatever its format."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 from codegen.diagnostics import Diagnostic, Severity, shortened_list
@@ -9,6 +9,7 @@ from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change
 from codegen.diff.grouping import Group, counted, difference, grouped, notice_text
 from codegen.diff.system import Comparison
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 MOST_TESTS = 3

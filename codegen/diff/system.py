@@ -1,7 +1,7 @@
 """Changes between two versions of a specification, with those of the dialect that concern it."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from codegen.diff.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
@@ -17,6 +17,7 @@ from codegen.diff.state import parameter_subjects, state_subjects
 from codegen.diff.subject import Subject, cited, subject_changes
 from codegen.diff.trace_rules import CITATION
 from codegen.diff.used import used_of
+from codegen.frozen import dataclass
 from codegen.model.dialect import Dialect
 from codegen.model.system import System
 

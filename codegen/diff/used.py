@@ -1,9 +1,9 @@
 """What of a dialect a project uses, so that what changes elsewhere in it can be told apart."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from codegen.diff.change import Change
+from codegen.frozen import dataclass
 from codegen.model.system import System
 
 

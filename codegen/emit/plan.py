@@ -3,11 +3,11 @@
 import os
 import stat
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from enum import Enum
 
 from codegen.diagnostics import Report, Rule
 from codegen.emit.folder import leads_outside, other_files
+from codegen.frozen import dataclass
 from codegen.manifest import MANIFEST, Manifest, read_manifest, sha256, stays_inside
 from codegen.source import Place
 

@@ -3,12 +3,12 @@
 import errno
 import os
 from contextlib import suppress
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule
 from codegen.emit.file import replace_file
 from codegen.emit.folder import leads_outside
 from codegen.emit.plan import Change, Plan
+from codegen.frozen import dataclass
 from codegen.manifest import MANIFEST, Manifest, sha256
 
 OUTPUT_UNWRITABLE = Rule(

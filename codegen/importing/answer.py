@@ -1,10 +1,11 @@
 """What a cell is read for, and what comes of it: an answer of a population table, or a proposal for people."""
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
+from codegen.frozen import dataclass
 from codegen.load.yaml_tree import parse_yaml
 from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.population_spec import FieldAnswer

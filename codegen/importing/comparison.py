@@ -1,11 +1,12 @@
 """What a document says about a message beside what its population table says, element by element."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from fractions import Fraction
 
 from codegen.diagnostics import Report
+from codegen.frozen import dataclass
 from codegen.importing.answer import Sources, Target, field_answer
 from codegen.importing.proposal import Proposal, ReadAnswer
 from codegen.model.dialect import Kind, WireMessage

@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.importing.columns import Role
 from codegen.importing.stated import FieldList, stated_fields
 from codegen.importing.subject import is_about, is_example, lookalikes, subjects

@@ -1,10 +1,10 @@
 """A population table that exists already, as it is compared with a document."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report, Rule
+from codegen.frozen import dataclass
 from codegen.importing.comparison import TableAnswer, table_answers
 from codegen.importing.of_system import answers_of
 from codegen.load.yaml_tree import parse_yaml

@@ -1,9 +1,10 @@
 """Products of a quantity and numbers, as documents write them: ``(BatteryState.voltage * 1000) as u16``."""
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.wire_types import SPELLINGS
 
 _TOKEN = re.compile(

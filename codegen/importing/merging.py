@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule
+from codegen.frozen import dataclass
 from codegen.importing.comparison import Compared, Verdict
 from codegen.importing.table_text import answer_line
 from codegen.load.yaml_tree import MappingNode, ScalarNode, YamlNode, parse_yaml

@@ -1,9 +1,9 @@
 """The answers that a document gives for one message, element by element, and the fields that it does not mention."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.frozen import dataclass
 from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.importing.columns import Role
 from codegen.importing.quantity import spills

@@ -3,10 +3,10 @@
 import re
 from collections import deque
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import takewhile
 
 from codegen.diagnostics import Diagnostic
+from codegen.frozen import dataclass
 from codegen.importing.columns import Role, column_roles
 from codegen.load.markdown_blocks import Block, BlockKind, parse_blocks, read_inline
 from codegen.load.markdown_table import Cell, Row, Table, parse_tables

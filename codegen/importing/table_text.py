@@ -1,8 +1,8 @@
 """A proposal as the text of a population table, each row with the line of the document that it comes from."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.importing.proposal import Proposal, ReadAnswer
 
 

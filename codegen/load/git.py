@@ -3,7 +3,8 @@
 import os
 import re
 import subprocess
-from dataclasses import dataclass
+
+from codegen.frozen import dataclass
 
 _BEHIND = re.compile(r"(.+?)(?:~(\d*)|(\^+))")
 _REMOTE = re.compile(r"([\w.-]+)/(\S+)")

@@ -2,13 +2,13 @@
 
 import os
 import re
-from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
+from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import read_inline
 from codegen.source import Place
 

@@ -6,13 +6,13 @@ Tables are not blocks of CommonMark: their lines are those of a paragraph, which
 import os
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from functools import cache, lru_cache
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 _LINE_END = re.compile(r"\r\n?|\n")

@@ -6,11 +6,11 @@ these is a finding at its place, and the cells are read as they are written.
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Block, BlockKind, Line, parse_blocks, read_inline
 from codegen.source import Place
 

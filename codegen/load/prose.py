@@ -8,9 +8,9 @@ import os
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from enum import Enum
 
+from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Block, BlockKind, Line, parse_blocks
 from codegen.source import Place
 

@@ -1,11 +1,11 @@
 """What is said about text that is no YAML: the parser's terse problems in the words of someone who wrote a table."""
 
 import re
-from dataclasses import dataclass
 
 import yaml
 
 from codegen.diagnostics import Diagnostic, Rule
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 YAML_SYNTAX = Rule(

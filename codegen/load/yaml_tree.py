@@ -4,14 +4,16 @@ PyYAML's parser (the one in C where it is installed) supplies the events; the tr
 so that neither deep nesting nor aliases of aliases can exhaust anything.
 """
 
+import dataclasses
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import yaml
 
 from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.frozen import dataclass
 from codegen.load.yaml_scalar import ScalarValue, plain_value
 from codegen.load.yaml_syntax import syntax_finding, unwanted_character
 from codegen.source import Place
@@ -90,7 +92,7 @@ def parse_yaml(text: str, path: str, report: Report) -> YamlNode | None:
     return None if composer.refused else composer.root
 
 
-@dataclass(slots=True)
+@dataclasses.dataclass(slots=True)
 class _Open:
     """A list or mapping whose end was not reached; the children of a mapping are keys and values in turn."""
 

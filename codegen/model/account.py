@@ -2,10 +2,10 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum, auto
 from typing import NamedTuple
 
+from codegen.frozen import dataclass
 from codegen.model.known import Stored
 from codegen.model.step import Step
 from codegen.model.vehicle import Parameter, Quantity

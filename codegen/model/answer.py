@@ -2,8 +2,8 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.account import Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.dialect import Dialect, WireField
 from codegen.model.known import Known, Value

@@ -1,10 +1,10 @@
 """``board.yaml``: the board, what is connected to it, and its links."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar, Literal
 
+from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.source import Place, Written
 

@@ -3,10 +3,10 @@
 They stand among the keys of the quantity (see ``flattened``); what they resolve to is in ``codegen/derivations/``.
 """
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar
 
+from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.source import Written
 

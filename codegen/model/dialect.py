@@ -1,10 +1,10 @@
 """A dialect as its XML files state it, before includes are read and wire order is computed."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple
 
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 

@@ -1,11 +1,11 @@
 """``messages/*.yaml``: what a population table states, every record with its places."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from typing import Any, ClassVar, Literal
 
+from codegen.frozen import dataclass
 from codegen.model.described import described
 from codegen.source import Written
 

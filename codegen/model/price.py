@@ -5,9 +5,9 @@ never cut, and has no extensions. What depends on the state makes a range. Reque
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System

@@ -1,10 +1,10 @@
 """The program that the board runs around the telemetry, resolved."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.board_spec import LinkSpec
 from codegen.model.dialect import WireMessage
 from codegen.model.program_spec import ActionSpec, FailsafeSpec, VehicleSpec

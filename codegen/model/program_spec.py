@@ -1,8 +1,8 @@
 """``vehicle.yaml``: the program that the board runs, around the telemetry."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.source import Written
 

@@ -1,8 +1,8 @@
 """What a message says under a name, as an expression of the generated Python."""
 
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.dialect import EnumDefinition, WireField
 
 

@@ -1,8 +1,8 @@
 """The receiver, resolved: which messages it turns back into the quantities of which component."""
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from codegen.frozen import dataclass
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.vehicle import Citation, Component
 

@@ -1,7 +1,6 @@
 """``receiver.yaml``: the receiver for companion computers and ground tools."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.source import Written
 

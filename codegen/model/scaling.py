@@ -1,9 +1,9 @@
 """From stored steps to the number on the wire: exact factor, rounding, limits, and the sentinel out of reach."""
 
 import math
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.population_spec import Rounding
 
 FLOAT_DIVISOR_MAX = 2**25

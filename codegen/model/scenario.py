@@ -1,9 +1,11 @@
 """Scenarios of the simulation, resolved to plain numbers."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from typing import Any
+
+from codegen.frozen import dataclass
 
 
 class AdcFault(StrEnum):

@@ -1,10 +1,10 @@
 """Scenarios of the simulation as ``scenarios.yaml`` states them."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar
 
+from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.model.scenario import AdcFault
 from codegen.source import Written

@@ -5,12 +5,13 @@ The decoder and the JSON Schemas both work on these shapes, so that they cannot 
 
 import types
 from collections.abc import Mapping
-from dataclasses import MISSING, Field, dataclass, fields, replace
+from dataclasses import MISSING, Field, fields, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
+from codegen.frozen import dataclass
 from codegen.model.described import Amount, Verbatim
 from codegen.source import Written
 

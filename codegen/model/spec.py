@@ -7,11 +7,11 @@ their own.
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from typing import ClassVar
 
+from codegen.frozen import dataclass
 from codegen.model.board_spec import BoardSpec
 from codegen.model.described import Amount, Verbatim, described
 from codegen.model.population_spec import PopulationSpec

@@ -1,10 +1,10 @@
 """``state.yaml``: the state of the vehicle, its components and their quantities, as written."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeVar
 
+from codegen.frozen import dataclass
 from codegen.model.derivation_spec import DerivationSpec, WrittenDerivation
 from codegen.model.described import Amount, described, flattened
 from codegen.source import Written

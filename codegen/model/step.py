@@ -1,6 +1,6 @@
 """A step on the way of a value from its source to the wire."""
 
-from dataclasses import dataclass
+from codegen.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,9 @@ Rules, targets, ``explain`` and the documents read this model; none of them look
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 
+from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.population_spec import PopulationSpec

@@ -1,9 +1,9 @@
 """What tests say about themselves: which criteria they show, and how their last run went."""
 
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import ClassVar, NamedTuple
 
+from codegen.frozen import dataclass
 from codegen.source import Place
 
 

@@ -1,8 +1,8 @@
 """``trace.lock.yaml``: the texts of the criteria for which the links were reviewed."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.described import Verbatim, described
 from codegen.source import Written
 

@@ -1,8 +1,9 @@
 """Units of the dialects and of the tables, and the exact factors between them."""
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
+
+from codegen.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,10 +1,10 @@
 """The parts of the vehicle, resolved: ADC channels, parameters, the state with its quantities, streams."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.board_spec import AdcSpec
 from codegen.model.derivation import Derivation
 from codegen.model.dialect import EnumDefinition

@@ -1,7 +1,6 @@
 """``waivers.yaml``: findings that a project knows of and keeps, each for a reason and for a time."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.described import Verbatim, described
 from codegen.source import Written
 

@@ -1,9 +1,9 @@
 """How the batteries of a program are connected to its board: the ADC inputs of each instance, and its parameters."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
 

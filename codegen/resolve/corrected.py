@@ -1,10 +1,11 @@
 """What one correction changes: attributes of a message, of a field, or of an enum's entry."""
 
 from collections.abc import Callable, Iterable, Set
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, Any
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.dialect import MAX_MESSAGE_ID, EnumDefinition, FieldDefinition, MessageDefinition
 from codegen.model.literals import boolean, bounded_number, entry_value, type_and_length
 from codegen.model.wire_types import MAX_ARRAY_LENGTH, VERSION_TYPE, WIRE_TYPES

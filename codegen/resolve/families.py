@@ -1,10 +1,11 @@
 """Families of parameters: one is written in parameters.yaml, each instance of a component has its own."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.spec import ParameterSpec, Spec
 from codegen.model.vehicle import Instance, Parameter
 from codegen.resolve.instances import BAD_INSTANCES

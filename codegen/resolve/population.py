@@ -1,13 +1,14 @@
 """One population table: its message, and an answer of its kind for every element."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from codegen.answers import KINDS
 from codegen.answers.kind import POINTLESS_KEY
 from codegen.answers.pages import find_pages
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.answer import Answer, Elements
 from codegen.model.dialect import Dialect
 from codegen.model.population_spec import PopulationSpec

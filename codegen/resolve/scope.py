@@ -1,10 +1,10 @@
 """The names that tables use, looked up among what has been resolved."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from codegen.answers.scope import Scope
 from codegen.diagnostics import did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.dialect import EnumDefinition
 from codegen.model.spec import Spec
 from codegen.model.vehicle import Parameter, Quantity

@@ -3,9 +3,9 @@
 import math
 import re
 import struct
-from dataclasses import dataclass
 
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.frozen import dataclass
 from codegen.model.dialect import EnumDefinition, FieldDefinition, Kind, Sentinel, SentinelForm, WireType
 from codegen.model.literals import LIMITS, is_identifier
 from codegen.source import Place

@@ -3,10 +3,10 @@
 import os
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass
 
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Diagnostic, Report
+from codegen.frozen import dataclass
 from codegen.load.trees import Tree, exists, hung
 from codegen.model.dialect import Dialect
 from codegen.model.system import System

@@ -1,7 +1,8 @@
 """Where the simulated vehicle sends to: ``udp:HOST:PORT``."""
 
 import socket
-from dataclasses import dataclass
+
+from codegen.frozen import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,10 +1,11 @@
 """The chart of a battery's voltage, or current, over time: where every line and label lies, in its drawing's units."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from itertools import groupby
 
+from codegen.frozen import dataclass
 from codegen.model.scenario import AdcFault, Battery, Fault, Point, Stretch, Swap, value_at
 from codegen.sim.record import FAILSAFE_TEXT, Recording
 from codegen.sim.sample import Happening, Kind, Reading

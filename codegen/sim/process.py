@@ -11,9 +11,10 @@ import time
 from collections import deque
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
+
+from codegen.frozen import dataclass
 
 EXIT_RESET = 3
 """Exit code of the process when the firmware restarts the board."""

@@ -3,9 +3,10 @@
 import hashlib
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
+from codegen.frozen import dataclass
 from codegen.model.scenario import Event, Scenario, Stretch, battery_data, event_data
 from codegen.model.system import System
 from codegen.model.wiring import FIRST_PREFIX, BatteryInput, battery_inputs, first_number

@@ -3,8 +3,8 @@
 import os
 import tempfile
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.render import render_page
 from codegen.sim.chart import NARROW, WIDE, Chart, Shown, draw_chart, is_marked
 from codegen.sim.record import Recording

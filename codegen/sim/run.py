@@ -8,8 +8,8 @@ import select
 import tempfile
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.scenario import Scenario
 from codegen.sim.address import Address
 from codegen.sim.course import Course, Watch

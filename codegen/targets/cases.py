@@ -1,9 +1,10 @@
 """The cases of the generated test suite, as data: what is set, what must go out, and which criterion asks for it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from heapq import nsmallest
 
+from codegen.frozen import dataclass
 from codegen.model.account import StateCase
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System

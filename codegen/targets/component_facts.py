@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance

@@ -1,7 +1,8 @@
 """Review documents: the resolved system as tables that are committed, so that their diff shows what a change does."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream

@@ -1,7 +1,6 @@
 """Views of families of parameters: where generated code depends on the instance, it finds the name in a tuple."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.vehicle import Parameter
 from codegen.targets.naming import family_constant, parameter_attribute
 

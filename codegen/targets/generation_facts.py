@@ -1,7 +1,6 @@
 """What the generated checks compare generations and announcements of messages with."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.price import Range, chosen, default_rate, frame_size, price
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System

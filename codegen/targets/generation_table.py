@@ -1,7 +1,6 @@
 """What generations of messages cost, in words: for explain and for the review documents."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.price import Range, chosen, default_rate, frame_size, message_price, price, total
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System

@@ -1,7 +1,6 @@
 """One case of a message: what is set in the state, and what must go out."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.known import Stored
 from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.targets.expected import Wire

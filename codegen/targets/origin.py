@@ -3,9 +3,9 @@
 import hashlib
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from codegen.frozen import dataclass
 from codegen.model.dialect import WireMessage
 
 if TYPE_CHECKING:

@@ -1,8 +1,8 @@
 """The review document's part about the program: streams, links, main loop, failsafes and their actions."""
 
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.program import BoardLink, Failsafe, LinkKind
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System

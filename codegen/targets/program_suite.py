@@ -1,7 +1,6 @@
 """The generated tests of the program: facts of the specification in one module, checks that read them, and a runner."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Conversion, Parameter, by_instance

@@ -1,7 +1,6 @@
 """The generated test suite: cases as data, one runner for every interpreter, and the comparison with pymavlink."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.render import render_template
 from codegen.targets.behaviour_checks import BehaviourCheck, behaviour_checks

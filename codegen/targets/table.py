@@ -1,7 +1,6 @@
 """One row per answer, as documents and ``explain`` print it."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.system import PopulatedMessage
 from codegen.source import Place

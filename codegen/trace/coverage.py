@@ -1,9 +1,9 @@
 """What became of each criterion: what answers to it, how its tests went, whether its text is the reviewed one."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 
+from codegen.frozen import dataclass
 from codegen.model.spec import Criterion, HostLimit, Requirement
 from codegen.trace.graph import Row, Test, Trace, is_decision
 from codegen.trace.lock import Review

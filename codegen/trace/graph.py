@@ -5,10 +5,11 @@ Criteria are named as tables cite them: ``FR-00068.3``, or ``FR-00068`` for a do
 
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
+from codegen.frozen import dataclass
 from codegen.model.spec import Criterion, Requirement
 from codegen.model.test_record import MarkedTest
 from codegen.source import Place
@@ -34,8 +35,7 @@ class Kind(StrEnum):
     RECEIVER = "receiver"
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Symbol:
+class Symbol(NamedTuple):
     """A name in a generated file: ``firmware/state.py`` below the output folder, ``BatteryState.voltage``."""
 
     file: str

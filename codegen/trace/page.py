@@ -1,8 +1,8 @@
 """The trace as a page of HTML and as Markdown."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.render import render_page, render_template
 from codegen.targets.origin import Origin, origin_of

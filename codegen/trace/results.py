@@ -6,8 +6,8 @@ several files all results count: one that failed is not made good by another.
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.test_record import Outcome, TestResult
 from codegen.trace.graph import Test, Trace, linked
 

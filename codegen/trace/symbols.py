@@ -5,8 +5,8 @@ attribute of the state and, with a unit, a property for people.
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import PopulatedMessage, System

@@ -2,9 +2,10 @@
 
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from codegen.diagnostics import Diagnostic, Severity
+from codegen.frozen import dataclass
 from codegen.model.spec import Requirement
 from codegen.source import Place
 from codegen.targets.table import in_table

@@ -1,7 +1,6 @@
 """The answer: a value for each element, limited as every live value, over the fields of a message or its pages."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from codegen.answers.each.elements import BAD_EACH, can_take, room_of, unknown_of
 from codegen.answers.each.reading import cell_readings
@@ -12,6 +11,7 @@ from codegen.answers.scaled import conversion_trait, conversion_words, fitting, 
 from codegen.answers.scope import Scope
 from codegen.answers.source import taken
 from codegen.answers.split import SplitAnswer
+from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.answer import Answer, Elements
 from codegen.model.known import Known, Stored, Value

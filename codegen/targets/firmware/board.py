@@ -1,8 +1,8 @@
 """View of board.py: how each measured component is read."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.board_spec import AdcSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System

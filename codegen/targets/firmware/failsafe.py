@@ -1,8 +1,8 @@
 """View of failsafe.py: the thresholds that a measured quantity is compared with."""
 
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.program import Failsafe, Program
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.families import FamilyView, family_view

@@ -1,9 +1,9 @@
 """Views of the functions that go from the words of the state to a message: in machine code, and in plain Python."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from textwrap import wrap
 
+from codegen.frozen import dataclass
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
 from codegen.model.vehicle import Component
 from codegen.targets.firmware.payload import SpelledCode

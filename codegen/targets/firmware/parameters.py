@@ -1,7 +1,6 @@
 """View of parameters.py: each parameter in whole steps."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Parameter

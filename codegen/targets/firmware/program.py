@@ -1,7 +1,6 @@
 """View of vehicle.py, and of the modules around it: the main loop, the storage and what failsafes do."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System

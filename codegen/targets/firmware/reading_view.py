@@ -1,7 +1,6 @@
 """Views of state_viper.py and state_plain.py: what is done with each reading of a component."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.payload_code import indented
 from codegen.model.system import System
 from codegen.model.vehicle import Component

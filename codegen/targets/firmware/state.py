@@ -1,8 +1,8 @@
 """View of state.py: the components of the vehicle state as views of words, and their updates from the ADC."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.system import System
 from codegen.model.unit import decimal

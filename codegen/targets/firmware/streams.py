@@ -1,9 +1,9 @@
 """View of streams.py: which messages go out at which rate."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.unit import decimal

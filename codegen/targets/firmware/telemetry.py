@@ -1,7 +1,6 @@
 """View of telemetry.py: for each populated message what builds it, and what makes its frame."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.targets.firmware.message_function import FunctionsView, FunctionView, chosen
 from codegen.targets.firmware.reading import expires

@@ -7,8 +7,8 @@ bits in one; both are unknown by a word of their own in front of them, which is 
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity
 

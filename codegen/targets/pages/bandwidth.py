@@ -1,9 +1,9 @@
 """The page on bandwidth: what each message costs, and how much of each link that is."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.price import Range, capacity, frame_size, sent_messages, total
 from codegen.model.program import BoardLink
 from codegen.model.spec import Generation

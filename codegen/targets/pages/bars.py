@@ -1,9 +1,9 @@
 """Bars of a chart, in percent of its width: what is surely there, and what may come on top."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.price import Range
 
 

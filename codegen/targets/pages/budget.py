@@ -1,9 +1,9 @@
 """What the telemetry costs: bytes per second of every message, and of all at once, against what links carry."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.price import Price, Range, default_rate, price_at, sent_messages, total
 from codegen.model.spec import Generation
 from codegen.model.system import PopulatedMessage, System

@@ -4,8 +4,8 @@ Coordinates are in the units of a drawing, which are CSS pixels: it is not scale
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.dialect import EnumDefinition, WireField
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.expected import expected_fields

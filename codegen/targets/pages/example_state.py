@@ -1,8 +1,8 @@
 """States that pages show a message in: what is measured is known, nothing is, or everything is."""
 
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal

@@ -2,8 +2,8 @@
 
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.dialect import Kind, WireField
 from codegen.model.system import PopulatedMessage, System
 from codegen.resolve.wire import crc_mcrf4xx

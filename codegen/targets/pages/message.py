@@ -1,7 +1,6 @@
 """The page of one message: its bytes in several states, its fields, and the way of each value to the wire."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.account import FLAGS
 from codegen.model.price import frame_size, message_price
 from codegen.model.step import Step

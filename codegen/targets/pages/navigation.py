@@ -1,7 +1,6 @@
 """The links that every page has to the others of its program."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.system import System
 
 PAGES = (("index.html", "Overview"), ("bandwidth.html", "Bandwidth"))

@@ -1,8 +1,8 @@
 """The first page: what the vehicle sends, over which links, what can be set, and which criteria the pages name."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.price import frame_size, message_price, sent_messages
 from codegen.model.system import PopulatedMessage, System
 from codegen.targets.documents import ParameterRow, parameter_row

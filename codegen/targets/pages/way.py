@@ -1,8 +1,8 @@
 """The way of a value from its sensor, or its row of a table, to the bytes of the payload, step by step."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.account import Origins
 from codegen.model.answer import Answer
 from codegen.model.step import Step

@@ -1,8 +1,8 @@
 """View of enum_names.py: the names of numbers and of bits."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.dialect import Dialect, EnumDefinition
 
 

@@ -1,8 +1,8 @@
 """What fields of battery messages mean for the time that remains: words of the dialects, whichever message has them."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
+from codegen.frozen import dataclass
 from codegen.model.dialect import EnumDefinition, EnumEntry
 
 

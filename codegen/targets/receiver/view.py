@@ -3,9 +3,9 @@
 import keyword
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from codegen.frozen import dataclass
 from codegen.model.reading import Reading
 from codegen.model.receiver import Receiver
 from codegen.model.system import PopulatedMessage, System
