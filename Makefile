@@ -46,7 +46,8 @@ benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
 conformance: $(INSTALLED)
 	$(BIN)/python benchmarks/conformance.py --write
 
-# The generated folder is committed and belongs to `codegen build --clean`: it stays.
+# The generated folder is committed and belongs to `codegen build --clean`: it stays. So does what codegen keeps in the
+# cache of the user (~/.cache/codegen, see CONTRIBUTING.md): it holds no answer that a build would not find again.
 clean:
 	rm -rf $(VENV) build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find codegen templates tests generated benchmarks -name __pycache__ -prune -exec rm -rf {} + 2>/dev/null || true

@@ -1,10 +1,12 @@
 """How long codegen takes and how much memory, process against process: against mavgen.py and against Python itself."""
 
 import itertools
+import os
 import re
 import shutil
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
@@ -16,6 +18,8 @@ COMPARES = """codegen as a process of its own, from its start to its end, agains
 protocol 2.0), which checks the XML against its schema unless it says "no validation". Every run writes into a folder of
 its own that is new, except where it says otherwise, on a file system in memory: how long a disk takes to make a file
 depends on what happened to it before. mavgen.py writes one file, codegen a dozen: "on disk" is shown as well.
+Both run as pip installs them, compiled. codegen keeps what it finds out in a cache (CONTRIBUTING.md), which here is a
+folder of its own: it is warm, as after any earlier run, except in the rows that say "first run".
 Memory is the most that a process had at once. What one more message takes is measured with made-up dialects: 1
 everywhere is a straight line."""
 
@@ -38,6 +42,8 @@ def figures(quick: bool) -> list[Figure]:
     """Run everything, and compare."""
     rounds = 1 if quick else ROUNDS
     with measure.scratch(in_memory=True) as folder:
+        os.environ["CODEGEN_CACHE"] = str(folder / "cache")
+        _compile()
         fresh = _numbered(folder)
         return [
             *_codecs(fresh, rounds, quick),
@@ -46,6 +52,24 @@ def figures(quick: bool) -> list[Figure]:
             *_starts(folder, rounds * 2),
             *_growth(folder, fresh, rounds, quick),
         ]
+
+
+def _compile() -> None:
+    """What pip does with the packages that it installs: a checkout may never have been compiled."""
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    measure.said([sys.executable, "-m", "compileall", "-q", str(measure.ROOT / "codegen")])
+
+
+@contextmanager
+def _first_run(folder: Path) -> Iterator[None]:
+    """Without anything that an earlier run found out."""
+    warm = os.environ["CODEGEN_CACHE"]
+    os.environ["CODEGEN_CACHE"] = str(folder / "cold")
+    try:
+        yield
+    finally:
+        shutil.rmtree(folder / "cold", ignore_errors=True)
+        os.environ["CODEGEN_CACHE"] = warm
 
 
 def _numbered(folder: Path) -> Iterator[Path]:
@@ -60,6 +84,11 @@ def _codec(fresh: Iterator[Path], dialect: str, *, is_kept: bool = False) -> Wei
     out = next(fresh)
     command = [measure.tool("codegen"), "codec", "--dialect", dialect, "--messages", "all", "--out", str(out / "codec")]
     return _written(command, out, is_kept=is_kept)
+
+
+def _first_codec(fresh: Iterator[Path], dialect: str) -> Weighed:
+    with _first_run(next(fresh)):
+        return _codec(fresh, dialect)
 
 
 def _mavgen(fresh: Iterator[Path], dialect: str, *options: str, is_kept: bool = False) -> Weighed:
@@ -95,6 +124,7 @@ def _codecs(fresh: Iterator[Path], rounds: int, quick: bool) -> list[Figure]:
     for dialect in DIALECTS[: 1 if quick else None]:
         contestants = {
             "codegen": partial(_codec, fresh, dialect),
+            "first codegen": partial(_first_codec, fresh, dialect),
             "mavgen": partial(_mavgen, fresh, dialect),
             "hasty mavgen": partial(_mavgen, fresh, dialect, "--no-validate"),
         }
@@ -107,6 +137,8 @@ def _codecs(fresh: Iterator[Path], rounds: int, quick: bool) -> list[Figure]:
             most = 0.9 if (dialect, key) == ("common", "mavgen") else None
             time = times["codegen"] / times[other]
             found.append(Figure(f"codec_{dialect}_over_{key}", what, title, time, most=most))
+            first = times["first codegen"] / times[other]
+            found.append(Figure(f"codec_{dialect}_first_over_{key}", f"{what}: first run", title, first))
             peak = memory["codegen"] / memory[other]
             found.append(Figure(f"codec_{dialect}_memory_over_{key}", f"{what}: memory", title, peak))
     return found
@@ -137,6 +169,14 @@ def _rover(folder: Path, fresh: Iterator[Path], rounds: int) -> list[Figure]:
         shutil.rmtree(path)
         return found
 
+    def first_run() -> Weighed:
+        with _first_run(next(fresh)):
+            return cold()
+
+    def first_edit() -> Weighed:
+        with _first_run(next(fresh)):
+            return edited()
+
     def unchanged() -> Weighed:
         return _expect(measure.weighed(build, first), written=False)
 
@@ -147,12 +187,21 @@ def _rover(folder: Path, fresh: Iterator[Path], rounds: int) -> list[Figure]:
         measure.said(build, cwd=first)
         return found
 
-    contestants = {"cold": cold, "unchanged": unchanged, "edited": edited, "mavgen": partial(_mavgen, fresh, "common")}
+    contestants = {
+        "first": first_run,
+        "cold": cold,
+        "unchanged": unchanged,
+        "edited": edited,
+        "edited_first": first_edit,
+        "mavgen": partial(_mavgen, fresh, "common"),
+    }
     times, _ = _best(contestants, rounds)
     what = {
+        "first": "codegen build of the rover, nothing there yet: first run",
         "cold": "codegen build of the rover, nothing there yet",
         "unchanged": "codegen build of the rover, nothing to do",
         "edited": "codegen build of the rover, one number changed",
+        "edited_first": "codegen build of the rover, one number changed: first run",
     }
     return [
         Figure(

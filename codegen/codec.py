@@ -3,6 +3,7 @@
 import os
 from collections.abc import Collection, Sequence
 
+from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.shipped import dialect_path
@@ -38,9 +39,14 @@ def read_codec_dialect(written: str, report: Report) -> Dialect | None:
     path = dialect_path(written, os.getcwd(), CODEC_DIALECT, place, report, is_file=is_file)
     if path is None:
         return None
-    files = decode_dialect_files(path, report)
     name = os.path.splitext(os.path.basename(path))[0]
-    return resolve_dialect(name, files, (), report) if files else None
+
+    def read(found: Report) -> Dialect | None:
+        files = decode_dialect_files(path, found)
+        return resolve_dialect(name, files, (), found) if files else None
+
+    dialect, _ = decoded_with_includes("codec", path, read, report)
+    return dialect
 
 
 def chosen_messages(names: Sequence[str], dialect: Dialect, report: Report) -> tuple[WireMessage, ...]:

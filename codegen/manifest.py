@@ -4,16 +4,15 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import field
+from functools import lru_cache
 from posixpath import normpath
 from string import hexdigits
 from typing import Any
 
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.frozen import dataclass
+from codegen.output_files import MANIFEST
 from codegen.source import Place
-
-MANIFEST = "manifest.json"
-"""Name of the manifest in its output folder."""
 
 MANIFEST_DAMAGED = Rule(
     "manifest-damaged",
@@ -54,8 +53,12 @@ class Manifest:
         return json.dumps(held, indent=2, sort_keys=True) + "\n"
 
 
+@lru_cache(maxsize=4096)
 def sha256(content: bytes) -> str:
-    """The hash that the manifest keeps of a file's content, in hexadecimal."""
+    """The hash that the manifest keeps of a file's content, in hexadecimal.
+
+    Kept: a build asks for that of each file when it plans, while it writes and when it is done.
+    """
     return hashlib.sha256(content).hexdigest()
 
 

@@ -1,9 +1,12 @@
 """The way of the data: read, resolve, check, then render; every command is a prefix of it."""
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from typing import TypeVar, cast
 
+from codegen.cache import entry, keep_object, kept_object, pickled
+from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
 from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
 from codegen.decode.programs import ListedProgram, list_programs
@@ -11,8 +14,6 @@ from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report, Rule
-from codegen.importing.drift import drift
-from codegen.importing.stated import stated_fields
 from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.shipped import dialect_path
 from codegen.load.text import read_bytes, read_text
@@ -22,7 +23,6 @@ from codegen.model.scenario import Scenario
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
 from codegen.model.trace_lock_spec import TraceLockSpec
-from codegen.mpy import BYTECODE, compiled
 from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
@@ -30,14 +30,17 @@ from codegen.rules import check_system
 from codegen.source import Place
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
+from codegen.tool import tool_digest
 from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import trace_findings
-from codegen.trace.generated_tests import generated_tests
+from codegen.trace.generated_tests import generated_tests, tests_of
 from codegen.trace.graph import Trace, hand_written, linked
 from codegen.trace.lock import gone, reviews
 from codegen.trace.page import render_trace
 from codegen.trace.rows import rows_of
 from codegen.trace.view import trace_view
+
+_Made = TypeVar("_Made")
 
 UNKNOWN_DIALECT = Rule(
     "unknown-dialect",
@@ -117,6 +120,9 @@ def check_scenarios(project_file: str, systems: Sequence[System], report: Report
 
 def check_documents(systems: Sequence[System], report: Report) -> None:
     """What the tables of the requirement documents say against the population tables and the dialect."""
+    from codegen.importing.drift import drift  # noqa: PLC0415  a build needs neither
+    from codegen.importing.stated import stated_fields  # noqa: PLC0415
+
     paths = (requirement.place.file for system in systems for requirement in system.requirements.values())
     for path in dict.fromkeys(paths):
         text = read_text(path, report)
@@ -133,6 +139,13 @@ def scenarios_path(project_file: str) -> str:
 
 def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
+    project = spec.project
+    inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections)
+    dialect, digest = decoded_with_includes("project", inputs, lambda found: _read_dialect(spec, found), report)
+    return None if dialect is None else replace(dialect, digest=digest)
+
+
+def _read_dialect(spec: Spec, report: Report) -> Dialect | None:
     project = spec.project
     written, place = project.dialect, project.at("dialect")
     path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, report, is_file=written.endswith(".xml"))
@@ -208,13 +221,35 @@ def render_system(system: System) -> dict[str, str]:
 
 
 def render_systems(systems: Sequence[System]) -> dict[str, str]:
-    """Every output file of a project: those of a further program lie below the folder of its name."""
+    """Every output file of a project: those of a further program lie below the folder of its name.
+
+    A program whose own files and those of its base that it uses are as they were is not rendered again.
+    """
     files = {
         os.path.join(system.spec.program, path): text
         for system in systems
-        for path, text in render_system(system).items()
+        for path, text in _once(render_system, system).items()
     }
     return files if not systems or systems[0].spec.program else files | _trace_page(systems)
+
+
+def _once(make: Callable[[System], _Made], system: System) -> _Made:
+    """What ``make`` returns for a system, which depends on nothing else, by this run or an earlier one.
+
+    That is for further programs, whose files mostly stay while those of the project are edited; what the project makes
+    of its own files would only fill the cache.
+    """
+    spec = system.spec
+    if not spec.program or not system.dialect.digest:
+        return make(system)
+    about = (spec.program, spec.folder, spec.own_folder, sorted(spec.files.items()))
+    name = entry(make.__qualname__, tool_digest(), system.dialect.digest, pickled(about))
+    known = kept_object(name)
+    if known is not None:
+        return cast(_Made, known)
+    made = make(system)
+    keep_object(name, made)
+    return made
 
 
 def _trace_page(systems: Sequence[System]) -> dict[str, str]:
@@ -222,7 +257,8 @@ def _trace_page(systems: Sequence[System]) -> dict[str, str]:
 
     What is wrong with the lock, codegen trace tells.
     """
-    trace = linked(_documents(systems), rows_of(systems), generated_tests(systems))
+    tests = [test for system in systems for test in _once(tests_of, system)]
+    trace = linked(_documents(systems), rows_of(systems), tests)
     lock = read_trace_lock(systems[0].spec.project.place.file, Report())
     coverage = coverage_of(trace, reviews(trace, lock), None)
     findings = Report()
@@ -253,6 +289,8 @@ def compile_systems(systems: Iterable[System], architecture: str, report: Report
 
 def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:
     """The modules of the firmware as a board loads them, by file name; empty after a diagnostic."""
+    from codegen.mpy import BYTECODE, compiled  # noqa: PLC0415  most builds compile nothing
+
     if architecture == BYTECODE:
         project = replace(system.spec.project, machine_code=False)
         system = replace(system, spec=replace(system.spec, project=project))

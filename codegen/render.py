@@ -1,10 +1,14 @@
 """Render: views and templates to text, in memory."""
 
 from functools import cache
+from io import BytesIO
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined
+from jinja2.bccache import Bucket
 
+from codegen.cache import entry, keep, kept
 from codegen.template_files import templates_folder
+from codegen.tool import surroundings
 
 
 def render_template(name: str, view: object) -> str:
@@ -31,4 +35,24 @@ def _environment(*, is_escaping: bool = False) -> Environment:
         keep_trailing_newline=True,
         trim_blocks=True,
         lstrip_blocks=True,
+        bytecode_cache=_Compiled(),
     )
+
+
+class _Compiled(BytecodeCache):
+    """Templates as Jinja has compiled them, which depends on their source and on the options of the environment."""
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        """Called by Jinja before it compiles a template."""
+        compiled = kept(_entry(bucket))
+        if compiled is not None:
+            bucket.load_bytecode(BytesIO(compiled))
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        """Called by Jinja after it has compiled one."""
+        keep(_entry(bucket), bucket.bytecode_to_string())
+
+
+def _entry(bucket: Bucket) -> str:
+    options = {name: value for name, value in vars(bucket.environment).items() if isinstance(value, str | bool)}
+    return entry("template", surroundings(), repr(sorted(options.items())), bucket.key, bucket.checksum)

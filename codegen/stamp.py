@@ -7,22 +7,19 @@ again.
 """
 
 import errno
-import hashlib
 import json
 import os
 import re
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from typing import Any
 
 from codegen.emit.folder import leads_outside, other_files
-from codegen.frozen import dataclass
-from codegen.manifest import MANIFEST
-from codegen.template_files import templates_folder
+from codegen.output_files import MANIFEST, OWN_FOLDER
+from codegen.tool import content_digest, digest_of, names_in, tool_digest, tool_files
 
-FOLDER = ".codegen"
-"""The folder of the stamp below the output folder."""
+TYPE_CHECKING = False  # a build with nothing to do takes too little time to import typing in it
+if TYPE_CHECKING:
+    from typing import Any
 
 LISTED = ("", "messages", "dialects", "requirements")
 """The folders of a specification in which codegen looks for files."""
@@ -33,30 +30,34 @@ MARGIN_S = 1.0
 _OUTPUT = re.compile(rb"""^output:[ \t]*["']?([^"'#\s]+)""", re.MULTILINE)
 
 
-@dataclass(frozen=True, slots=True)
-class Unchanged:
-    """A build that need not run again: how many files it wrote, and what it read, as ``everything_read`` has it."""
-
-    count: int
-    read: tuple[str, ...]
-
-
-def unchanged(project: str) -> Unchanged | None:
-    """The last build of ``project``, if a build would do nothing now; else None."""
+def unchanged(project: str) -> int | None:
+    """How many files the last build of ``project`` has written, if a build would do nothing now; else None."""
     try:
         folder = _likely_output(project)
-        with open(os.path.join(folder, FOLDER, "stamp.json"), encoding="utf-8") as file:
-            kept = json.load(file)
+        kept = _kept(folder)
         outputs = kept["outputs"]
         if kept["project"] != project or kept["inputs"] != _inputs(project, kept["read"], kept["folders"]):
             return None
         if other_files(folder, outputs) != ((), ()):
             return None
-        if kept["written"] != _digest(_below(folder, outputs)):
+        if kept["written"] != content_digest(_below(folder, outputs)):
             return None
-        return Unchanged(len(outputs) - 1, tuple(everything_read(project, kept["read"], kept["folders"])))
+        return len(outputs) - 1
     except (OSError, ValueError, KeyError, TypeError):
         return None
+
+
+def read_last_time(project: str) -> list[str]:
+    """What that build read, as ``everything_read`` has it. May raise OSError."""
+    kept = _kept(_likely_output(project))
+    return everything_read(project, kept["read"], kept["folders"])
+
+
+def _kept(folder: str) -> "dict[str, Any]":
+    """The stamp of an output folder. May raise OSError and ValueError."""
+    with open(os.path.join(folder, OWN_FOLDER, "stamp.json"), encoding="utf-8") as file:
+        found: dict[str, Any] = json.load(file)
+    return found
 
 
 def keep(
@@ -76,23 +77,24 @@ def keep(
     with suppress(OSError):
         read = sorted(read)
         outputs = sorted({*rendered, MANIFEST})
-        if _likely_output(project) != folder or not _are_older(_everything_read(project, read), started - MARGIN_S):
+        if _likely_output(project) != folder or not _are_older([project, *read], started - MARGIN_S):
             return
-        for path, text in rendered.items():
-            with open(os.path.join(folder, path), "rb") as file:
-                if file.read() != (text.encode() if isinstance(text, str) else text):
-                    return
+        with open(os.path.join(folder, MANIFEST), "rb") as file:
+            contents = {**rendered, MANIFEST: file.read()}
+        written = content_digest(_below(folder, outputs))
+        if written != digest_of((os.path.join(folder, path), contents[path]) for path in outputs):
+            return
         folders = sorted({os.path.dirname(project), *specifications})
         inputs = _inputs(project, read, folders)
-        stamp: dict[str, Any] = {
+        stamp: dict[str, object] = {
             "project": project,
             "read": read,
             "folders": folders,
             "inputs": inputs,
             "outputs": outputs,
         }
-        stamp["written"] = _digest(_below(folder, outputs))
-        where = os.path.join(folder, FOLDER)
+        stamp["written"] = written
+        where = os.path.join(folder, OWN_FOLDER)
         os.makedirs(where, exist_ok=True)
         with open(os.path.join(where, ".gitignore"), "w", encoding="utf-8") as file:
             file.write("*\n")
@@ -113,8 +115,8 @@ def _likely_output(project: str) -> str:
 def _inputs(project: str, read: Iterable[str], specifications: Iterable[str]) -> str:
     """The hash of what is read, and of the names of what lies beside it and might be read next time."""
     folders = [os.path.join(specification, folder) for specification in specifications for folder in LISTED]
-    names = [line for folder in folders for line in (folder, *sorted(_names(folder)))]
-    return _digest(_everything_read(project, read), sys.version, *_libraries(), *names)
+    names = [line for folder in folders for line in (folder, *sorted(names_in(folder)))]
+    return content_digest([project, *read], tool_digest(), *names)
 
 
 def everything_read(project: str, read: Iterable[str], specifications: Iterable[str]) -> list[str]:
@@ -124,17 +126,7 @@ def everything_read(project: str, read: Iterable[str], specifications: Iterable[
     """
     folders = [os.path.normpath(os.path.join(one, name)) for one in specifications for name in LISTED]
     there = [folder for folder in folders if os.path.isdir(folder)]
-    return list(dict.fromkeys([*_everything_read(project, read), *there]))
-
-
-def tool_files() -> list[str]:
-    """The absolute paths of codegen's own files, its templates included."""
-    package = os.path.dirname(os.path.abspath(__file__))
-    return sorted({*_files(package), *_files(templates_folder())})
-
-
-def _everything_read(project: str, read: Iterable[str]) -> list[str]:
-    return [project, *read, *tool_files()]
+    return list(dict.fromkeys([project, *read, *tool_files(), *there]))
 
 
 def _are_older(paths: Iterable[str], time: float) -> bool:
@@ -148,32 +140,3 @@ def _below(folder: str, paths: Iterable[str]) -> Iterator[str]:
         if leads_outside(folder, path):
             raise OSError(errno.ELOOP, "a link leads out of the output folder", full)
         yield full
-
-
-def _libraries() -> list[str]:
-    """The installed packages with their versions, by the names of the folders that describe them."""
-    found = {name for folder in sys.path for name in _names(folder or ".")}
-    return sorted(name for name in found if name.endswith((".dist-info", ".egg-info")))
-
-
-def _names(folder: str) -> list[str]:
-    try:
-        return os.listdir(folder)
-    except OSError:
-        return []
-
-
-def _files(folder: str) -> Iterator[str]:
-    for where, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name != "__pycache__")
-        yield from (os.path.join(where, name) for name in sorted(names))
-
-
-def _digest(paths: Iterable[str], *words: str) -> str:
-    digest = hashlib.sha256("\n".join(words).encode("utf-8", "surrogateescape"))
-    for path in paths:
-        with open(path, "rb") as file:
-            content = file.read()
-        digest.update(f"\n{path}\n{len(content)}\n".encode("utf-8", "surrogateescape"))
-        digest.update(content)
-    return digest.hexdigest()

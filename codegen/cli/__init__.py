@@ -6,15 +6,27 @@ Nothing heavy is imported before a command runs, so that ``--help`` and ``--vers
 import argparse
 import os
 import sys
-from contextlib import suppress
 from functools import cache
 from importlib import import_module
-from typing import Any, TextIO
 
 from codegen import __version__
 
-COMMANDS = ("build", "check", "diff", "explain", "trace", "import", "codec", "sim")
-"""The commands in the order of ``--help``; each is a module of this package with ``add_command``."""
+TYPE_CHECKING = False  # typing takes longer to import than --help may take
+if TYPE_CHECKING:
+    from typing import Any, TextIO
+
+COMMANDS = {
+    "build": "generate the firmware, mocks, tests and documents",
+    "check": "check the specification against the dialect, and what documents claim",
+    "diff": "say what changed between two versions, and who breaks",
+    "explain": "tell the whole story of a message, a field, a parameter or a rule",
+    "trace": "what answers to each requirement: rows, symbols, tests and their results",
+    "import": "make a population table from a requirement document",
+    "codec": "make MicroPython encoders and decoders for any dialect, without a specification",
+    "sim": "run the generated firmware on this host against a scenario",
+}
+"""The commands in the order of ``--help``, and what it says of them; each is a module of this package with
+``add_command``."""
 
 _MODULES = {"import": "importing"}
 """Modules of commands that are words of Python."""
@@ -60,7 +72,12 @@ def _run(argv: list[str]) -> int:
         arguments = _parser(argv).parse_args(argv)
     except SystemExit as leaving:  # after --help, --version or wrong usage
         return leaving.code if isinstance(leaving.code, int) else EXIT_USAGE
-    return int(arguments.run(arguments))
+    code = int(arguments.run(arguments))
+    if "codegen.tool" in sys.modules:  # some commands have no use for it
+        from codegen.tool import keep_what_is_new
+
+        keep_what_is_new()
+    return code
 
 
 class _Formatter(argparse.HelpFormatter):
@@ -73,19 +90,23 @@ class _Formatter(argparse.HelpFormatter):
 class _Parser(argparse.ArgumentParser):
     """A parser, and by that also those of the commands, with that formatter."""
 
-    def __init__(self, **options: Any) -> None:
+    def __init__(self, **options: "Any") -> None:
         super().__init__(formatter_class=_Formatter, **options)
 
 
 @cache
 def _columns() -> int:
-    with suppress(ValueError, OSError):
+    try:
         return int(os.environ.get("COLUMNS") or os.get_terminal_size().columns) or 80
-    return 80
+    except (ValueError, OSError):
+        return 80
 
 
 def _parser(argv: list[str]) -> argparse.ArgumentParser:
-    """The parser with every command, or only with the one that ``argv`` begins with."""
+    """The parser with every command, or only with the one that ``argv`` begins with.
+
+    For ``--help`` alone, which lists them, a command is its name and its line.
+    """
     common = _Parser(add_help=False, argument_default=argparse.SUPPRESS)
     common.add_argument(
         "--project",
@@ -104,6 +125,10 @@ def _parser(argv: list[str]) -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"codegen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="codegen")
+    if argv in (["--help"], ["-h"]):
+        for command, line in COMMANDS.items():
+            commands.add_parser(command, help=line, add_help=False)
+        return parser
     for command in argv[:1] if argv[:1] and argv[0] in COMMANDS else COMMANDS:
         import_module(f"codegen.cli.{_MODULES.get(command, command)}").add_command(commands, common)
     return parser
@@ -116,7 +141,7 @@ def _show_traceback(fault: Exception, argv: list[str]) -> None:
         traceback.print_exception(fault)
 
 
-def _accept_every_character(stream: TextIO | None) -> None:
+def _accept_every_character(stream: "TextIO | None") -> None:
     """File names and quoted input may hold what the terminal's encoding lacks: such characters are escaped."""
     reconfigure = getattr(stream, "reconfigure", None)
     if reconfigure is not None:
@@ -125,6 +150,8 @@ def _accept_every_character(stream: TextIO | None) -> None:
 
 def _abandon_stdout() -> None:
     """Let what is still buffered go nowhere, or the interpreter would complain about it when it ends."""
+    from contextlib import suppress
+
     with suppress(AttributeError, OSError):  # there may be no stdout, or one that is no file
         descriptor = os.open(os.devnull, os.O_WRONLY)
         os.dup2(descriptor, sys.stdout.fileno())

@@ -3,19 +3,23 @@
 import argparse
 import sys
 import time
-from typing import Any
 
+from codegen.cli import COMMANDS
 from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
 from codegen.cli.output import add_output_options, is_plain, nonsense
 
+TYPE_CHECKING = False  # typing takes longer to import than --help may take
+if TYPE_CHECKING:
+    from typing import Any
 
-def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+
+def add_command(commands: "Any", common: argparse.ArgumentParser) -> None:
     """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
     parser = commands.add_parser(
         "build",
         parents=[common],
-        help="generate the firmware, mocks, tests and documents",
+        help=COMMANDS["build"],
         description="Generate the output folder. Files that are right already are not touched; a generated file that "
         "was edited by hand stops the build before anything is written.",
     )
@@ -47,8 +51,8 @@ def run(arguments: argparse.Namespace) -> int:
     started = time.time()
     kept = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
     if kept is not None:
-        print(f"0 files written, {kept.count} unchanged", file=sys.stderr)
-        return write_depfile(arguments, kept.read)
+        print(f"0 files written, {kept} unchanged", file=sys.stderr)
+        return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project))
     from codegen import pipeline
     from codegen.cli.output import emit
     from codegen.diagnostics import Report

@@ -5,6 +5,7 @@ import os
 import sys
 from typing import Any
 
+from codegen.cli import COMMANDS
 from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
 from codegen.cli.output import add_output_options, nonsense
@@ -15,7 +16,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "codec",
         parents=[common],
-        help="make MicroPython encoders and decoders for any dialect, without a specification",
+        help=COMMANDS["codec"],
         description="Make MicroPython modules that encode and decode messages of a MAVLink dialect: a link for both "
         "versions of the protocol with signing, the messages, their enums, and a page that says how to use them.",
     )
@@ -73,7 +74,7 @@ def run(arguments: argparse.Namespace) -> int:
     code = emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
     if arguments.depfile is None or code or dialect is None:
         return code
-    from codegen.stamp import tool_files
+    from codegen.tool import tool_files
 
     return write_depfile(arguments, [*dialect.files, *tool_files()])
 

@@ -3,8 +3,8 @@
 import argparse
 import sys
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
+TYPE_CHECKING = False  # typing takes longer to import than --help may take
 if TYPE_CHECKING:
     from codegen.diagnostics import Report
     from codegen.emit.plan import Plan

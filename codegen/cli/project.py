@@ -3,7 +3,6 @@
 import argparse
 import os
 import sys
-from pathlib import Path
 
 from codegen.project_files import PROJECT_FILES
 
@@ -11,22 +10,26 @@ from codegen.project_files import PROJECT_FILES
 def project_file(arguments: argparse.Namespace) -> str | None:
     """The absolute path of ``--project`` or of the nearest project file; None without either."""
     given: str | None = getattr(arguments, "project", None)
-    return nearest_project(Path.cwd()) if given is None else os.path.abspath(given)
+    return nearest_project(os.getcwd()) if given is None else os.path.abspath(given)
 
 
 def report_no_project() -> int:
     """Say on stderr that a project is needed, and return the exit code of that."""
     print(
-        f"codegen: there is no {' or '.join(PROJECT_FILES)} in {Path.cwd()} or above it; name one with --project FILE",
+        f"codegen: there is no {' or '.join(PROJECT_FILES)} in {os.getcwd()} or above it; name one with --project FILE",
         file=sys.stderr,
     )
     return 2
 
 
-def nearest_project(folder: Path) -> str | None:
-    """The project file that lies nearest, in ``folder`` or one above it."""
-    for above in (folder, *folder.parents):
+def nearest_project(folder: str) -> str | None:
+    """The project file that lies nearest, in ``folder`` (absolute) or one above it."""
+    while True:
         for candidate in PROJECT_FILES:
-            if (above / candidate).is_file():
-                return str(above / candidate)
-    return None
+            path = os.path.join(folder, candidate)
+            if os.path.isfile(path):
+                return path
+        above = os.path.dirname(folder)
+        if above == folder:
+            return None
+        folder = above

@@ -7,7 +7,7 @@ from functools import lru_cache
 from codegen.decode.dialect import decode_dialect_file
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.shipped import is_shipped
-from codegen.load.text import read_bytes
+from codegen.load.text import read_bytes, real_path
 from codegen.load.xml_tree import parse_xml_bytes
 from codegen.model.dialect import DialectFile
 from codegen.source import Place
@@ -24,12 +24,12 @@ def decode_dialect_files(
     the dialect, when ``path`` is an overlay.
     """
     finished: list[DialectFile] = []
-    seen = {_identity(file.path) for file in known}
+    seen = {real_path(file.path) for file in known}
     # A stack of its own instead of recursion: a chain of includes may be as long as it likes.
     open_files: list[tuple[DialectFile, int]] = []
 
     def open_file(path: str, asked_at: Place | None) -> None:
-        identity = _identity(path)
+        identity = real_path(path)
         if identity in seen:
             return
         seen.add(identity)
@@ -72,11 +72,3 @@ def _decoded(data: bytes, path: str) -> tuple[DialectFile | None, tuple[Diagnost
     root = parse_xml_bytes(data, path, found)
     file = None if root is None else decode_dialect_file(root, path, found)
     return file, tuple(found)
-
-
-def _identity(path: str) -> str:
-    """What makes two paths the same file, whatever links lead there."""
-    try:
-        return os.path.realpath(path)
-    except (OSError, ValueError):
-        return path

@@ -1,9 +1,7 @@
 """Other dialects that receivers know: which of their messages have a name or an id that the project adds, too."""
 
-import os
 import re
 from collections.abc import Collection, Iterable, Iterator
-from functools import cache
 
 from codegen.diagnostics import Report, Rule
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
@@ -59,7 +57,7 @@ def taken_elsewhere(
 
 def _scanned(path: str, names: set[str], ids: set[int]) -> Iterator[KnownMessage]:
     """The messages of a shipped file, without parsing it: it is looked through only where a name or an id occurs."""
-    text = _content(path)
+    text = read_bytes(path, Report()) or b""
     wanted = [*(f'name="{name}"' for name in names), *(f'id="{number}"' for number in ids)]
     if not any(word.encode() in text for word in wanted):
         return
@@ -67,9 +65,3 @@ def _scanned(path: str, names: set[str], ids: set[int]) -> Iterator[KnownMessage
         start = found.start()
         line, column = text.count(b"\n", 0, start) + 1, start - text.rfind(b"\n", 0, start)
         yield KnownMessage(int(found[1]), found[2].decode(), Place(path, line, column))
-
-
-@cache
-def _content(path: str) -> bytes:
-    """The bytes of a shipped file, kept for the other programs of a project; none where it cannot be read."""
-    return read_bytes(os.path.abspath(path), Report()) or b""

@@ -1,5 +1,6 @@
 """A YAML file into the one record that it states."""
 
+from codegen.decode.decoded import decoded
 from codegen.decode.record import Record, decode_record
 from codegen.diagnostics import Report
 from codegen.load.text import read_text
@@ -13,5 +14,14 @@ def decode_record_file(path: str, cls: type[Record], report: Report, asked_at: P
     ``asked_at`` is the place that names the file, for ``read_bytes``; ``decode_record`` says what is left out.
     """
     text = read_text(path, report, asked_at)
-    tree = None if text is None else parse_yaml(text, path, report)
-    return None if tree is None else decode_record(tree, cls, report)
+    return None if text is None else decode_record_text(text, path, cls, report)
+
+
+def decode_record_text(text: str, path: str, cls: type[Record], report: Report) -> Record | None:
+    """The same for a text that was read from that path."""
+
+    def read(found: Report) -> Record | None:
+        tree = parse_yaml(text, path, found)
+        return None if tree is None else decode_record(tree, cls, found)
+
+    return decoded(f"{cls.__module__}.{cls.__qualname__}", text, path, read, report)

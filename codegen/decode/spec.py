@@ -7,8 +7,10 @@ import hashlib
 import os
 from typing import TypeVar
 
+from codegen.decode.decoded import decoded
 from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
+from codegen.decode.record_file import decode_record_text
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.scenario import SCENARIOS
 from codegen.decode.trace_lock import TRACE_LOCK
@@ -172,11 +174,7 @@ class _SpecReader:
 
     def _record(self, path: str, cls: type[_Record], asked_at: Place) -> _Record | None:
         text = self._text(path, asked_at)
-        return None if text is None else self._record_of(text, path, cls)
-
-    def _record_of(self, text: str, path: str, cls: type[_Record]) -> _Record | None:
-        node = parse_yaml(text, path, self._report)
-        return None if node is None else decode_record(node, cls, self._report)
+        return None if text is None else decode_record_text(text, path, cls, self._report)
 
     def _fixed(self, name: str, cls: type[_Record]) -> _Record | None:
         return self._record(self._used(name), cls, Place(self._base_file))
@@ -260,11 +258,17 @@ class _SpecReader:
         requirements = []
         for path in self._united("requirements", (".md",)):
             text = self._text(path, Place(path))
-            requirement = None if text is None else decode_requirement(parse_markdown(text, path), self._report)
+            requirement = None if text is None else self._requirement(text, path)
             if requirement is not None:
                 requirements.append(requirement)
         check_unique(requirements, self._report)
         return tuple(requirements)
+
+    def _requirement(self, text: str, path: str) -> Requirement | None:
+        def read(found: Report) -> Requirement | None:
+            return decode_requirement(parse_markdown(text, path), found)
+
+        return decoded("requirement", text, path, read, self._report)
 
     def _add_hashes(self, project: Project) -> None:
         """Account for the XML files that the project names; whoever reads them reports what is wrong with them."""

@@ -1,10 +1,9 @@
 """The lock file of the trace into its record."""
 
-from codegen.decode.record import decode_record
+from codegen.decode.record_file import decode_record_text
 from codegen.diagnostics import Report
 from codegen.load.text import read_text
 from codegen.load.trees import exists
-from codegen.load.yaml_tree import parse_yaml
 from codegen.model.trace_lock_spec import TraceLockSpec
 
 TRACE_LOCK = "trace.lock.yaml"
@@ -18,5 +17,4 @@ def read_trace_lock_text(path: str, report: Report) -> str | None:
 
 def decode_trace_lock(text: str, path: str, report: Report) -> TraceLockSpec | None:
     """What the text of a lock file says; None, after a finding, where it says nothing that can be used."""
-    tree = parse_yaml(text, path, report)
-    return None if tree is None else decode_record(tree, TraceLockSpec, report)
+    return decode_record_text(text, path, TraceLockSpec, report)

@@ -3,10 +3,12 @@
 import os
 from collections.abc import Collection
 
+from codegen.output_files import OWN_FOLDER
+
 UNFINISHED = (".codegen-", ".tmp")
 """How the name of a file begins and ends while it is being written."""
 
-_IGNORED = frozenset({".codegen", "__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
+_IGNORED = frozenset({OWN_FOLDER, "__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache", ".git"})
 
 
 def leads_outside(folder: str, path: str) -> bool:

@@ -8,7 +8,8 @@ from enum import Enum
 from codegen.diagnostics import Report, Rule
 from codegen.emit.folder import leads_outside, other_files
 from codegen.frozen import dataclass
-from codegen.manifest import MANIFEST, Manifest, read_manifest, sha256, stays_inside
+from codegen.manifest import Manifest, read_manifest, sha256, stays_inside
+from codegen.output_files import MANIFEST
 from codegen.source import Place
 
 OUTPUT_BLOCKED = Rule(

@@ -9,7 +9,8 @@ from codegen.emit.file import replace_file
 from codegen.emit.folder import leads_outside
 from codegen.emit.plan import Change, Plan
 from codegen.frozen import dataclass
-from codegen.manifest import MANIFEST, Manifest, sha256
+from codegen.manifest import Manifest, sha256
+from codegen.output_files import MANIFEST
 
 OUTPUT_UNWRITABLE = Rule(
     "output-unwritable",

@@ -4,13 +4,14 @@ import os
 import re
 from functools import cache
 from itertools import pairwise
-
-from markdown_it import MarkdownIt
-from markdown_it.token import Token
+from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
-from codegen.load.markdown_blocks import read_inline
+from codegen.load.markdown_blocks import block_tokens, read_inline
 from codegen.source import Place
+
+if TYPE_CHECKING:
+    from markdown_it.token import Token
 
 _LINE_END = re.compile(r"\r\n?|\n")
 _CHECK_BOX = re.compile(r"^\[[ xX]\]\s+")
@@ -62,8 +63,7 @@ class _Reader:
     def __init__(self, text: str, path: str) -> None:
         self._path = path
         self._lines = _LINE_END.split(text)
-        # Blocks first: inline markup is read only where its text is wanted.
-        self._tokens = MarkdownIt("commonmark").disable("inline").parse(text)
+        self._tokens = block_tokens(text)
 
     def document(self) -> Document:
         starts = [
@@ -103,7 +103,7 @@ class _Reader:
                 items[position] = Item(text, bare.number, bare.depth, bare.place)
         return items
 
-    def _place(self, token: Token) -> Place:
+    def _place(self, token: "Token") -> Place:
         line = token.map[0] if token.map else 0
         written = self._lines[line] if line < len(self._lines) else ""
         return Place(self._path, line + 1, len(written) - len(written.lstrip()) + 1)

@@ -8,12 +8,14 @@ import re
 from collections.abc import Iterator, Sequence
 from enum import Enum
 from functools import cache, lru_cache
-
-from markdown_it import MarkdownIt
-from markdown_it.token import Token
+from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
 from codegen.source import Place
+
+if TYPE_CHECKING:
+    from markdown_it import MarkdownIt
+    from markdown_it.token import Token
 
 _LINE_END = re.compile(r"\r\n?|\n")
 _MARKUP = re.compile(r"[\\`*_\[\]<>&!]")
@@ -76,13 +78,22 @@ def parse_blocks(text: str, path: str) -> tuple[Block, ...]:
 
     Places count from 1 and name the absolute form of ``path``.
     """
-    # Inline markup is read only where its text is wanted.
-    tokens = MarkdownIt("commonmark").disable("inline").parse(text)
-    return tuple(_blocks(tokens, _LINE_END.split(text), os.path.abspath(path)))
+    return tuple(_blocks(block_tokens(text), _LINE_END.split(text), os.path.abspath(path)))
+
+
+def block_tokens(text: str) -> list["Token"]:
+    """The tokens of a text. Inline markup is read only where its text is wanted, by ``read_inline``."""
+    return _markdown().disable("inline").parse(text)
 
 
 @cache
-def _markdown() -> MarkdownIt:
+def _inline_markdown() -> "MarkdownIt":
+    return _markdown()
+
+
+def _markdown() -> "MarkdownIt":
+    from markdown_it import MarkdownIt  # noqa: PLC0415  most runs know what the documents say
+
     return MarkdownIt("commonmark")
 
 
@@ -93,12 +104,12 @@ def read_inline(written: str) -> Inline:
         return Inline(" ".join(written.split()))
     pieces: list[str] = []
     codes: list[str] = []
-    for token in _markdown().parseInline(written):
+    for token in _inline_markdown().parseInline(written):
         _collect(token.children or [], pieces, codes)
     return Inline(" ".join("".join(pieces).split()), tuple(codes))
 
 
-def _blocks(tokens: Sequence[Token], lines: Sequence[str], path: str) -> Iterator[Block]:
+def _blocks(tokens: Sequence["Token"], lines: Sequence[str], path: str) -> Iterator[Block]:
     depth = 0
     begins_item = False
     for index, token in enumerate(tokens):
@@ -134,7 +145,7 @@ def _located(content: str, first: int, lines: Sequence[str], path: str) -> tuple
     return tuple(found)
 
 
-def _collect(tokens: Sequence[Token], pieces: list[str], codes: list[str]) -> None:
+def _collect(tokens: Sequence["Token"], pieces: list[str], codes: list[str]) -> None:
     for token in tokens:
         if token.type in ("softbreak", "hardbreak"):
             pieces.append(" ")

@@ -1,8 +1,11 @@
 """Reading a source file into bytes or text; whatever is wrong with the file becomes a diagnostic with a place."""
 
+import hashlib
 import os
 import re
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from codegen.diagnostics import Report, Rule
 from codegen.load.trees import is_in_tree, tree_content
@@ -37,12 +40,52 @@ _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
+_noted: list[dict[str, str]] = []
+
+
+@contextmanager
+def noting() -> Iterator[dict[str, str]]:
+    """Collect which files are read meanwhile: their paths with a hash of what was found there."""
+    found: dict[str, str] = {}
+    _noted.append(found)
+    try:
+        yield found
+    finally:
+        _noted.remove(found)
+
+
+def found_at(path: str) -> str:
+    """The hash of what is found at a path: of the file that it leads to and of its content, or that there is none."""
+    return _found_at(path, read_bytes(path, Report()))
+
+
+def _found_at(path: str, content: bytes | None) -> str:
+    if content is None:
+        return ""
+    return hashlib.sha256(f"{real_path(path)}\n".encode("utf-8", "surrogateescape") + content).hexdigest()
+
+
+def real_path(path: str) -> str:
+    """What makes two paths the same file, whatever links lead there."""
+    try:
+        return os.path.realpath(path)
+    except (OSError, ValueError):
+        return path
+
+
 def read_bytes(path: str, report: Report, asked_at: Place | None = None, most: int | None = None) -> bytes | None:
     """The content of a regular file of at most ``most`` bytes (default: ``MAX_BYTES``), or None after a diagnostic.
 
     ``asked_at`` is the place that names the file: a missing or unreadable file is reported there, or at the file
     itself where nothing names it.
     """
+    content = _read_bytes(path, report, asked_at, most)
+    for noted in _noted:
+        noted[path] = _found_at(path, content)
+    return content
+
+
+def _read_bytes(path: str, report: Report, asked_at: Place | None, most: int | None) -> bytes | None:
     most = MAX_BYTES if most is None else most
     place = asked_at or Place(os.path.abspath(path))
     shown = shown_path(path)

@@ -9,13 +9,14 @@ import os
 import re
 from collections.abc import Mapping
 from contextlib import suppress
-from typing import NamedTuple
-
-from lxml import etree
+from typing import TYPE_CHECKING, NamedTuple
 
 from codegen.diagnostics import Report, Rule
 from codegen.load.text import decode_text, read_bytes
 from codegen.source import Place
+
+if TYPE_CHECKING:
+    from lxml import etree
 
 XML_DOCTYPE = Rule(
     "xml-doctype",
@@ -94,6 +95,8 @@ def parse_xml(text: str, path: str, report: Report) -> XmlElement | None:
     if not text.strip():
         report.add(XML_SYNTAX, Place(file), "the file is empty")
         return None
+    from lxml import etree  # noqa: PLC0415  most runs know what the files say
+
     parser = etree.XMLParser(
         encoding="utf-8",
         resolve_entities=False,
@@ -139,7 +142,7 @@ def _decoded(data: bytes, path: str, report: Report) -> str | None:
         return None
 
 
-def _tree(root: etree._Element, text: str) -> XmlElement:
+def _tree(root: "etree._Element", text: str) -> XmlElement:
     """``root`` as located elements.
 
     libxml2 knows only the line where a start tag ends, and none exactly above 65535; so the places are taken from the
@@ -147,7 +150,7 @@ def _tree(root: etree._Element, text: str) -> XmlElement:
     """
     places = iter(_start_tags(text))
 
-    def located(element: etree._Element) -> XmlElement:
+    def located(element: "etree._Element") -> XmlElement:
         line, column = next(places, (element.sourceline, 1))
         own_text = element.text or ""
         children = []

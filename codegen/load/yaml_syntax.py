@@ -17,7 +17,7 @@ YAML_SYNTAX = Rule(
 
 # U+0085, U+2028 and U+2029 end a line for the parser, but neither in YAML 1.2 nor in editors: places would be wrong.
 # A tab is white space to one parser and an error to the other.
-_UNWANTED = re.compile("[^\n\r\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+_UNWANTED = "[^\n\r\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
 _LINE_END = re.compile(r"\r\n?|\n")
 
 
@@ -25,37 +25,35 @@ _LINE_END = re.compile(r"\r\n?|\n")
 class _Wording:
     """How one of the parser's problems is said; ``at_start``: the place is where the unfinished thing begins."""
 
-    problem: re.Pattern[str]
+    problem: str
     message: str
     hint: str | None = None
     at_start: bool = False
 
 
-def _wording(problem: str, message: str, hint: str | None = None, at_start: bool = False) -> _Wording:
-    return _Wording(re.compile(problem), message, hint, at_start)
-
-
 _WORDINGS = (
-    _wording(r"character '([@`%])'", "unquoted text cannot begin with {0}", "put the text in quotes"),
-    _wording(r"unexpected end of stream", "the quote that opens here is never closed", "close the quote", True),
-    _wording(r"unexpected document separator", "the quote that opens here is not closed before ---", None, True),
-    _wording(r"mapping values are not allowed", "a second ': ' in one entry", "put text that holds ': ' in quotes"),
-    _wording(r"could not find expected ':'", "this line is neither 'key: value' nor a list item", None, True),
-    _wording(r"sequence entries are not allowed", "a list item cannot begin here", "begin the list on a new line"),
-    _wording(r"mapping keys are not allowed", "a key cannot begin here"),
-    _wording(r"unknown escape character '(.*)'", "\\{0} is not an escape in double quotes", "use single quotes"),
-    _wording(r"escape sequence of (\d+) hex", "this escape wants {0} hexadecimal digits"),
-    _wording(r"expected ',' or '([\]}])'", "',' or {0} is missing here", "close the bracket"),
-    _wording(r"expected the node content, but found '<stream end>'", "the bracket is never closed"),
-    _wording(r"expected the node content, but found '(.*)'", "a value is missing before {0}"),
-    _wording(r"expected <block end>", "the line does not fit in with the lines above", "check its indentation"),
-    _wording(r"expected '<document start>'", "text follows after the end of the value", "check its indentation"),
+    _Wording(r"character '([@`%])'", "unquoted text cannot begin with {0}", "put the text in quotes"),
+    _Wording(r"unexpected end of stream", "the quote that opens here is never closed", "close the quote", True),
+    _Wording(r"unexpected document separator", "the quote that opens here is not closed before ---", None, True),
+    _Wording(r"mapping values are not allowed", "a second ': ' in one entry", "put text that holds ': ' in quotes"),
+    _Wording(r"could not find expected ':'", "this line is neither 'key: value' nor a list item", None, True),
+    _Wording(r"sequence entries are not allowed", "a list item cannot begin here", "begin the list on a new line"),
+    _Wording(r"mapping keys are not allowed", "a key cannot begin here"),
+    _Wording(r"unknown escape character '(.*)'", "\\{0} is not an escape in double quotes", "use single quotes"),
+    _Wording(r"escape sequence of (\d+) hex", "this escape wants {0} hexadecimal digits"),
+    _Wording(r"expected ',' or '([\]}])'", "',' or {0} is missing here", "close the bracket"),
+    _Wording(r"expected the node content, but found '<stream end>'", "the bracket is never closed"),
+    _Wording(r"expected the node content, but found '(.*)'", "a value is missing before {0}"),
+    _Wording(r"expected <block end>", "the line does not fit in with the lines above", "check its indentation"),
+    _Wording(r"expected '<document start>'", "text follows after the end of the value", "check its indentation"),
 )
 
 
 def unwanted_character(text: str, path: str) -> Diagnostic | None:
     """The finding about the first character that no specification holds: tabs, control characters, lone surrogates."""
-    unwanted = _UNWANTED.search(text)
+    if text.replace("\n", "").replace("\r", "").isprintable():
+        return None  # at once: the characters that are wanted take long to tell from the others
+    unwanted = re.search(_UNWANTED, text)
     if unwanted is None:
         return None
     before = _LINE_END.split(text[: unwanted.start()])
@@ -76,7 +74,7 @@ def syntax_finding(error: Exception, path: str, reached: Place) -> Diagnostic:
     start = _place(error.context_mark, path)
     problem = error.problem or error.context or "this is not YAML"
     for wording in _WORDINGS:
-        if found := wording.problem.search(problem):
+        if found := re.search(wording.problem, problem):
             message = wording.message.format(*found.groups())
             if wording.at_start and start is not None:
                 return Diagnostic(start, YAML_SYNTAX, message, wording.hint)

@@ -1,6 +1,7 @@
 """A dialect as its XML files state it, before includes are read and wire order is computed."""
 
 from collections.abc import Iterator
+from dataclasses import field
 from enum import Enum
 from typing import NamedTuple
 
@@ -273,6 +274,7 @@ class Dialect:
     ``messages`` by name in order of id, ``enums`` by name, ``files`` every XML file that was read (absolute paths,
     each once), ``version`` the value of ``uint8_t_mavlink_version`` fields. ``overlays`` are those of ``files`` that
     the project adds, ``known`` the messages of other dialects that share a name or an id with a message of these.
+    ``digest`` is a hash of everything that it was made of; without one that is not known.
     """
 
     name: str
@@ -282,6 +284,7 @@ class Dialect:
     files: tuple[str, ...]
     overlays: frozenset[str] = frozenset()
     known: tuple[KnownMessage, ...] = ()
+    digest: str = field(default="", compare=False, repr=False)
 
     def added_messages(self) -> Iterator[WireMessage]:
         """The messages that the overlays add, in order of id."""

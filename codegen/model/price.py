@@ -12,6 +12,7 @@ from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.vehicle import Component, by_instance
+from codegen.once import once
 
 HEAD_V1 = 8
 HEAD_V2 = 12
@@ -50,6 +51,16 @@ def frame_size(message: PopulatedMessage, instance: int, protocol: int) -> Range
     if protocol == 1:
         whole = Fraction(HEAD_V1 + message.wire.base_length)
         return Range(whole, whole)
+    return _frame_sizes(message)[instance]
+
+
+@once
+def _frame_sizes(message: PopulatedMessage) -> tuple[Range, ...]:
+    """The same in MAVLink 2, about each instance."""
+    return tuple(_frame_size(message, instance) for instance in range(message.instances))
+
+
+def _frame_size(message: PopulatedMessage, instance: int) -> Range:
     surely, maybe = 1, 1  # a payload keeps its first byte
     for answer in message.answers:
         start = answer.covers.offset

@@ -9,6 +9,7 @@ from codegen.model.account import StateCase
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Conversion, Quantity
+from codegen.once import once
 from codegen.targets.expected import converted, expected_fields, nominal_values
 from codegen.targets.message_case import MessageCase, set_to
 from codegen.targets.naming import parameter_attribute
@@ -29,11 +30,13 @@ class ConversionCase:
     expect: int
 
 
+@once
 def message_cases(system: System) -> list[MessageCase]:
     """Every case of every populated message, in order of id and offset."""
     return [case for message in system.messages for case in _cases_of(message, system)]
 
 
+@once
 def conversion_cases(system: System) -> list[ConversionCase]:
     """Counts over the whole range of each ADC, with the smallest, the default and the largest multiplier."""
     cases = []

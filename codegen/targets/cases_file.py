@@ -77,7 +77,10 @@ def _wire_changes(correction: Correction) -> dict[str, object]:
 
 
 def _json(case: dict[str, object]) -> str:
-    return json.dumps(_without_nan(case), allow_nan=False)
+    try:
+        return json.dumps(case, allow_nan=False)
+    except ValueError:
+        return json.dumps(_without_nan(case), allow_nan=False)
 
 
 def _without_nan(value: object) -> object:

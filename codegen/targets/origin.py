@@ -3,6 +3,7 @@
 import hashlib
 import os
 from collections.abc import Iterable
+from functools import cache
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
@@ -24,7 +25,12 @@ class Origin:
 
 def source_name(system: "System", path: str) -> str:
     """The name of a specification file as headers and documents print it: ``specs/state.yaml``."""
-    return os.path.relpath(path, os.path.dirname(system.spec.folder)).replace(os.sep, "/")
+    return _name_below(os.path.dirname(system.spec.folder), path)
+
+
+@cache
+def _name_below(folder: str, path: str) -> str:
+    return os.path.relpath(path, folder).replace(os.sep, "/")
 
 
 def origin_of_text(name: str, text: str) -> Origin:

@@ -17,12 +17,13 @@ INTERPRETERS = ("cpython", "micropython")
 
 def generated_tests(systems: Iterable[System]) -> tuple[Test, ...]:
     """The tests of a project's suite and of those of its further programs, one for each criterion that they show."""
-    return tuple(
-        replace(test, inputs=inputs)
-        for system in systems
-        for inputs in [suite_origin(system).digest]
-        for test in _tests(system)
-    )
+    return tuple(test for system in systems for test in tests_of(system))
+
+
+def tests_of(system: System) -> tuple[Test, ...]:
+    """The tests of the suite of one of these."""
+    inputs = suite_origin(system).digest
+    return tuple(replace(test, inputs=inputs) for test in _tests(system))
 
 
 def suite_folder(system: System) -> str:

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from dataclasses import replace
+from functools import cache
 
 from codegen.diagnostics import Diagnostic, Severity
 from codegen.frozen import dataclass
@@ -314,4 +315,9 @@ def _test(tested: Tested) -> TestView:
 
 def _shown(place: Place, folder: str) -> str:
     """``specs/streams.yaml:12``, with slashes: pages are the same on every machine."""
-    return f"{os.path.relpath(place.file, folder).replace(os.sep, '/')}:{place.line}"
+    return f"{_below(place.file, folder)}:{place.line}"
+
+
+@cache
+def _below(path: str, folder: str) -> str:
+    return os.path.relpath(path, folder).replace(os.sep, "/")

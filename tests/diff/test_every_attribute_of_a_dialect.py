@@ -32,6 +32,7 @@ ELSEWHERE = Place("/elsewhere.xml", 7, 3)
 UNSEEN = {
     (Dialect, "name"): "reports name both sides by what the user called them",
     (Dialect, "files"): "messages that moved between included files are no change",
+    (Dialect, "digest"): "a hash of all that the other attributes come from",
     (Dialect, "overlays"): "which file adds a message is no change of it",
     (Dialect, "known"): "names of other dialects, for a check",
     (WireMessage, "definition"): "its own attributes are changed below",
@@ -284,6 +285,7 @@ def test_what_is_no_change_is_not_told(record: type, attribute: str, dialect: Di
     others: dict[str, Any] = {
         "name": "x",
         "files": ("/a.xml",),
+        "digest": "another",
         "overlays": frozenset({"/a.xml"}),
         "known": (),
         "written_id": "x",
