@@ -7,7 +7,8 @@ from codegen.model.board_spec import AdcSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
 from codegen.model.vehicle import AdcChannel, Component, Parameter
-from codegen.targets.families import FamilyView, family_view
+from codegen.targets.families import family_lines
+from codegen.targets.imports import import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, quoted
 
 
@@ -16,7 +17,9 @@ class ReaderView:
     """The ADC channel of one component: ``shift`` turns the 16 bits of read_u16() into counts.
 
     ``spare_bits`` are the bits of the 12 bit converter that a count leaves out, ``pin`` is the attribute of the
-    parameter that has the pin.
+    parameter that has the pin. ``before`` are the lines that find the pin, ``input``, which is set up at ``indent``
+    below them. ``at``, ``also`` and ``only`` are what the code about one of several instances has in addition: an
+    index, a further argument, an only one. ``absent`` and ``failed`` are what is logged, as arguments.
     """
 
     component: str
@@ -25,8 +28,16 @@ class ReaderView:
     gpio: int
     gpios: tuple[int, ...]
     pin: str | None
-    gpio_expression: str
-    switch_expression: str | None
+    before: tuple[str, ...]
+    input: str
+    indent: str
+    at: str
+    also: str
+    only: str
+    zeros: str
+    nones: str
+    absent: str
+    failed: str
     shift: int
     spare_bits: int
     full_scale: int
@@ -49,45 +60,61 @@ class LinkView:
 
 @dataclass(frozen=True, slots=True)
 class BoardView:
-    """The board, its readers and its links."""
+    """The board, its readers and its links.
+
+    ``head`` are the lines above the class, with an empty one behind the imports and behind the constants.
+    """
 
     board: str
     mcu: str
     readers: tuple[ReaderView, ...]
-    families: tuple[FamilyView, ...]
+    head: tuple[str, ...]
     links: tuple[LinkView, ...]
-    imports: tuple[tuple[str, tuple[str, ...]], ...]
-    is_timed: bool
     has_pins: bool
 
 
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
-    readers = [
+    readers = tuple(
         _reader(system.components[component], conversion.channel, system)
         for component, _, conversion in system.measured()
-    ]
+    )
     links = tuple(_link(link) for link in system.links)
-    is_timed = any(reader.read_limit_us is not None for reader in readers)
+    has_pins = any(_pin_parameters(system))
     return BoardView(
         board=prose(system.spec.board.board),
         mcu=prose(system.spec.board.mcu),
-        readers=tuple(readers),
-        families=_families(system),
+        readers=readers,
+        head=(*_imports(readers, links, has_pins=has_pins), *_families(system)),
         links=links,
-        imports=_imports(links),
-        is_timed=is_timed,
-        has_pins=any(reader.pin or reader.switch_expression for reader in readers),
+        has_pins=has_pins,
     )
 
 
-def _families(system: System) -> tuple[FamilyView, ...]:
-    """The parameters that have the pin of each instance and that switch it on, once each."""
+def _imports(readers: tuple[ReaderView, ...], links: tuple[LinkView, ...], *, has_pins: bool) -> tuple[str, ...]:
+    """What the module imports to read and to open its links, with an empty line behind it; nothing without both."""
+    modules = ["time"] if any(reader.read_limit_us is not None for reader in readers) else []
+    names = [(link.module, link.function) for link in links]
+    if readers:
+        modules.append("machine")
+        names.append(("guard", "Guard"))
+    if has_pins:
+        names.append(("parameters", "Parameters"))
+    return (*import_lines(modules, names), "") if modules or names else ()
+
+
+def _families(system: System) -> tuple[str, ...]:
+    """The parameters that have the pin of each instance and that switch it on, with an empty line behind them."""
+    lines = family_lines(parameter for parameter in _pin_parameters(system) if parameter.siblings)
+    return (*lines, "") if lines else ()
+
+
+def _pin_parameters(system: System) -> tuple[Parameter, ...]:
+    """The parameters that have a pin or that switch it on, once each."""
     used: dict[str, Parameter] = {}
     for name, _, conversion in system.measured():
-        pin = conversion.channel.pin
-        used |= {each.name: each for each in (pin, _switch(system.components[name])) if each and each.siblings}
-    return tuple(family_view(parameter) for parameter in used.values())
+        used |= {each.name: each for each in (conversion.channel.pin, _switch(system.components[name])) if each}
+    return tuple(used.values())
 
 
 def _switch(component: Component) -> Parameter | None:
@@ -96,16 +123,28 @@ def _switch(component: Component) -> Parameter | None:
 
 
 def _reader(component: Component, channel: AdcChannel, system: System) -> ReaderView:
-    switch = _switch(component)
+    name, several = component.name, component.instances > 1
+    has_variable = several or channel.pin is not None
+    title = f"{name} {{instance + 1}}" if several else f"the {name}"
+    literal = "f" if several else ""
     return ReaderView(
-        component=component.name,
+        component=name,
         instances=component.instances,
-        several=component.instances > 1,
+        several=several,
         gpio=channel.gpio,
         gpios=system.gpios(component, channel),
         pin=parameter_attribute(channel.pin.name) if channel.pin else None,
-        gpio_expression=parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio),
-        switch_expression=parameter_expression(switch, "parameters") if switch else None,
+        before=_lines_before(component, channel),
+        input="gpio" if has_variable else str(channel.gpio),
+        indent="    " if several else "",
+        at="[instance]" if several else "",
+        also=", instance" if several else "",
+        only="instance" if several else "",
+        zeros=f"[0] * {component.instances}" if several else "0",
+        nones=f"[None] * {component.instances}" if several else "None",
+        absent=f'{literal}"warning: no ADC for {title} on GPIO'
+        + ('", gpio, ":"' if has_variable else f' {channel.gpio}:"'),
+        failed=f'{literal}"error: {title}\'s ADC"',
         shift=16 - channel.bits,
         spare_bits=12 - channel.bits,
         full_scale=channel.full_scale,
@@ -117,12 +156,16 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
     )
 
 
-def _imports(links: tuple[LinkView, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """What the module imports to open its links: the names of each module."""
-    modules = sorted({link.module for link in links})
-    return tuple(
-        (module, tuple(sorted({each.function for each in links if each.module == module}))) for module in modules
-    )
+def _lines_before(component: Component, channel: AdcChannel) -> tuple[str, ...]:
+    """What finds the pin of the component, or of each instance in turn; nothing where the pin is a number."""
+    gpio = parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio)
+    if component.instances == 1:
+        return (f"gpio = {gpio}",) if channel.pin else ()
+    lines = [f"for instance in range({component.instances}):", f"    gpio = {gpio}"]
+    if switch := _switch(component):
+        off = f"    if {parameter_expression(switch, 'parameters')} == 0:"
+        lines[1:1] = [off, "        continue  # its pin may be somebody else's"]
+    return tuple(lines)
 
 
 def _link(link: BoardLink) -> LinkView:
