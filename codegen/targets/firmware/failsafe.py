@@ -3,10 +3,10 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.program import Failsafe, Program
+from codegen.model.program import Failsafe, FailsafeLevel, Program
 from codegen.model.vehicle import Parameter, Quantity
-from codegen.targets.families import FamilyView, family_view
-from codegen.targets.naming import failsafe_class, parameter_attribute, parameter_expression
+from codegen.targets.families import family_lines
+from codegen.targets.naming import failsafe_class, parameter_attribute, parameter_expression, quoted
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,10 @@ class LevelView:
 
 @dataclass(frozen=True, slots=True)
 class FailsafeView:
-    """A failsafe of one component, for each of its ``instances``; ``divisor`` steps are one unit."""
+    """A failsafe of one component, for each of its ``instances``; ``divisor`` steps are one unit.
+
+    ``called`` is the literal of what texts call it, ``title`` the same without the number of the instance.
+    """
 
     component: str
     instances: int
@@ -43,11 +46,13 @@ class FailsafeView:
     uses_instance: bool
     class_name: str
     title: str
+    called: str
     quantity: str
     attribute: str
     unit: str
     divisor: int
-    levels: tuple[LevelView, ...]
+    low: LevelView
+    critical: LevelView
     after: str
     after_attribute: str
     after_name: str
@@ -61,6 +66,11 @@ class FailsafeView:
     enabled: str | None
     citation: str
 
+    @property
+    def levels(self) -> tuple[LevelView, LevelView]:
+        """Both levels, the lower one first."""
+        return self.low, self.critical
+
 
 _INSTANCE = "self._instance"
 
@@ -71,10 +81,11 @@ def parameters_of(failsafe: Failsafe) -> tuple[Parameter, ...]:
     return (*levels, failsafe.after, *([failsafe.minimum_to_arm] if failsafe.minimum_to_arm else []))
 
 
-def failsafe_families(program: Program) -> tuple[FamilyView, ...]:
-    """The families of parameters that the failsafes read, once each."""
+def failsafe_families(program: Program) -> tuple[str, ...]:
+    """The families of parameters that the failsafes read, once each, as lines with an empty one before them."""
     used = {parameter.name: parameter for failsafe in program.failsafes for parameter in parameters_of(failsafe)}
-    return tuple(family_view(parameter) for parameter in used.values() if parameter.siblings)
+    lines = family_lines(parameter for parameter in used.values() if parameter.siblings)
+    return ("", *lines) if lines else ()
 
 
 def failsafe_views(program: Program) -> tuple[FailsafeView, ...]:
@@ -84,31 +95,21 @@ def failsafe_views(program: Program) -> tuple[FailsafeView, ...]:
 
 def _failsafe(failsafe: Failsafe) -> FailsafeView:
     component, quantity = failsafe.component, failsafe.quantity
-    levels = (("low", 1, failsafe.low), ("critical", 2, failsafe.critical))
+    title, several = component.name.replace("_", " ").capitalize(), component.instances > 1
     return FailsafeView(
         component=component.name,
         instances=component.instances,
-        several=component.instances > 1,
+        several=several,
         uses_instance=any(parameter.siblings for parameter in parameters_of(failsafe)),
         class_name=failsafe_class(component.name),
-        title=component.name.replace("_", " ").capitalize(),
+        title=title,
+        called=f'f"{title} {{instance + 1}}"' if several else quoted(f"{title} 1"),
         quantity=quantity.name,
         attribute=quantity.attribute,
         unit=quantity.unit.name,
         divisor=int(quantity.steps),
-        levels=tuple(
-            LevelView(
-                name=name,
-                number=number,
-                below=_threshold(level.below, quantity),
-                names=tuple(map(parameter_attribute, level.below.siblings)),
-                action=parameter_expression(level.action, "self._parameters", _INSTANCE),
-                action_attribute=parameter_attribute(level.action.name),
-                actions=tuple(map(parameter_attribute, level.action.siblings)),
-                citation=str(level.citation or failsafe.citation),
-            )
-            for name, number, level in levels
-        ),
+        low=_level("low", 1, failsafe.low, failsafe),
+        critical=_level("critical", 2, failsafe.critical, failsafe),
         after=parameter_expression(failsafe.after, "self._parameters", _INSTANCE),
         after_attribute=parameter_attribute(failsafe.after.name),
         after_name=failsafe.after.name,
@@ -121,6 +122,19 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
         used=failsafe.used.attribute if failsafe.used else None,
         enabled=component.enabled.name if component.enabled else None,
         citation=str(failsafe.citation),
+    )
+
+
+def _level(name: str, number: int, level: FailsafeLevel, failsafe: Failsafe) -> LevelView:
+    return LevelView(
+        name=name,
+        number=number,
+        below=_threshold(level.below, failsafe.quantity),
+        names=tuple(map(parameter_attribute, level.below.siblings)),
+        action=parameter_expression(level.action, "self._parameters", _INSTANCE),
+        action_attribute=parameter_attribute(level.action.name),
+        actions=tuple(map(parameter_attribute, level.action.siblings)),
+        citation=str(level.citation or failsafe.citation),
     )
 
 

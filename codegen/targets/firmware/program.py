@@ -5,7 +5,6 @@ from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
-from codegen.targets.families import FamilyView
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
 from codegen.targets.naming import parameter_attribute, prose
 
@@ -56,7 +55,7 @@ class ProgramView:
     system_parameter: str | None
     component_parameter: str | None
     failsafes: tuple[FailsafeView, ...]
-    families: tuple[FamilyView, ...]
+    families: tuple[str, ...]
     actions: tuple[ActionView, ...]
     jobs: tuple[JobView, ...]
     has_ports: bool
