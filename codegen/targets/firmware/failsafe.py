@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.program import Failsafe, FailsafeLevel, Program
-from codegen.model.vehicle import Parameter, Quantity
+from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.targets.families import family_lines
 from codegen.targets.naming import failsafe_class, parameter_attribute, parameter_expression, quoted
 
@@ -37,7 +37,8 @@ class LevelView:
 class FailsafeView:
     """A failsafe of one component, for each of its ``instances``; ``divisor`` steps are one unit.
 
-    ``called`` is the literal of what texts call it, ``title`` the same without the number of the instance.
+    ``called`` is the literal of what texts call it, ``title`` the same without the number of the instance; ``objects``
+    is what makes the vehicle's list of them.
     """
 
     component: str
@@ -45,6 +46,7 @@ class FailsafeView:
     several: bool
     uses_instance: bool
     class_name: str
+    objects: str
     title: str
     called: str
     quantity: str
@@ -102,6 +104,7 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
         several=several,
         uses_instance=any(parameter.siblings for parameter in parameters_of(failsafe)),
         class_name=failsafe_class(component.name),
+        objects=_objects(component),
         title=title,
         called=f'f"{title} {{instance + 1}}"' if several else quoted(f"{title} 1"),
         quantity=quantity.name,
@@ -123,6 +126,13 @@ def _failsafe(failsafe: Failsafe) -> FailsafeView:
         enabled=component.enabled.name if component.enabled else None,
         citation=str(failsafe.citation),
     )
+
+
+def _objects(component: Component) -> str:
+    name = failsafe_class(component.name)
+    if component.instances == 1:
+        return f"{name}(self.state, self.texts)"
+    return f"{name}(self.state, self.texts, instance) for instance in range({component.instances})"
 
 
 def _level(name: str, number: int, level: FailsafeLevel, failsafe: Failsafe) -> LevelView:

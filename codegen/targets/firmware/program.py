@@ -6,6 +6,7 @@ from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
+from codegen.targets.imports import import_lines
 from codegen.targets.naming import parameter_attribute, prose
 
 
@@ -21,13 +22,26 @@ class ActionView:
 
 
 @dataclass(frozen=True, slots=True)
+class CallView:
+    """A method that the main loop calls every ``period_us``, under which name, and what asks for it."""
+
+    period_us: int
+    method: str
+    name: str
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class JobView:
-    """A component that is measured, in which period, with its failsafe, if it has one."""
+    """A component that is measured, in which period, with its failsafe, if it has one.
+
+    ``afterwards`` are the statements behind those that read it.
+    """
 
     component: str
     period_us: int
-    citation: str
     failsafe: FailsafeView | None
+    afterwards: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,8 +49,10 @@ class ProgramView:
     """What the templates of the program need to know. Periods are in us or ms as their names say.
 
     ``force`` is None where nothing can be armed, ``measure_us`` where the user's code is not asked to measure.
+    ``order`` are the parts of a pass, ``calls`` those with a period of their own.
     """
 
+    imports: tuple[str, ...]
     control_us: int
     control_hz: str
     links_us: int
@@ -46,7 +62,6 @@ class ProgramView:
     files: tuple[str, ...]
     chunk: int
     force: int | None
-    has_load: bool
     measure_us: int | None
     measure_hz: str
     module: str
@@ -57,6 +72,8 @@ class ProgramView:
     failsafes: tuple[FailsafeView, ...]
     families: tuple[str, ...]
     actions: tuple[ActionView, ...]
+    order: tuple[str, ...]
+    calls: tuple[CallView, ...]
     jobs: tuple[JobView, ...]
     has_ports: bool
     has_usb: bool
@@ -66,8 +83,10 @@ class ProgramView:
 def program_view(system: System, program: Program) -> ProgramView:
     """The view of the whole program."""
     failsafes = failsafe_views(program)
-    watched = {failsafe.component: failsafe for failsafe in failsafes}
+    jobs = _jobs(system, program, failsafes)
+    can_arm = program.spec.arming is not None
     return ProgramView(
+        imports=_imports(system, program, failsafes),
         control_us=program.control_us,
         control_hz=program.spec.control.rate,
         links_us=program.links_us,
@@ -77,7 +96,6 @@ def program_view(system: System, program: Program) -> ProgramView:
         files=program.spec.storage.files,
         chunk=program.spec.storage.chunk,
         force=program.spec.arming.force if program.spec.arming else None,
-        has_load=program.spec.arming is not None or _has_load(system),
         measure_us=program.measure_us,
         measure_hz=(program.spec.code.measure or "") if program.spec.code else "",
         module=program.module,
@@ -88,21 +106,76 @@ def program_view(system: System, program: Program) -> ProgramView:
         failsafes=failsafes,
         families=failsafe_families(program),
         actions=tuple(_action(action) for action in program.actions),
-        jobs=tuple(
-            JobView(
-                component=name,
-                period_us=(system.components[name].period_ms or 100) * 1000,
-                citation=str(system.components[name].citation or ""),
-                failsafe=watched.get(name),
-            )
-            for name, _, _ in system.measured()
-        ),
+        order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
+        calls=_calls(system, program, jobs),
+        jobs=jobs,
         has_ports=bool(system.links),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
-        cited={
-            name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services", "measure")
-        },
+        cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
+
+
+def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
+    modules = ["asyncio", "gc", "machine", "time", *(["dialect"] if program.spec.arming else [])]
+    names = [
+        ("board", "Board"),
+        ("connection", "Connection"),
+        *(("failsafe", failsafe.class_name) for failsafe in failsafes),
+        ("guard", "Guard"),
+        ("parameters", "Parameters"),
+        ("scheduler", "Scheduler"),
+        ("services", "receivable"),
+        ("state", "SystemState"),
+        ("storage", "Storage"),
+        ("streams", "Streams"),
+        ("streams", "open_link"),
+        *([] if system.system_parameter else [("streams", "SYSTEM_ID")]),
+        ("texts", "Texts"),
+    ]
+    return import_lines(modules, names)
+
+
+def _jobs(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[JobView, ...]:
+    watched = {failsafe.component: failsafe for failsafe in failsafes}
+    names = [name for name, _, _ in system.measured()]
+    return tuple(
+        JobView(
+            component=name,
+            period_us=(system.components[name].period_ms or 100) * 1000,
+            failsafe=watched.get(name),
+            afterwards=(
+                *([f"self._check_{name}(time.ticks_ms())"] if name in watched else []),
+                *(_after_readings(system, program) if name == names[-1] else []),
+            ),
+        )
+        for name in names
+    )
+
+
+def _after_readings(system: System, program: Program) -> tuple[str, ...]:
+    """What the vehicle tells about itself as soon as everything is read."""
+    can_arm = program.spec.arming is not None
+    ready = (
+        "self.state.vehicle.ready = False  # a check that fails does not leave an old answer",
+        "self.state.vehicle.ready = self._is_ready()",
+    )
+    load = "self.state.vehicle.load_dpct = self.scheduler.load"
+    return (*(ready if can_arm else ()), *([load] if can_arm or _has_load(system) else []))
+
+
+def _calls(system: System, program: Program, jobs: tuple[JobView, ...]) -> tuple[CallView, ...]:
+    """The user's code first, then each component that is measured."""
+    measure = CallView(program.measure_us or 0, "measure", "measure", str(program.cited.get("measure", "")))
+    readings = [
+        CallView(
+            job.period_us,
+            f"_watch_{job.component}",
+            job.component,
+            str(system.components[job.component].citation or ""),
+        )
+        for job in jobs
+    ]
+    return (*([measure] if program.measure_us else []), *readings)
 
 
 def _attribute(parameter: Parameter | None) -> str | None:

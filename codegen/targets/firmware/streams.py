@@ -15,14 +15,15 @@ from codegen.targets.naming import builder_name, instance_expression, parameter_
 class SentView:
     """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true.
 
-    ``identifier`` is its name within those of functions; ``call`` builds it, for an ``instance`` of several and a
-    ``page`` of several. ``never`` is for the generation that was not chosen for good.
+    ``identifier`` is its name within those of functions; ``sending`` are the statements that send all instances and
+    pages, ``announcing`` those for one. ``never`` is for the generation that was not chosen for good.
     """
 
     id: int
     name: str
     identifier: str
-    call: str
+    sending: str
+    announcing: str
     instances: int
     pages: int
     component: str | None
@@ -32,12 +33,17 @@ class SentView:
 
 @dataclass(frozen=True, slots=True)
 class WatchView:
-    """A quantity whose change announces messages, with their places; its last values are kept from ``first`` on."""
+    """A quantity whose change announces messages, with their places; ``place`` is where its last value is kept.
+
+    Of several instances ``place`` and ``instance`` are expressions of the loop over them, to which ``indent`` belongs.
+    """
 
     path: str
     instances: int
     expression: str
-    first: int
+    indent: str
+    place: str
+    instance: str
     messages: tuple[tuple[int, str], ...]
     citation: str
 
@@ -86,22 +92,31 @@ class StreamView:
 
 @dataclass(frozen=True, slots=True)
 class PeriodView:
-    """Streams of one rate, which ``stream`` has; ``condition`` is what their indexes are, behind their variable."""
+    """Streams of one rate; ``condition`` is what their indexes are, behind their variable.
 
-    stream: StreamView
+    The period in ms is ``numerator / denominator``, which are expressions.
+    """
+
+    numerator: str
+    denominator: str
     condition: str
     comment: str
 
 
 @dataclass(frozen=True, slots=True)
 class StreamsView:
-    """The module: who the vehicle is on the link, its streams and its messages, with a literal for each table."""
+    """The module: who the vehicle is on the link, its streams and its messages, with a literal for each table.
+
+    ``component`` is the name of a link's component id. ``chosen`` are the bits of the generations that parameters
+    choose, below the lines of ``choosing``; ``or_not_chosen`` goes behind another reason not to stream a message.
+    """
 
     system_id: int
     system_parameter: str
     component_id: int
     component_name: str
     component_parameter: str
+    component: str
     version: int
     longest: int
     streams: tuple[StreamView, ...]
@@ -115,7 +130,8 @@ class StreamsView:
     fastest_hz: str
     generation_of: str
     chosen: str
-    chosen_comments: tuple[str, ...]
+    choosing: tuple[str, ...]
+    or_not_chosen: str
     announced: AnnouncementView | None
     has_program: bool
 
@@ -136,6 +152,7 @@ def streams_view(system: System) -> StreamsView:
         component_id=system.component_id,
         component_name=project.component_id,
         component_parameter=system.component_parameter.name if system.component_parameter else "",
+        component="component_id" if system.component_parameter else "COMPONENT_ID",
         version=project.protocol,
         longest=max((wire.length for wire in system.sent), default=1),
         streams=streams,
@@ -149,7 +166,8 @@ def streams_view(system: System) -> StreamsView:
         fastest_hz=_tuple([stream.fastest_hz for stream in streams]),
         generation_of=_generation_of(messages, system) if system.generations else "",
         chosen=_chosen(system),
-        chosen_comments=_chosen_comments(system),
+        choosing=_choosing_lines(system),
+        or_not_chosen=" or not self._is_chosen(index)" if system.generations else "",
         announced=_announcements(messages, system),
         has_program=system.program is not None,
     )
@@ -168,8 +186,11 @@ def _period(group: list[StreamView]) -> PeriodView:
     first, indexes = group[0], ", ".join(str(each.index) for each in group)
     names = ", ".join([*(each.name for each in group[:-1]), group[-1].comment])
     cited = ", ".join(sorted({each.citation for each in group if each.citation}))
+    times = f" * {first.numerator}" if first.numerator != 1 else ""
+    steps = f"self._state.parameters.{first.parameter}{times}"
     return PeriodView(
-        stream=first,
+        numerator=str(1000 * first.denominator if first.parameter else first.period_numerator),
+        denominator=steps if first.parameter else str(first.period_denominator),
         condition=f"== {first.index}" if len(group) == 1 else f"in ({indexes})",
         comment=f"{names} ({cited})" if cited else names,
     )
@@ -204,12 +225,14 @@ def _chosen(system: System) -> str:
     return f"({' | '.join(terms)})" if len(terms) > 1 else "".join(terms)
 
 
-def _chosen_comments(system: System) -> tuple[str, ...]:
-    return tuple(
-        f"{generations.parameter.name if generations.parameter else ''} is 0 for the old ones, 1 for the new ones, "
+def _choosing_lines(system: System) -> tuple[str, ...]:
+    """What stands above the bits that the parameters choose; nothing where none does."""
+    comments = [
+        f"# {generations.parameter.name if generations.parameter else ''} is 0 for the old ones, 1 for the new ones, "
         f"2 for both{f' ({generations.citation})' if generations.citation else ''}"
         for generations in _choosing(system)
-    )
+    ]
+    return ("parameters = self._state.parameters", *comments) if comments else ()
 
 
 def _announcements(messages: tuple[SentView, ...], system: System) -> AnnouncementView | None:
@@ -245,13 +268,16 @@ def _watches(
     }
     for path, quantity in changes.items():
         component = system.components[quantity.component]
+        several, first = component.instances > 1, len(seen)
         messages = [(place, view.name) for place, view in announced if populated[view.name].on_change is quantity]
         watches.append(
             WatchView(
                 path=path,
                 instances=component.instances,
                 expression=f"{instance_expression(component, is_for_each=True)}.{quantity.attribute}",
-                first=len(seen),
+                indent="    " if several else "",
+                place=f"{f'{first} + ' if first else ''}instance" if several else str(first),
+                instance="instance" if several else "0",
                 messages=tuple(messages),
                 citation=str(populated[messages[0][1]].citation),
             )
@@ -310,14 +336,27 @@ def _sent(message: PopulatedMessage, system: System) -> SentView:
     arguments = ["state"] + ["instance"] * (message.instances > 1)
     if message.pages > 1:
         arguments.append("page" if message.instances > 1 else "page=page")
+    send = f"link.send(telemetry.{builder_name(message)}({', '.join(arguments)}))"
+    is_measured = [f"if {enabled}:"] if enabled else []
+    each = [
+        *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
+        *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
+        *([f"for page in range({message.pages}):"] if message.pages > 1 else []),
+    ]
     return SentView(
         id=message.wire.id,
         name=message.name,
         identifier=message.name.lower(),
-        call=f"telemetry.{builder_name(message)}({', '.join(arguments)})",
+        sending=_nested(*each, send),
+        announcing=_nested(*is_measured, send),
         instances=message.instances,
         pages=message.pages,
         component=component.name if component else None,
         never=_generation_bits(message.name, system) == 0,
         enabled=enabled,
     )
+
+
+def _nested(*statements: str) -> str:
+    """The body of a function in which each statement is the body of the one before it."""
+    return "\n".join(f"{'    ' * depth}{statement}" for depth, statement in enumerate(statements, 1))
