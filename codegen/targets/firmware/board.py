@@ -17,13 +17,13 @@ class ReaderView:
     """The ADC channel of one component: ``shift`` turns the 16 bits of read_u16() into counts.
 
     ``spare_bits`` are the bits of the 12 bit converter that a count leaves out, ``pin`` is the attribute of the
-    parameter that has the pin. ``before`` are the lines that find the pin, ``input``, which is set up at ``indent``
-    below them. ``at``, ``also`` and ``only`` are what the code about one of several instances has in addition: an
-    index, a further argument, an only one. ``absent`` and ``failed`` are what is logged, as arguments.
+    parameter that has the pin. ``before`` are the lines that find ``input``, the number of the pin, and ``indent`` is
+    how deep within them it is set up. Of several instances ``at`` is the index, ``also`` a further argument and
+    ``only`` the one argument with which their code names one, else "". ``zeros`` and ``nones`` are the first values,
+    for each of them; ``absent`` and ``failed`` are arguments of what is logged.
     """
 
     component: str
-    instances: int
     several: bool
     gpio: int
     gpios: tuple[int, ...]
@@ -129,7 +129,6 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
     literal = "f" if several else ""
     return ReaderView(
         component=name,
-        instances=component.instances,
         several=several,
         gpio=channel.gpio,
         gpios=system.gpios(component, channel),
