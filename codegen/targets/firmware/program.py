@@ -12,13 +12,14 @@ from codegen.targets.naming import parameter_attribute, prose
 
 @dataclass(frozen=True, slots=True)
 class ActionView:
-    """A call of the vehicle that a failsafe makes."""
+    """A call of the vehicle that a failsafe makes, and the statements that it takes to make it."""
 
     value: int
     call: str
     doc: str
     mode: int | None
     disarm: bool
+    statements: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +190,23 @@ def _has_load(system: System) -> bool:
 
 
 def _action(action: ActionSpec) -> ActionView:
-    return ActionView(action.value, action.call, prose(action.doc), action.mode, action.disarm)
+    return ActionView(
+        value=action.value,
+        call=action.call,
+        doc=prose(action.doc),
+        mode=action.mode,
+        disarm=action.disarm,
+        statements=_statements(action),
+    )
+
+
+def _statements(action: ActionSpec) -> tuple[str, ...]:
+    call = f"self.{action.call}()"
+    mode = [] if action.mode is None else [f"self.state.vehicle.mode_number = {action.mode}"]
+    if not action.disarm:
+        return (*mode, call)
+    comment = "a fault in the user's code does not keep the motors turning"
+    return (*mode, "try:", f"    {call}", f"finally:  # {comment}", "    self.disarm(force=True)")
 
 
 def dialect_text(program: Program) -> str:
