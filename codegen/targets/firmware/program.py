@@ -1,4 +1,4 @@
-"""View of vehicle.py, and of the modules around it: the main loop, the storage and what failsafes do."""
+"""View of vehicle.py, and of the modules around it: the program as a whole, the storage and what failsafes do."""
 
 from codegen.frozen import dataclass
 from codegen.model.program import LinkKind, Program
@@ -6,6 +6,7 @@ from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
+from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.imports import import_lines
 from codegen.targets.naming import parameter_attribute, prose
 
@@ -20,29 +21,6 @@ class ActionView:
     mode: int | None
     disarm: bool
     statements: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class CallView:
-    """A method that the main loop calls every ``period_us``, under which name, and what asks for it."""
-
-    period_us: int
-    method: str
-    name: str
-    citation: str
-
-
-@dataclass(frozen=True, slots=True)
-class JobView:
-    """A component that is measured, in which period, with its failsafe, if it has one.
-
-    ``afterwards`` are the statements behind those that read it.
-    """
-
-    component: str
-    period_us: int
-    failsafe: FailsafeView | None
-    afterwards: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +62,7 @@ class ProgramView:
 def program_view(system: System, program: Program) -> ProgramView:
     """The view of the whole program."""
     failsafes = failsafe_views(program)
-    jobs = _jobs(system, program, failsafes)
+    jobs = job_views(system, program, failsafes)
     can_arm = program.spec.arming is not None
     return ProgramView(
         imports=_imports(system, program, failsafes),
@@ -108,7 +86,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         families=failsafe_families(program),
         actions=tuple(_action(action) for action in program.actions),
         order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
-        calls=_calls(system, program, jobs),
+        calls=call_views(system, program, jobs),
         jobs=jobs,
         has_ports=bool(system.links),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
@@ -136,57 +114,8 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
     return import_lines(modules, names)
 
 
-def _jobs(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[JobView, ...]:
-    watched = {failsafe.component: failsafe for failsafe in failsafes}
-    names = [name for name, _, _ in system.measured()]
-    return tuple(
-        JobView(
-            component=name,
-            period_us=(system.components[name].period_ms or 100) * 1000,
-            failsafe=watched.get(name),
-            afterwards=(
-                *([f"self._check_{name}(time.ticks_ms())"] if name in watched else []),
-                *(_after_readings(system, program) if name == names[-1] else []),
-            ),
-        )
-        for name in names
-    )
-
-
-def _after_readings(system: System, program: Program) -> tuple[str, ...]:
-    """What the vehicle tells about itself as soon as everything is read."""
-    can_arm = program.spec.arming is not None
-    ready = (
-        "self.state.vehicle.ready = False  # a check that fails does not leave an old answer",
-        "self.state.vehicle.ready = self._is_ready()",
-    )
-    load = "self.state.vehicle.load_dpct = self.scheduler.load"
-    return (*(ready if can_arm else ()), *([load] if can_arm or _has_load(system) else []))
-
-
-def _calls(system: System, program: Program, jobs: tuple[JobView, ...]) -> tuple[CallView, ...]:
-    """The user's code first, then each component that is measured."""
-    measure = CallView(program.measure_us or 0, "measure", "measure", str(program.cited.get("measure", "")))
-    readings = [
-        CallView(
-            job.period_us,
-            f"_watch_{job.component}",
-            job.component,
-            str(system.components[job.component].citation or ""),
-        )
-        for job in jobs
-    ]
-    return (*([measure] if program.measure_us else []), *readings)
-
-
 def _attribute(parameter: Parameter | None) -> str | None:
     return parameter_attribute(parameter.name) if parameter else None
-
-
-def _has_load(system: System) -> bool:
-    """Whether the state asks for the load of the main loop, in the form in which the program tells it."""
-    load = system.quantity("vehicle.load")
-    return load is not None and load.attribute == "load_dpct" and system.components["vehicle"].instances == 1
 
 
 def _action(action: ActionSpec) -> ActionView:
