@@ -29,11 +29,24 @@ def import_lines(modules: Iterable[str] = (), names: Iterable[tuple[str, str]] =
     return tuple("\n\n".join("\n".join(group) for group in groups if group).split("\n"))
 
 
-def _from(module: str, names: list[str]) -> list[str]:
+def _from(module: str, names: list[str], indent: int = 0) -> list[str]:
     line = f"from {module} import {', '.join(names)}"
-    if len(line) <= LINE_LENGTH:
+    if indent + len(line) <= LINE_LENGTH:
         return [line]
     return [f"from {module} import (", *(f"    {name}," for name in names), ")"]
+
+
+def either_import(name: str, names: list[str], *, machine_code: bool) -> tuple[str, ...]:
+    """The import of a module in the fastest form that an interpreter runs: ``name_viper``, or else ``name_plain``."""
+    plain = _from(f"{name}_plain", names)
+    if not machine_code:
+        return tuple(plain)
+    return (
+        "try:",
+        *(f"    {line}" for line in _from(f"{name}_viper", names, indent=4)),
+        "except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames",
+        *(f"    {line}" for line in _from(f"{name}_plain", names, indent=4)),
+    )
 
 
 def in_brackets(before: str, inside: str, after: str) -> str:

@@ -1,7 +1,6 @@
 """Views of what the main loop calls: the user's code, and each component that is measured."""
 
-from dataclasses import dataclass
-
+from codegen.frozen import dataclass
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.firmware.failsafe import FailsafeView

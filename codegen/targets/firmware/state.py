@@ -10,7 +10,7 @@ from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, expires
 from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ, measured_of
-from codegen.targets.imports import import_lines
+from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
 
@@ -103,8 +103,7 @@ class StateView:
     """The module: what it imports, the constants of its words, and the components in order."""
 
     imports: tuple[str, ...]
-    readings: tuple[str, ...]
-    machine_code: bool
+    reading_imports: tuple[str, ...]
     constants: tuple[ConstantView, ...]
     size: int
     components: tuple[ComponentView, ...]
@@ -136,10 +135,10 @@ def state_view(system: System, layout: Layout) -> StateView:
     ]
     readings = [f"{verb}_{component.name}" for component in measured for verb in ("read", "take")]
     readings += [f"expire_{component.name}" for component in measured if component.expires]
+    machine_code = system.spec.project.machine_code
     return StateView(
         imports=import_lines(["time"] if measured else [], names),
-        readings=tuple(sorted(readings)),
-        machine_code=system.spec.project.machine_code,
+        reading_imports=either_import("state", sorted(readings), machine_code=machine_code) if readings else (),
         constants=tuple(constants),
         size=layout.size,
         components=components,

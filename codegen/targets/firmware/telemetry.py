@@ -5,7 +5,7 @@ from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.targets.firmware.message_function import FunctionsView, FunctionView, chosen
 from codegen.targets.firmware.reading import expires
 from codegen.targets.firmware.words import ConstantView, Layout
-from codegen.targets.imports import import_lines, in_brackets, order
+from codegen.targets.imports import either_import, import_lines, in_brackets, order
 from codegen.targets.naming import builder_name, class_names, encoder_name, parameter_attribute
 
 
@@ -60,10 +60,9 @@ class TelemetryView:
     """The module: the builders in order of message id, and the constants of the words that choices read."""
 
     imports: tuple[str, ...]
-    functions: tuple[str, ...]
+    write_imports: tuple[str, ...]
     builders: tuple[BuilderView, ...]
     constants: tuple[ConstantView, ...]
-    machine_code: bool
 
 
 def telemetry_view(system: System, functions: FunctionsView, layout: Layout) -> TelemetryView:
@@ -85,7 +84,11 @@ def telemetry_view(system: System, functions: FunctionsView, layout: Layout) -> 
         names.add(("micropython", "const"))
     return TelemetryView(
         imports=import_lines(["messages", "time"], names),
-        functions=tuple(sorted({*factories, *framed, *(builder.write for builder in builders)}, key=order)),
+        write_imports=either_import(
+            "telemetry",
+            sorted({*factories, *framed, *(builder.write for builder in builders)}, key=order),
+            machine_code=system.spec.project.machine_code,
+        ),
         builders=builders,
         constants=tuple(
             constant
@@ -93,7 +96,6 @@ def telemetry_view(system: System, functions: FunctionsView, layout: Layout) -> 
             if component in words
             for constant in layout.constants(component, words[component], in_array=True)
         ),
-        machine_code=system.spec.project.machine_code,
     )
 
 
