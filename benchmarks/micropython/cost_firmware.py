@@ -84,18 +84,12 @@ def frame_of(name):
     length = 12 + build(state).LENGTH
 
     def make_frames(rounds):
-        encode = link.encode
-        for _ in range(rounds):
-            encode(build(state))
-        return length
-
-    def make_frames_at_once(rounds):
         encode = getattr(telemetry, "encode_" + name)
         for _ in range(rounds):
             encode(link, state)
         return length
 
-    return make_frames_at_once if hasattr(telemetry, "encode_" + name) else make_frames
+    return make_frames
 
 
 battery.temperature = 23.45

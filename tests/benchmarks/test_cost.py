@@ -39,6 +39,14 @@ def test_instructions_are_not_more_than_stored(script: str, tmp_path: Path) -> N
     pytest.fail("\n".join([*more, f"stored with MicroPython {results.read_versions()['MicroPython']}"]))
 
 
+@pytest.mark.requirement("FR-00068.11")
+@pytest.mark.parametrize("key", ["battery_status", "sys_status", "v2", "cells"])
+def test_message_takes_less_than_100_us_by_the_prediction(key: str) -> None:
+    """The stored instructions, which the count above may exceed a little, at the most cycles that each takes."""
+    _, most = cost.cycles(MORE * STORED[key].value)
+    assert most / cost.MEGAHERTZ < 100
+
+
 def test_a_figure_that_could_not_be_counted_says_why(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Without valgrind nothing is guessed and nothing is taken as counted."""
     monkeypatch.setattr(cost.shutil, "which", lambda _name: None)
