@@ -42,12 +42,11 @@ def sample():
 
 def frames(first, count):
     """Make `count` frames; the charge counts on from `first`. Return the last frame."""
-    encode = link.encode
-    build = telemetry.build_battery_status
+    encode = telemetry.encode_battery_status
     frame = None
     for consumed in range(first, first + count):
         battery.consumed_mah = consumed
-        frame = encode(build(state))
+        frame = encode(link, state)
     return frame
 
 
