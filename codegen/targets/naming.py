@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from codegen.model.system import PopulatedMessage
-    from codegen.model.vehicle import Component, Parameter
+    from codegen.model.vehicle import Parameter
 
 
 def class_name(message: str) -> str:
@@ -72,13 +72,6 @@ def parameter_expression(parameter: "Parameter", parameters: str, instance: str 
     if parameter.siblings:
         return f"getattr({parameters}, {family_constant(parameter)}[{instance}])"
     return f"{parameters}.{parameter_attribute(parameter.name)}"
-
-
-def instance_expression(component: "Component", is_for_each: bool) -> str:
-    """How a builder reaches the component of its message: ``state.battery``, or one of a list of several."""
-    if component.instances == 1:
-        return f"state.{component.name}"
-    return f"state.{component.name}[{'instance' if is_for_each else 0}]"
 
 
 def quoted(text: str) -> str:

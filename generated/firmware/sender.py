@@ -1,5 +1,5 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: 052f34645b63a1b2
+# Inputs: cd4576bd32f05272
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
 from frames import encoder
@@ -72,7 +72,10 @@ class Sender:
         Less than the frame, None or an OSError is no reason to stop the vehicle: it counts as one of `tx_errors`.
         The sequence number goes on all the same, so that the receiver notices the loss.
         """
-        frame = self.encode(message)
+        return self.send_frame(self.encode(message))
+
+    def send_frame(self, frame):
+        """Write a frame that was made for this sender just now, as send() does with a message's."""
         written = self._write(frame)
         at = self._sequence_at
         self._frame[at] = (self._frame[at] + 1) & 0xFF

@@ -33,6 +33,10 @@ _GENERATIONS = (3, 3, 1, 2, 1, 2, 3, 3, 3)
 _DATA_STREAMS = (None, 2, 10, 12, None)
 _FASTEST_HZ = (50, 50, 50, 50, 1)
 
+# Where the state has, by instance, whether it is measured, and what is watched for changes.
+_BATTERY_MONITORED = (12, 79)
+_BATTERY_SWAPS_NUMBER = (11, 78)
+
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):
     """Return a link with the ids and the MAVLink version of this vehicle; `known` are the messages it receives."""
@@ -40,49 +44,49 @@ def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):
 
 
 def _send_heartbeat(state, link):
-    link.send(telemetry.build_heartbeat(state))
+    link.send_frame(telemetry.encode_heartbeat(link, state))
 
 
 def _send_sys_status(state, link):
-    link.send(telemetry.build_sys_status(state))
+    link.send_frame(telemetry.encode_sys_status(link, state))
 
 
 def _send_battery_status(state, link):
     for instance in range(2):
-        if state.battery[instance].monitored:  # what is not measured is not reported
-            link.send(telemetry.build_battery_status(state, instance))
+        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
+            link.send_frame(telemetry.encode_battery_status(link, state, instance))
 
 
 def _send_battery_status_v2(state, link):
     for instance in range(2):
-        if state.battery[instance].monitored:  # what is not measured is not reported
-            link.send(telemetry.build_battery_status_v2(state, instance))
+        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
+            link.send_frame(telemetry.encode_battery_status_v2(link, state, instance))
 
 
 def _send_smart_battery_info(state, link):
     for instance in range(2):
-        if state.battery[instance].monitored:  # what is not measured is not reported
-            link.send(telemetry.build_smart_battery_info(state, instance))
+        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
+            link.send_frame(telemetry.encode_smart_battery_info(link, state, instance))
 
 
 def _send_battery_info(state, link):
     for instance in range(2):
-        if state.battery[instance].monitored:  # what is not measured is not reported
-            link.send(telemetry.build_battery_info(state, instance))
+        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
+            link.send_frame(telemetry.encode_battery_info(link, state, instance))
 
 
 def _send_autopilot_version(state, link):
-    link.send(telemetry.build_autopilot_version(state))
+    link.send_frame(telemetry.encode_autopilot_version(link, state))
 
 
 def _send_protocol_version(state, link):
-    link.send(telemetry.build_protocol_version(state))
+    link.send_frame(telemetry.encode_protocol_version(link, state))
 
 
 def _send_battery_cell_voltages(state, link):
     for instance in range(2):
-        if state.battery[instance].monitored:  # what is not measured is not reported
-            link.send(telemetry.build_battery_cell_voltages(state, instance))
+        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
+            link.send_frame(telemetry.encode_battery_cell_voltages(link, state, instance))
 
 
 _SENDERS = (
@@ -99,13 +103,13 @@ _SENDERS = (
 
 
 def _announce_smart_battery_info(state, link, instance, _page):
-    if state.battery[instance].monitored:
-        link.send(telemetry.build_smart_battery_info(state, instance))
+    if state.words[_BATTERY_MONITORED[instance]]:
+        link.send_frame(telemetry.encode_smart_battery_info(link, state, instance))
 
 
 def _announce_battery_info(state, link, instance, _page):
-    if state.battery[instance].monitored:
-        link.send(telemetry.build_battery_info(state, instance))
+    if state.words[_BATTERY_MONITORED[instance]]:
+        link.send_frame(telemetry.encode_battery_info(link, state, instance))
 
 
 # What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.
@@ -142,7 +146,7 @@ class Streams:
         self._numerator = 0
         self._denominator = 1
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
-        self._seen = [state.battery[0].swaps_number, state.battery[1].swaps_number]
+        self._seen = [state.words[_BATTERY_SWAPS_NUMBER[0]], state.words[_BATTERY_SWAPS_NUMBER[1]]]
         self.connect()
 
     def run(self, now_ms):
@@ -175,7 +179,7 @@ class Streams:
         state = self._state
         seen = self._seen
         for instance in range(2):  # battery.swaps
-            value = state.battery[instance].swaps_number
+            value = state.words[_BATTERY_SWAPS_NUMBER[instance]]
             if value != seen[instance]:
                 seen[instance] = value
                 self._await(4, instance)  # SMART_BATTERY_INFO

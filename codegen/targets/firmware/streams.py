@@ -1,14 +1,15 @@
 """View of streams.py: which messages go out at which rate."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Stream
-from codegen.targets.naming import builder_name, instance_expression, parameter_attribute
+from codegen.model.vehicle import Component, Quantity, Stream
+from codegen.targets.firmware.words import Layout, word_layout
+from codegen.targets.naming import encoder_name, parameter_attribute
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +135,7 @@ class StreamsView:
     or_not_chosen: str
     announced: AnnouncementView | None
     has_program: bool
+    places: tuple[str, ...]
 
 
 def streams_view(system: System) -> StreamsView:
@@ -170,6 +172,7 @@ def streams_view(system: System) -> StreamsView:
         or_not_chosen=" or not self._is_chosen(index)" if system.generations else "",
         announced=_announcements(messages, system),
         has_program=system.program is not None,
+        places=_places(system.messages, word_layout(system)),
     )
 
 
@@ -274,7 +277,7 @@ def _watches(
             WatchView(
                 path=path,
                 instances=component.instances,
-                expression=f"{instance_expression(component, is_for_each=True)}.{quantity.attribute}",
+                expression=_word(component, quantity),
                 indent="    " if several else "",
                 place=f"{f'{first} + ' if first else ''}instance" if several else str(first),
                 instance="instance" if several else "0",
@@ -282,12 +285,8 @@ def _watches(
                 citation=str(populated[messages[0][1]].citation),
             )
         )
-        parts = (
-            [component.name]
-            if component.instances == 1
-            else [f"{component.name}[{instance}]" for instance in range(component.instances)]
-        )
-        seen += [f"state.{part}.{quantity.attribute}" for part in parts]
+        word = _word(component, quantity)
+        seen += [word.replace("[instance]", f"[{instance}]") for instance in range(component.instances)]
     return tuple(watches), tuple(seen)
 
 
@@ -330,14 +329,15 @@ def _stream(index: int, stream: Stream, system: System) -> StreamView:
 
 def _sent(message: PopulatedMessage, system: System) -> SentView:
     component = message.component
-    enabled = None
+    enabled, is_measured = None, []
     if component is not None and component.enabled is not None:
-        enabled = f"{instance_expression(component, is_for_each=True)}.{component.enabled.name}"
+        of_each = "[instance]" if component.instances > 1 else ""
+        enabled = f"state.{component.name}{of_each}.{component.enabled.name}"
+        is_measured = [f"if {_word(component, component.enabled)}:"]
     arguments = ["state"] + ["instance"] * (message.instances > 1)
     if message.pages > 1:
         arguments.append("page" if message.instances > 1 else "page=page")
-    send = f"link.send(telemetry.{builder_name(message)}({', '.join(arguments)}))"
-    is_measured = [f"if {enabled}:"] if enabled else []
+    send = f"link.send_frame(telemetry.{encoder_name(message)}({', '.join(['link', *arguments])}))"
     each = [
         *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
         *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
@@ -355,6 +355,33 @@ def _sent(message: PopulatedMessage, system: System) -> SentView:
         never=_generation_bits(message.name, system) == 0,
         enabled=enabled,
     )
+
+
+def _place(component: Component, quantity: Quantity) -> str:
+    """The constant with the places of a quantity's words: a tuple by instance, or the only one's number."""
+    return f"_{component.name}_{quantity.attribute}".upper()
+
+
+def _word(component: Component, quantity: Quantity) -> str:
+    """What the state keeps of a quantity, of several instances that of ``instance``."""
+    place = _place(component, quantity)
+    return f"state.words[{place}[instance]]" if component.instances > 1 else f"state.words[{place}]"
+
+
+def _places(messages: Iterable[PopulatedMessage], layout: Layout) -> tuple[str, ...]:
+    """The constants with the places of the words that are read: whether an instance is measured, what is watched."""
+    lines: dict[str, str] = {}
+    for message in messages:
+        owner = layout.blocks[message.component.name].component if message.component else None
+        watched = message.on_change
+        read = [(owner, owner.enabled)] if owner and owner.enabled else []
+        if watched is not None:
+            read.append((layout.blocks[watched.component].component, watched))
+        for component, quantity in read:
+            found = layout.places(component.name, quantity.attribute)
+            name = _place(component, quantity)
+            lines[name] = f"{name} = {found if len(found) > 1 else found[0]}"
+    return tuple(lines.values())
 
 
 def _nested(*statements: str) -> str:

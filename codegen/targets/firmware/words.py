@@ -58,6 +58,11 @@ class Layout:
     blocks: Mapping[str, Block]
     size: int
 
+    def places(self, component: str, word: str) -> tuple[int, ...]:
+        """Where a word of each instance stands in the array."""
+        block = self.blocks[component]
+        return tuple(block.base + block.size * at + block.offsets[word] for at in range(block.component.instances))
+
     def constants(self, component: str, words: set[str], *, in_array: bool) -> tuple[ConstantView, ...]:
         """The constants with which a module reaches words of a component, in their order.
 

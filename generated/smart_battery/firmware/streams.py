@@ -34,6 +34,10 @@ _GENERATIONS = (3, 1, 2, 1, 2, 3, 3, 3)
 _DATA_STREAMS = (None, 10, 12, None)
 _FASTEST_HZ = (10, 10, 10, 1)
 
+# Where the state has, by instance, whether it is measured, and what is watched for changes.
+_BATTERY_MONITORED = 9
+_BATTERY_SWAPS_NUMBER = 8
+
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMPONENT_ID):
     """Return a link with the ids and the MAVLink version of this vehicle; `known` are the messages it receives."""
@@ -41,40 +45,40 @@ def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMP
 
 
 def _send_heartbeat(state, link):
-    link.send(telemetry.build_heartbeat(state))
+    link.send_frame(telemetry.encode_heartbeat(link, state))
 
 
 def _send_battery_status(state, link):
-    if state.battery.monitored:  # what is not measured is not reported
-        link.send(telemetry.build_battery_status(state))
+    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
+        link.send_frame(telemetry.encode_battery_status(link, state))
 
 
 def _send_battery_status_v2(state, link):
-    if state.battery.monitored:  # what is not measured is not reported
-        link.send(telemetry.build_battery_status_v2(state))
+    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
+        link.send_frame(telemetry.encode_battery_status_v2(link, state))
 
 
 def _send_smart_battery_info(state, link):
-    if state.battery.monitored:  # what is not measured is not reported
-        link.send(telemetry.build_smart_battery_info(state))
+    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
+        link.send_frame(telemetry.encode_smart_battery_info(link, state))
 
 
 def _send_battery_info(state, link):
-    if state.battery.monitored:  # what is not measured is not reported
-        link.send(telemetry.build_battery_info(state))
+    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
+        link.send_frame(telemetry.encode_battery_info(link, state))
 
 
 def _send_autopilot_version(state, link):
-    link.send(telemetry.build_autopilot_version(state))
+    link.send_frame(telemetry.encode_autopilot_version(link, state))
 
 
 def _send_protocol_version(state, link):
-    link.send(telemetry.build_protocol_version(state))
+    link.send_frame(telemetry.encode_protocol_version(link, state))
 
 
 def _send_battery_cell_voltages(state, link):
-    if state.battery.monitored:  # what is not measured is not reported
-        link.send(telemetry.build_battery_cell_voltages(state))
+    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
+        link.send_frame(telemetry.encode_battery_cell_voltages(link, state))
 
 
 _SENDERS = (
@@ -90,13 +94,13 @@ _SENDERS = (
 
 
 def _announce_smart_battery_info(state, link, _instance, _page):
-    if state.battery.monitored:
-        link.send(telemetry.build_smart_battery_info(state))
+    if state.words[_BATTERY_MONITORED]:
+        link.send_frame(telemetry.encode_smart_battery_info(link, state))
 
 
 def _announce_battery_info(state, link, _instance, _page):
-    if state.battery.monitored:
-        link.send(telemetry.build_battery_info(state))
+    if state.words[_BATTERY_MONITORED]:
+        link.send_frame(telemetry.encode_battery_info(link, state))
 
 
 # What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.
@@ -131,7 +135,7 @@ class Streams:
         self._numerator = 0
         self._denominator = 1
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
-        self._seen = [state.battery.swaps_number]
+        self._seen = [state.words[_BATTERY_SWAPS_NUMBER]]
         self.connect()
 
     def run(self, now_ms):
@@ -163,7 +167,7 @@ class Streams:
         """Let what tells about an instance be announced where a quantity of the instance has changed."""
         state = self._state
         seen = self._seen
-        value = state.battery.swaps_number
+        value = state.words[_BATTERY_SWAPS_NUMBER]
         if value != seen[0]:
             seen[0] = value
             self._await(3, 0)  # SMART_BATTERY_INFO
