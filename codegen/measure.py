@@ -2,18 +2,28 @@
 
 from fractions import Fraction
 
-from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.unit import NUMBER, UNITS, Unit, read_measure
+from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.model.affine import AffineMap
+from codegen.model.dialect import WireField
+from codegen.model.nearest_unit import nearest_unit
+from codegen.model.unit import NUMBER, Measure, Unit, conversion, map_words, read_measure, unit_named
 from codegen.source import Place
 
 UNKNOWN_UNIT = Rule(
     "unknown-unit",
-    "A unit is not one that the generator can convert. Units are spelled as in the dialects: V, mV, cA, degC, d%.",
+    "A unit is not one that the generator can convert. Units are spelled as in the dialects: V, mV, cA, degC, d%, and "
+    "what is made of them: m/s/s, cm^3/min. docs/units.md lists them.",
 )
 UNIT_MISMATCH = Rule(
     "unit-mismatch",
     "A value in one dimension is used where another is needed, such as a current for a charge. "
     "Only units of one dimension convert into each other.",
+)
+UNCARRIED_CONVERSION = Rule(
+    "uncarried-conversion",
+    "Two units measure the same, but from one to the other leads an offset (degC and K) or pi (deg and rad). The "
+    "firmware multiplies and divides whole numbers and carries out neither: a value would be wrong. Keep the quantity "
+    "in the unit of the field, or in one that only a factor leads to. Nor is an amount in deg an exact number of rad.",
 )
 BAD_AMOUNT = Rule("bad-amount", "An amount is a number followed by a unit, such as 3.3 V, 10 Hz or 2 ms.")
 BAD_TIME = Rule(
@@ -28,34 +38,69 @@ def find_unit(name: str | None, place: Place, report: Report) -> Unit | None:
     """The unit called ``name``, or the unit of pure numbers for None."""
     if name is None:
         return NUMBER
-    unit = UNITS.get(name)
+    unit = Unit.parse(name)
     if unit is None:
-        report.add(UNKNOWN_UNIT, place, f"{name!r} is not a known unit", did_you_mean(name, UNITS))
+        report.add(UNKNOWN_UNIT, place, f"{name!r} is not a known unit", nearest_unit(name))
     return unit
 
 
+def unknown_field_unit(field: WireField) -> Diagnostic:
+    """That a dialect states a unit that is not known, at the field; the same finding whoever asks for the unit."""
+    units = field.definition.units or ""
+    hint = f"{nearest_unit(units)}; corrections.yaml can set its units"
+    return Diagnostic(field.definition.place, UNKNOWN_UNIT, f"{field.name} is in {units!r}, no known unit", hint)
+
+
+def obstacle(unit: Unit, other: Unit) -> str | None:
+    """What lies between two units of one dimension beside a factor, in words; None where nothing else does."""
+    found = conversion(unit, other)
+    if found is None or found.ratio is not None:
+        return None
+    return f"the firmware's whole numbers do not carry out {unit.name} {map_words(found)} = {other.name}"
+
+
 def read_amount(text: str, unit: Unit, place: Place, report: Report) -> Fraction | None:
-    """The number of ``text`` (an amount) in ``unit``."""
+    """The number of ``text`` (an amount) in ``unit``, exactly."""
+    found = _converted(text, unit, place, report)
+    if found is None:
+        return None
+    measure, way = found
+    value = way.exact(measure.value)
+    if value is None:
+        message = f"{text} is no exact number of {unit.name}: {measure.unit.name} is {map_words(way)}"
+        report.add(UNCARRIED_CONVERSION, place, message, f"give it in {unit.name}")
+    return value
+
+
+def read_real(text: str, unit: Unit, place: Place, report: Report) -> float | None:
+    """The number of ``text`` (an amount) in ``unit``, as the nearest float: 180 deg are a number of rad, too."""
+    found = _converted(text, unit, place, report)
+    return None if found is None else found[1].settled(found[0].value, float)
+
+
+def _converted(text: str, unit: Unit, place: Place, report: Report) -> tuple[Measure, AffineMap] | None:
+    """An amount, and what turns it into ``unit``; None after a finding."""
     measure = read_measure(text)
     if measure is None:
         parts = text.split()
-        hint = did_you_mean(parts[1], UNITS) if len(parts) == 2 else f"write a number and a unit, such as 1 {unit.name}"
+        hint = nearest_unit(parts[1]) if len(parts) == 2 else f"write a number and a unit, such as 1 {unit.name}"
         report.add(BAD_AMOUNT, place, f"{text!r} is not an amount", hint)
         return None
-    value = measure.in_unit(unit)
-    if value is None:
+    way = conversion(measure.unit, unit)
+    if way is None:
         report.add(
             UNIT_MISMATCH,
             place,
-            f"{text} is a {measure.unit.dimension}, but a {unit.dimension} is needed",
+            f"{text} is a {measure.unit.kind}, but a {unit.kind} is needed",
             f"give it in {unit.name}" if unit.name else "give a number without a unit",
         )
-    return value
+        return None
+    return measure, way
 
 
 def read_rate(text: str, place: Place, report: Report) -> Fraction | None:
     """A rate in Hz that the scheduler can keep: once a day to 1000 times a second."""
-    rate = read_amount(text, UNITS["Hz"], place, report)
+    rate = read_amount(text, unit_named("Hz"), place, report)
     if rate is not None and not Fraction(1, DAY_S) <= rate <= 1000:
         report.add(BAD_TIME, place, f"{text} is not a rate from once a day to 1000 Hz")
         return None
@@ -67,7 +112,9 @@ def read_time(text: str, unit: Unit, place: Place, report: Report) -> int | None
     time = read_amount(text, unit, place, report)
     if time is None:
         return None
-    if not 1 <= time <= DAY_S * unit.factor or time.denominator != 1:
+    day = Measure(Fraction(DAY_S), unit_named("s")).in_unit(unit)
+    assert day is not None
+    if not 1 <= time <= day or time.denominator != 1:
         report.add(BAD_TIME, place, f"{text} is not a time of whole {unit.name}, above 0 and at most a day")
         return None
     return int(time)

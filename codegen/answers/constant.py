@@ -5,11 +5,12 @@ from fractions import Fraction
 
 from codegen.answers.fitting import field_unit
 from codegen.diagnostics import Report, Rule
-from codegen.measure import read_amount
+from codegen.measure import read_amount, read_real
 from codegen.model.answer import Elements
-from codegen.model.dialect import Kind
+from codegen.model.dialect import Kind, WireField
 from codegen.model.known import Value
-from codegen.model.unit import NUMBER
+from codegen.model.unit import NUMBER, Unit
+from codegen.source import Place
 
 CONSTANT_RANGE = Rule("constant-out-of-range", "A constant is beyond what the field can carry; it would wrap.")
 BAD_CONSTANT = Rule(
@@ -36,24 +37,33 @@ def read_constant(covers: Elements, written: str | Fraction, key: str, report: R
             report.add(BAD_CONSTANT, place, f"{field.name} is text of at most {field.count} ASCII characters")
             return None
         return written, "text"
-    unit = field_unit(field, place, report)
+    unit = field_unit(field, report)
     if unit is None:
         return None
     if isinstance(written, str) and unit is NUMBER:
         report.add(BAD_CONSTANT, place, f"{written!r} is not a number, and {field.name} has no unit")
         return None
-    value = written if isinstance(written, Fraction) else read_amount(written, unit, place, report)
-    if value is None:
+    number = _number(written, unit, field, place, report)
+    if number is None:
         return None
-    if field.type.is_integer and value.denominator != 1:
-        report.add(BAD_CONSTANT, place, f"{float(value)} is not a whole number of {unit.name or 'steps'}")
-        return None
-    number: int | float = int(value) if field.type.is_integer else float(value)
     if not fits(covers, number, key, str(written), report):
         return None
     if not _agrees_with_sentinel(covers, number, isinstance(written, str), key, report):
         return None
     return number, written if isinstance(written, str) else f"{number}"
+
+
+def _number(written: str | Fraction, unit: Unit, field: WireField, place: Place, report: Report) -> int | float | None:
+    """A number in the unit of the field, or an amount; whole for an integer field, else the nearest float."""
+    if not field.type.is_integer:
+        return float(written) if isinstance(written, Fraction) else read_real(written, unit, place, report)
+    value = written if isinstance(written, Fraction) else read_amount(written, unit, place, report)
+    if value is None:
+        return None
+    if value.denominator != 1:
+        report.add(BAD_CONSTANT, place, f"{float(value)} is not a whole number of {unit.name or 'steps'}")
+        return None
+    return int(value)
 
 
 def fits(covers: Elements, value: int | float, key: str, written: str, report: Report) -> bool:

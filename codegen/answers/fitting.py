@@ -2,11 +2,10 @@
 
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report, Rule
-from codegen.measure import UNIT_MISMATCH
+from codegen.measure import unknown_field_unit
 from codegen.model.answer import Elements
 from codegen.model.dialect import EnumDefinition, WireField
-from codegen.model.unit import NUMBER, UNITS, Unit
-from codegen.source import Place
+from codegen.model.unit import NUMBER, Unit
 
 NO_SENTINEL = Rule(
     "no-sentinel",
@@ -30,17 +29,10 @@ def field_enum(covers: Elements, key: str, scope: Scope) -> EnumDefinition | Non
     return scope.enum(name, covers.written.at(key))
 
 
-def field_unit(field: WireField, place: Place, report: Report) -> Unit | None:
+def field_unit(field: WireField, report: Report) -> Unit | None:
     """The unit of a field; the multiplier attribute of the dialect is not supported by tables."""
     name = field.definition.units
-    if name is None:
-        return NUMBER
-    unit = UNITS.get(name)
+    unit = NUMBER if name is None else Unit.parse(name)
     if unit is None:
-        report.add(
-            UNIT_MISMATCH,
-            place,
-            f"{field.name} is in {name}, a unit that the generator does not know",
-            related=[(field.definition.place, f"{field.name} is declared here")],
-        )
+        report.extend([unknown_field_unit(field)])
     return unit

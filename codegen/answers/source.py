@@ -7,10 +7,10 @@ from codegen.answers.limits import Bounds, dialect_bounds, written_bounds
 from codegen.answers.scope import Scope
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
-from codegen.measure import UNIT_MISMATCH
+from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
-from codegen.model.unit import Unit
+from codegen.model.unit import Unit, ratio
 from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 
@@ -47,7 +47,7 @@ def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
         return None
     in_wire = Fraction(1)
     if isinstance(source, Parameter) or source.kind is QuantityKind.NUMBER:
-        in_wire = source.unit.to(unit) or in_wire
+        in_wire = ratio(source.unit, unit) or in_wire
     written = written_bounds(covers.written, source.unit, in_wire, report)
     own = Bounds(source.minimum * factor, source.maximum * factor)
     return Taken(source, key, factor, own.within(dialect_bounds(covers.field)).within(written), written)
@@ -72,27 +72,28 @@ def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
             NOT_AN_ENUM_FIELD, place, f"{source.path} is a {source.enum.name}, {covers.field.name} takes {wanted}"
         )
         return None
-    return field_unit(covers.field, place, report)
+    return field_unit(covers.field, report)
 
 
 def _factor(covers: Elements, source: Quantity | Parameter, unit: Unit, key: str, report: Report) -> Fraction | None:
     """What one stored step is in wire units."""
-    if isinstance(source, Parameter):
-        to_wire, step = source.unit.to(unit), source.step
-    elif source.kind is QuantityKind.NUMBER:
-        to_wire, step = source.stored.to(unit), Fraction(1)
+    if isinstance(source, Quantity) and source.kind is not QuantityKind.NUMBER:
+        return Fraction(1)
+    kept, step = (source.unit, source.step) if isinstance(source, Parameter) else (source.stored, Fraction(1))
+    to_wire = ratio(kept, unit)
+    if to_wire is not None:
+        return step * to_wire
+    related = [
+        (source.spec.at("unit"), f"{source.path} gets its unit here"),
+        (covers.field.definition.place, f"{covers.field.name} is declared here"),
+    ]
+    why, hint = obstacle(kept, unit), None
+    if why is not None:
+        message, hint = f"{source.path} cannot go into {covers.field.name}: {why}", f"keep it in {unit.name}"
     else:
-        to_wire, step = Fraction(1), Fraction(1)
-    if to_wire is None:
-        report.add(
-            UNIT_MISMATCH,
-            covers.written.at(key),
-            f"{source.path} is a {source.unit.dimension} ({source.unit.name or 'no unit'}), "
-            f"{covers.field.name} is a {unit.dimension} ({unit.name or 'no unit'})",
-            related=[
-                (source.spec.at("unit"), f"{source.path} gets its unit here"),
-                (covers.field.definition.place, f"{covers.field.name} is declared here"),
-            ],
+        message = (
+            f"{source.path} is a {source.unit.kind} ({source.unit.name or 'no unit'}), "
+            f"{covers.field.name} is a {unit.kind} ({unit.name or 'no unit'})"
         )
-        return None
-    return step * to_wire
+    report.add(UNCARRIED_CONVERSION if why else UNIT_MISMATCH, covers.written.at(key), message, hint, related)
+    return None

@@ -10,7 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
-from codegen.model.unit import UNITS
+from codegen.model.unit import Unit, ratio
 from codegen.source import Place
 
 RULE = Rule(
@@ -72,13 +72,13 @@ def _in_unit(expression: Expression, result: "re.Match[str]") -> Fraction | None
         is_attached = unit is not None and result.string[result.start("unit") - 1].isdigit()
         if unit == "%":
             return value if abs(value) > 1 else value * 100
-        return None if is_attached and unit not in UNITS else value
+        return None if is_attached and Unit.parse(unit) is None else value
     if expression.units == {unit}:
         return value
-    if len(expression.units) > 1 or unit not in UNITS:
+    wanted, own = Unit.parse(unit), Unit.parse(next(iter(expression.units)))
+    if len(expression.units) > 1 or wanted is None or own is None:
         return None
-    (own,) = expression.units
-    factor = UNITS[own].to(UNITS[unit]) if own in UNITS else None
+    factor = ratio(own, wanted)
     return None if factor is None else value * factor
 
 

@@ -9,7 +9,7 @@ from codegen.claims.structure import RULE as TYPE
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage
 from codegen.model.dialect import WireField, WireMessage
-from codegen.model.unit import UNITS
+from codegen.model.unit import Unit
 
 _TYPES = r"(?:u?int(?:8|16|32|64)(?:_t)?|float|double)"
 _DECLARED = re.compile(
@@ -49,7 +49,7 @@ def _types(reading: Reading, passage: Passage, found: "re.Match[str]") -> Iterat
 def _units(reading: Reading, passage: Passage, found: "re.Match[str]") -> Iterator[Diagnostic]:
     group = "unit" if found["unit"] else "held"
     unit = found[group]
-    if unit not in UNITS:
+    if Unit.parse(unit) is None:
         return
     start, end = passage.sentence(found.start(), found.end())
     about = [

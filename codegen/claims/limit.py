@@ -9,7 +9,7 @@ from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage
 from codegen.model.dialect import WireField
 from codegen.model.literals import LIMITS
-from codegen.model.unit import UNITS, Unit, decimal
+from codegen.model.unit import Unit, decimal, ratio
 
 RULE = Rule(
     "claim-limit",
@@ -50,7 +50,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
 def _amount(found: "re.Match[str]") -> tuple[str, Unit, int] | None:
     """The number as written, its unit, and where it begins; None where the unit is not known."""
     suffix = "" if found["number"] else "2"
-    unit = UNITS.get(found[f"unit{suffix}"])
+    unit = Unit.parse(found[f"unit{suffix}"])
     return None if unit is None else (found[f"number{suffix}"], unit, found.start(f"number{suffix}"))
 
 
@@ -115,8 +115,8 @@ def _impossible(reading: Reading, passage: Passage, found: "re.Match[str]") -> I
 
 def _in_own_unit(field: WireField, unit: Unit) -> Fraction | None:
     """How many of the field's units make one of ``unit``; None across dimensions."""
-    own = UNITS.get(field.definition.units or "")
-    return None if own is None else unit.to(own)
+    own = Unit.parse(field.definition.units)
+    return None if own is None else ratio(unit, own)
 
 
 def _is_limit(maximum: int, written: str, factor: Fraction | None) -> bool:

@@ -9,7 +9,7 @@ from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.dialect import Kind, WireField
 from codegen.model.literals import named_number, same_number
-from codegen.model.unit import UNITS
+from codegen.model.unit import Unit
 
 SENTINEL = Rule(
     "claim-sentinel",
@@ -102,14 +102,14 @@ def _carries(field: WireField, value: int | float) -> bool:
 
 
 def _units(reading: Reading, notes: FieldNotes, note: Note, field: WireField) -> Iterator[Diagnostic]:
-    own = field.definition.units
+    own = Unit.parse(field.definition.units)
     stated = [(found["unit"], note.start + found.start("unit")) for found in _IN_UNIT.finditer(note.text)]
     cell = notes.cell(note, _COLUMN_UNIT)
     if cell is not None:
         stated.append(cell)
-    for unit, offset in stated if own in UNITS else ():
-        if unit in UNITS and own and UNITS[unit] != UNITS[own]:
+    for unit, offset in stated if own else ():
+        if own and (other := Unit.parse(unit)) is not None and other != own:
             name = f"{notes.message.name}.{note.name}"
             place = note.passage.place_at(offset)
-            yield reading.found(UNIT, place, f"{name} in {unit}", f"{name} is in {own}, not {unit}")
+            yield reading.found(UNIT, place, f"{name} in {unit}", f"{name} is in {own.name}, not {unit}")
             return

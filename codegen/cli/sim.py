@@ -157,10 +157,10 @@ def _speed(text: str) -> float:
 
 
 def _duration_ms(text: str) -> int:
-    from codegen.model.unit import UNITS, read_measure
+    from codegen.model.unit import read_measure, unit_named
 
     measure = read_measure(text) or read_measure(f"{text} s")
-    milliseconds = None if measure is None else measure.in_unit(UNITS["ms"])
+    milliseconds = None if measure is None else measure.in_unit(unit_named("ms"))
     if milliseconds is None or not 1 <= milliseconds <= 86_400_000 * 12:
         raise UsageError(f"--duration: {text!r} is not a time up to 12 days, such as 90 s, or {FOREVER}")
     return round(milliseconds)

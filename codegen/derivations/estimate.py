@@ -11,7 +11,7 @@ from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import EstimateSpec, MeasuredSpec
-from codegen.model.unit import NUMBER, UNITS, read_measure
+from codegen.model.unit import NUMBER, Unit, ratio, read_measure, unit_named
 from codegen.model.vehicle import Instance, Quantity
 
 if TYPE_CHECKING:
@@ -61,10 +61,10 @@ def resolve_estimate(written: EstimateSpec, kept: Kept, around: Surroundings) ->
         around.no_quantity("estimate_from", name, BAD_ESTIMATE)
         return None
     spelt = followed.stored or followed.unit
-    unit = NUMBER if spelt is None else UNITS.get(spelt)
+    unit = NUMBER if spelt is None else Unit.parse(spelt)
     if unit is None:
         return None  # the unit has been reported
-    volts = UNITS["V"].to(unit)
+    volts = ratio(unit_named("V"), unit)
     if around.spec.unit != "%" or (around.spec.stored or "%") != "%" or volts is None:
         around.bad("estimate_from", "an estimate is a share in %, from a voltage", UNIT_MISMATCH)
         return None
@@ -115,7 +115,7 @@ def _points(chemistry: str, around: Surroundings) -> list[tuple[Fraction, int]] 
     points = []
     for written, percent in board.discharge_curves[chemistry].items():
         measure = read_measure(written)
-        cell = measure.in_unit(UNITS["V"]) if measure else None
+        cell = measure.in_unit(unit_named("V")) if measure else None
         place = board.at(f"discharge_curves.{chemistry}.{written}")
         if cell is None or cell <= 0:
             report.add(BAD_ESTIMATE, place, f"{written!r} is not a voltage of a cell")

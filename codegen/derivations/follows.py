@@ -12,7 +12,7 @@ from codegen.model.derivation_spec import FollowsSpec
 from codegen.model.known import Known, Stored
 from codegen.model.payload_code import UNKNOWN
 from codegen.model.state_spec import QuantitySpec
-from codegen.model.unit import NUMBER, UNITS, decimal
+from codegen.model.unit import NUMBER, Unit, decimal, ratio
 from codegen.model.vehicle import SMALL_INT_MAX, Quantity
 
 if TYPE_CHECKING:
@@ -130,5 +130,5 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
 def _steps(followed: QuantitySpec) -> Fraction | None:
     """How many stored units of a quantity make one unit; None for units that do not exist or convert."""
     names = (followed.unit, followed.stored or followed.unit)
-    unit, stored = (NUMBER if name is None else UNITS.get(name) for name in names)
-    return None if unit is None or stored is None else unit.to(stored)
+    unit, stored = (NUMBER if name is None else Unit.parse(name) for name in names)
+    return None if unit is None or stored is None else ratio(unit, stored)

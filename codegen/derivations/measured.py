@@ -12,7 +12,7 @@ from codegen.measure import UNIT_MISMATCH
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec
 from codegen.model.step import Step
-from codegen.model.unit import NUMBER, UNITS, Unit, decimal
+from codegen.model.unit import NUMBER, Unit, decimal, ratio, unit_named
 from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold
 
 if TYPE_CHECKING:
@@ -118,9 +118,9 @@ def _conversion(written: MeasuredSpec, around: Surroundings, stored: Unit) -> Co
         hint = did_you_mean(written.adc, around.channels)
         around.bad("adc", f"board.yaml has no ADC channel {written.adc}", UNKNOWN_ADC, hint)
     multiplier = around.parameter("multiplier", written.multiplier)
-    factor = UNITS["V"].to(stored)
+    factor = ratio(unit_named("V"), stored)
     if factor is None:
-        around.bad("adc", f"an ADC measures a voltage, {around.name} is a {stored.dimension}", UNIT_MISMATCH)
+        around.bad("adc", f"an ADC measures a voltage, {around.name} is a {stored.kind}", UNIT_MISMATCH)
     if channel is None or multiplier is None or factor is None:
         return None  # without them there is no conversion; whatever is wrong with them was reported
     if multiplier.unit is not NUMBER or multiplier.minimum < 0:

@@ -10,7 +10,7 @@ from codegen.measure import read_time
 from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
 from codegen.model.state_spec import QuantitySpec
-from codegen.model.unit import UNITS, Unit
+from codegen.model.unit import Unit, unit_named
 from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Instance, Parameter, QuantityKind
 from codegen.source import Place
 
@@ -80,7 +80,7 @@ class Surroundings:
 
     def time_ms(self, key: str, written: str | None) -> int | None:
         """A time in ms; None where none is written, or after a finding."""
-        return None if written is None else read_time(written, UNITS["ms"], self.spec.at(key), self.report)
+        return None if written is None else read_time(written, unit_named("ms"), self.spec.at(key), self.report)
 
     def parameter(self, key: str, name: str) -> Parameter | None:
         """The parameter called so; None after a finding."""

@@ -9,6 +9,7 @@ from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec, TrendSpec
+from codegen.model.unit import Unit, ratio
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
@@ -67,7 +68,13 @@ def resolve_trend(written: TrendSpec, kept: Kept, around: Surroundings) -> Trend
     unit = followed.stored or followed.unit
     if followed.written(MeasuredSpec) is None:
         around.bad("trend_of", f"{name} is not measured by an ADC", BAD_TREND)
-    elif f"{unit}/s" != kept.stored.name:
+    elif not _is_rate_of(unit, kept.stored):
         message = f"the change of {name} is kept in {unit}/s, not {kept.stored.name}"
         around.bad("stored", message, BAD_TREND)
     return Trend(name, int(readings), written)
+
+
+def _is_rate_of(unit: str | None, stored: Unit) -> bool:
+    """Whether a unit is another one per second, however it is spelled."""
+    rate = Unit.parse(f"{unit or 1}/s")
+    return rate is not None and ratio(rate, stored) == 1

@@ -9,7 +9,7 @@ from codegen.diff import wire_rules as rules
 from codegen.diff.change import BOTH, Change, ChangeRule, Victim, changed
 from codegen.diff.pairing import Pair
 from codegen.model.dialect import FieldDefinition, Sentinel, WireField
-from codegen.model.unit import UNITS, decimal
+from codegen.model.unit import Unit, conversion, decimal, map_words, ratio
 from codegen.source import Place
 
 _WORD = re.compile(r"-?[\w.]*\w")
@@ -85,8 +85,8 @@ def _scale(old: FieldDefinition, new: FieldDefinition) -> Fraction | None:
 
 
 def _factor(old: str, new: str) -> Fraction | None:
-    before, after = UNITS.get(old), UNITS.get(new)
-    return before.to(after) if before and after else None
+    before, after = Unit.parse(old), Unit.parse(new)
+    return ratio(before, after) if before and after else None
 
 
 def _unit_effect(old: str | None, new: str | None) -> str:
@@ -97,7 +97,9 @@ def _unit_effect(old: str | None, new: str | None) -> str:
         return "nothing says what the number counts any more"
     factor = _factor(old, new)
     if factor is None:
-        return "the number is read in another unit"
+        before, after = Unit.parse(old), Unit.parse(new)
+        way = conversion(before, after) if before and after else None
+        return f"the number is read in another unit{f': {old} {map_words(way)} = {new}' if way else ''}"
     word = f"{decimal(factor)} times as large" if factor > 1 else f"{decimal(1 / factor)} times as small"
     return f"the same value is a number {word}"
 

@@ -7,7 +7,8 @@ from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.importing.expression import Product
 from codegen.load.markdown_table import Cell
 from codegen.model.literals import LIMITS
-from codegen.model.unit import NUMBER, UNITS, Unit, decimal
+from codegen.model.unit import NUMBER, Unit, decimal, ratio, symbols, unit_named
+from codegen.model.unit_table import SCALED, SHOWN
 from codegen.model.wire_types import WIRE_TYPES
 
 DOCUMENT_QUANTITY = Rule(
@@ -61,7 +62,7 @@ def likely_quantity(text: str, target: Target, sources: Sources) -> str | None:
     fitting = [
         path
         for path, of in (sources.quantities or {}).items()
-        if _words(path) <= given and (unit is None or of.to(unit) is not None)
+        if _words(path) <= given and (unit is None or ratio(of, unit) is not None)
     ]
     return state_answer(fitting[0], target) if len(fitting) == 1 else None
 
@@ -69,7 +70,7 @@ def likely_quantity(text: str, target: Target, sources: Sources) -> str | None:
 def field_unit(target: Target) -> Unit | None:
     """The unit of the field; None for one that is not known."""
     name = target.field.definition.units
-    return NUMBER if name is None else UNITS.get(name)
+    return NUMBER if name is None else Unit.parse(name)
 
 
 def _words(text: str) -> set[str]:
@@ -85,7 +86,7 @@ def _is_factor_right(product: Product, cell: Cell, target: Target, sources: Sour
         return True
     if sources.quantities is not None:
         unit = sources.quantities[product.path]
-        factor = unit.to(wire)
+        factor = ratio(unit, wire)
         if factor == product.factor or (product.factor == 1 and factor is not None):
             return True  # without a factor the document names the quantity only
         named = unit.name or "a number"
@@ -95,8 +96,8 @@ def _is_factor_right(product: Product, cell: Cell, target: Target, sources: Sour
         )
         report.add(DOCUMENT_FACTOR, cell.place, message, hint)
         return False
-    known = [unit for unit in UNITS.values() if unit.to(wire) == product.factor]
-    if product.factor != 1 and not known:
+    is_known = any(ratio(unit_named(name), wire) == product.factor for name in (*symbols(), *SHOWN, *SCALED))
+    if product.factor != 1 and not is_known:
         message = (
             f"{product.path} times {decimal(product.factor)} is in {wire.name or 'steps'} for no unit that is known"
         )

@@ -1,85 +1,162 @@
-"""Units of the dialects and of the tables, and the exact factors between them."""
+"""Units of the dialects and of the tables, and the exact maps between them."""
 
 import re
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import cache
 
 from codegen.frozen import dataclass
+from codegen.model.affine import AffineMap
+from codegen.model.unit_table import BASES, ONLY_WITH_PREFIX, PREFIXES, SHOWN, SYMBOLS, ZEROS
+
+Dimension = tuple[tuple[str, int], ...]
+"""The base units that a unit is made of with their powers, by name: m/s/s is (("m", 1), ("s", -2))."""
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A unit: ``factor`` of them make one base unit of ``dimension`` (1000 for mV), exactly.
+    """A unit: one of it is ``scale * pi ** pi`` of the base units of its dimension, exactly; its 0 is at ``zero``.
 
-    Units convert into each other only within a dimension. Radians and degrees are two dimensions, since the
-    factor between them is not rational.
+    1 mV is 1/1000 V, 1 rad is 180/pi deg (so ``pi`` is -1), and 0 degC is 273.15 K. Only units of one dimension
+    convert into each other.
     """
 
     name: str
-    dimension: str
-    factor: Fraction
+    dimension: Dimension
+    scale: Fraction
+    pi: int = 0
+    zero: Fraction = Fraction(0)
 
-    def to(self, other: "Unit") -> Fraction | None:
-        """The number that a value in this unit is multiplied with to be in ``other``; None across dimensions."""
-        return other.factor / self.factor if self.dimension == other.dimension else None
+    @staticmethod
+    def parse(text: str | None) -> "Unit | None":
+        """The unit that a dialect or a table spells so; None for text that is none.
+
+        Known are the symbols with their prefixes and what is made of them: ``m/s/s``, ``cm^3/min``, ``kg*m/s^2``,
+        ``1/s``, from left to right. What follows says what was done to the number, as in the dialects: ``degE7`` is
+        degrees times 10 ** 7, ``m/s*5`` metres per second times 5, ``deg/2`` degrees divided by 2.
+        """
+        return None if not text else _parsed(text)
+
+    @property
+    def kind(self) -> str:
+        """What it measures, in a word: voltage, speed; else its dimension in base units."""
+        return _kinds().get(self.dimension) or _spelled(self.dimension)
 
 
-NUMBER = Unit("", "number", Fraction(1))
+NUMBER = Unit("", (), Fraction(1))
 """The unit of pure numbers, in fields and quantities that state none."""
 
-# dimension: {unit: how many of it make one base unit}
-_DIMENSIONS: dict[str, dict[str, str]] = {
-    "voltage": {"V": "1", "dV": "10", "cV": "100", "mV": "1000", "uV": "1000000"},
-    "voltage per time": {"V/s": "1", "mV/s": "1000"},
-    "current": {"A": "1", "dA": "10", "cA": "100", "mA": "1000"},
-    "charge": {"Ah": "1", "mAh": "1000", "C": "3600"},
-    "energy": {"J": "1", "hJ": "1/100", "kJ": "1/1000", "Wh": "1/3600", "mWh": "1/3.6"},
-    "power": {"W": "1", "mW": "1000"},
-    "temperature": {"degC": "1", "ddegC": "10", "cdegC": "100"},
-    "ratio": {"%": "100", "d%": "1000", "c%": "10000"},
-    "time": {"s": "1", "ds": "10", "cs": "100", "ms": "1000", "us": "1000000", "ns": "1000000000", "min": "1/60"},
-    "frequency": {"Hz": "1", "kHz": "1/1000", "MHz": "1/1000000", "rpm": "60"},
-    "length": {"m": "1", "dm": "10", "cm": "100", "mm": "1000", "dam": "1/10", "km": "1/1000"},
-    "speed": {"m/s": "1", "dm/s": "10", "cm/s": "100", "mm/s": "1000", "m/s*5": "5", "km/h": "3.6"},
-    "acceleration": {"m/s/s": "1", "mG": "1/0.00980665"},
-    "angle in degrees": {
-        "deg": "1",
-        "ddeg": "10",
-        "cdeg": "100",
-        "degE5": "100000",
-        "degE7": "10000000",
-        "deg/2": "1/2",
-    },
-    "angle in radians": {"rad": "1", "mrad": "1000"},
-    "rotation in degrees": {"deg/s": "1", "ddeg/s": "10", "cdeg/s": "100"},
-    "rotation in radians": {"rad/s": "1", "mrad/s": "1000"},
-    "pressure": {"Pa": "1", "hPa": "1/100", "kPa": "1/1000", "mbar": "1/100"},
-    "magnetic field": {"gauss": "1", "mgauss": "1000"},
-    "mass": {"kg": "1", "g": "1000", "mg": "1000000"},
-    "volume": {"l": "1", "ml": "1000", "cm^3": "1000"},
-    "flow": {"cm^3/min": "1", "l/min": "1/1000"},
-    "area": {"m^2": "1", "cm^2": "10000"},
-    "data": {"bytes": "1", "KiB": "1/1024", "MiB": "1/1048576", "bits": "8"},
-    "data rate": {"bytes/s": "1", "KiB/s": "1/1024", "MiB/s": "1/1048576", "bits/s": "8"},
-    "pixels": {"pix": "1", "dpix": "10"},
-    "level": {"dB": "1"},
-    "power level": {"dBm": "1"},
-}
+
+def conversion(unit: Unit, other: Unit) -> AffineMap | None:
+    """What turns a value in ``unit`` into one in ``other``; None across dimensions."""
+    if unit.dimension != other.dimension:
+        return None
+    return AffineMap(unit.scale / other.scale, unit.pi - other.pi, (unit.zero - other.zero) / other.scale)
 
 
-def _exact(text: str) -> Fraction:
-    numerator, _, denominator = text.partition("/")
-    return Fraction(numerator) / Fraction(denominator or "1")
+def ratio(unit: Unit, other: Unit) -> Fraction | None:
+    """The factor from ``unit`` to ``other``; None across dimensions, and where pi or an offset lies between them."""
+    found = conversion(unit, other)
+    return None if found is None else found.ratio
 
 
-UNITS: dict[str, Unit] = {
-    name: Unit(name, dimension, _exact(factor))
-    for dimension, units in _DIMENSIONS.items()
-    for name, factor in units.items()
-}
-"""Every unit that is known, by its name in the dialects."""
+def unit_named(name: str) -> Unit:
+    """A unit that the generator itself names."""
+    unit = Unit.parse(name)
+    assert unit is not None, name
+    return unit
 
-# As long as any quantity of a vehicle needs, and short enough to compute with.
-_AMOUNT = re.compile(r"\s*([-+]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20})(?:[eE][-+]?\d{1,2})?)\s*(\S+)\s*")
+
+def shown_units() -> Iterable[Unit]:
+    """The units that values are shown in, the preferred ones first."""
+    return (unit_named(name) for name in SHOWN)
+
+
+@cache
+def symbols() -> Mapping[str, tuple[str, str]]:
+    """Prefix and symbol by the name that both make, mV; every name once, so none can be read in two ways."""
+    names: dict[str, tuple[str, str]] = {name: ("", name) for name in SYMBOLS if name not in ONLY_WITH_PREFIX}
+    for name, (_, _, prefixes) in SYMBOLS.items():
+        for prefix in prefixes.split():
+            assert prefix + name not in names, f"{prefix}{name} is two units"
+            names[prefix + name] = (prefix, name)
+    return names
+
+
+# A symbol, what its numbers were multiplied with (E7), and its power.
+_PART = re.compile(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:E(?P<tens>\d))?(?:\^(?P<power>-?[1-9]))?")
+_NUMBER = re.compile(r"\d{1,9}(?:\.\d{1,9})?")
+_MOST_PARTS = 8
+
+
+@cache
+def _parsed(text: str) -> Unit | None:
+    """The unit of a spelling, its parts multiplied from left to right."""
+    first, *rest = re.split(r"([*/])", text, maxsplit=2 * _MOST_PARTS)
+    pieces = [("*", first), *zip(rest[::2], rest[1::2], strict=True)]
+    if first == "1" and rest[:1] == ["/"]:
+        del pieces[0]  # 1/s
+    powers: dict[str, int] = {}
+    scale, pi, zero, parts = Fraction(1), 0, Fraction(0), 0
+    for sign, piece in pieces:
+        direction = 1 if sign == "*" else -1
+        if _NUMBER.fullmatch(piece) and parts:
+            number = Fraction(piece)  # the unit is as much smaller as the number is larger
+            if not number:
+                return None
+            scale /= number**direction
+            continue
+        found = _part(piece)
+        if found is None:
+            return None
+        unit, power = found
+        power *= direction
+        parts += 1
+        scale *= unit.scale**power
+        pi += unit.pi * power
+        zero = unit.zero if parts == 1 and power == 1 else Fraction(0)  # in a compound a degree is a difference
+        for base, exponent in unit.dimension:
+            powers[base] = powers.get(base, 0) + exponent * power
+    dimension = tuple(sorted((base, power) for base, power in powers.items() if power))
+    return Unit(text, dimension, scale, pi, zero) if parts else None
+
+
+def _part(text: str) -> tuple[Unit, int] | None:
+    """A symbol with its prefix and what it is scaled by, and its power."""
+    match = _PART.fullmatch(text)
+    if match is None or match["symbol"] not in symbols():
+        return None
+    prefix, name = symbols()[match["symbol"]]
+    amount, of, _ = SYMBOLS[name]
+    base = Unit(name, ((name, 1),), Fraction(1)) if name in BASES else unit_named(of)
+    scale = base.scale * Fraction(amount.removesuffix("/pi")) * Fraction(PREFIXES[prefix])
+    unit = Unit(
+        text,
+        base.dimension,
+        scale / 10 ** int(match["tens"] or 0),
+        base.pi - amount.endswith("/pi"),
+        Fraction(ZEROS.get(name, "0")),
+    )
+    return unit, int(match["power"] or 1)
+
+
+@cache
+def _kinds() -> Mapping[Dimension, str]:
+    """The word for each dimension that has one."""
+    return {(): "number"} | {unit_named(name).dimension: kind for name, kind in SHOWN.items()}
+
+
+def _spelled(dimension: Dimension) -> str:
+    """The base units of a dimension: kg*m/s^2."""
+    above = [f"{base}^{power}" if power > 1 else base for base, power in dimension if power > 0]
+    below = [f"/{base}^{-power}" if power < -1 else f"/{base}" for base, power in dimension if power < 0]
+    return f"{'*'.join(above) or '1'}{''.join(below)}"
+
+
+# As long as any quantity of a vehicle needs, and short enough to compute with. A digit does not begin a unit by itself.
+_AMOUNT = re.compile(
+    r"\s*([-+]?(?:\d{1,20}(?:\.\d{0,20})?|\.\d{1,20})(?:[eE][-+]?\d{1,2})?)(?:\s+|(?![\d.]))(\S{1,60})\s*"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,17 +167,16 @@ class Measure:
     unit: Unit
 
     def in_unit(self, unit: Unit) -> Fraction | None:
-        """The number in ``unit``; None across dimensions."""
-        factor = self.unit.to(unit)
-        return None if factor is None else self.value * factor
+        """The number in ``unit``; None across dimensions, and where it is irrational."""
+        found = conversion(self.unit, unit)
+        return None if found is None else found.exact(self.value)
 
 
 def read_measure(text: str) -> Measure | None:
     """``"3.3 V"`` as a measure; None if it is not a number followed by a known unit."""
     match = _AMOUNT.fullmatch(text)
-    if match is None or match[2] not in UNITS:
-        return None
-    return Measure(Fraction(match[1]), UNITS[match[2]])
+    unit = Unit.parse(match[2]) if match else None
+    return None if match is None or unit is None else Measure(Fraction(match[1]), unit)
 
 
 def decimal(value: Fraction) -> str:
@@ -117,3 +193,13 @@ def decimal(value: Fraction) -> str:
     digits = str(abs(int(value * 10**places))).rjust(places + 1, "0")
     sign = "-" if value < 0 else ""
     return f"{sign}{digits[:-places]}.{digits[-places:]}" if places else f"{sign}{digits}"
+
+
+def map_words(found: AffineMap) -> str:
+    """``* 9/5 + 273.15``, ``* 1/180 * pi``."""
+    words = [] if found.factor == 1 else [f"* {decimal(found.factor)}"]
+    if found.pi:
+        words.append(f"{'*' if found.pi > 0 else '/'} pi{'' if abs(found.pi) == 1 else f'^{abs(found.pi)}'}")
+    if found.offset:
+        words.append(f"{'+' if found.offset > 0 else '-'} {decimal(abs(found.offset))}")
+    return " ".join(words) or "* 1"

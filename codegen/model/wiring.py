@@ -71,8 +71,8 @@ def _battery(system: System) -> Component | None:
     return next((component for component in components if _conversion(component, "voltage")), None)
 
 
-def _conversion(component: Component, dimension: str) -> Conversion | None:
-    quantities = [quantity for quantity in component.quantities.values() if quantity.unit.dimension == dimension]
+def _conversion(component: Component, kind: str) -> Conversion | None:
+    quantities = [quantity for quantity in component.quantities.values() if quantity.unit.kind == kind]
     return next((quantity.derivation.conversion for quantity in quantities if quantity.derivation.conversion), None)
 
 

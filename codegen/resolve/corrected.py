@@ -6,8 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
+from codegen.measure import UNKNOWN_UNIT
 from codegen.model.dialect import MAX_MESSAGE_ID, EnumDefinition, FieldDefinition, MessageDefinition
 from codegen.model.literals import boolean, bounded_number, entry_value, type_and_length
+from codegen.model.nearest_unit import nearest_unit
+from codegen.model.unit import Unit
 from codegen.model.wire_types import MAX_ARRAY_LENGTH, VERSION_TYPE, WIRE_TYPES
 from codegen.source import Place
 
@@ -191,6 +194,9 @@ def _field_change(
     if attribute == "enum" and text and text not in result.enums:
         hint = did_you_mean(text, result.enums)
         report.add(CORRECTION_VALUE, correction.at("set"), f"{target}: there is no enum {text}", hint)
+        return None
+    if attribute == "units" and text and Unit.parse(text) is None:
+        report.add(UNKNOWN_UNIT, correction.at("set"), f"{target}: {text!r} is not a known unit", nearest_unit(text))
         return None
     holder = result.enums.get(field.enum or "")
     is_flags_already = attribute == "display" and value and holder is not None and holder.is_bitmask

@@ -8,7 +8,7 @@ from codegen.measure import read_time
 from codegen.model.program import Failsafe, FailsafeLevel
 from codegen.model.program_spec import ActionSpec, FailsafeLevelSpec, FailsafeSpec
 from codegen.model.spec import ParametersSpec, Requirement
-from codegen.model.unit import UNITS
+from codegen.model.unit import ratio, unit_named
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite, cite_optional
 from codegen.resolve.vehicle import find_parameter
@@ -56,19 +56,19 @@ class FailsafeResolver:
         low = self._level(spec.low, quantity)
         critical = self._level(spec.critical, quantity)
         after = self._parameter(spec, "after", spec.after)
-        if after is not None and (after.unit is not UNITS["s"] or after.step != 1 or after.minimum < 0):
+        if after is not None and (after.unit != unit_named("s") or after.step != 1 or after.minimum < 0):
             self.report.add(BAD_FAILSAFE, spec.at("after"), f"{after.name} is not a time in whole seconds")
         minimum = self._threshold(spec, "minimum_to_arm", spec.minimum_to_arm, quantity)
         health = self._kept(component, spec, "health", spec.health)
         level = self._kept(component, spec, "level", spec.level)
         used = self._quantity(component, spec, "used", spec.used)
-        if used is not None and used.stored is not UNITS["mAh"]:
+        if used is not None and used.stored != unit_named("mAh"):
             self.report.add(BAD_FAILSAFE, spec.at("used"), f"{used.path} is not kept in mAh")
         if low is None or critical is None or after is None or citation is None:
             return None
         every = 0
         if spec.health_every is not None:
-            every = read_time(spec.health_every, UNITS["ms"], spec.at("health_every"), self.report) or 0
+            every = read_time(spec.health_every, unit_named("ms"), spec.at("health_every"), self.report) or 0
         return Failsafe(component, quantity, low, critical, after, minimum, health, level, every, used, spec, citation)
 
     def _kept(self, component: Component, spec: FailsafeSpec, key: str, name: str | None) -> Quantity | None:
@@ -98,7 +98,7 @@ class FailsafeResolver:
         parameter = None if name is None else self._parameter(spec, key, name)
         if parameter is None:
             return None
-        steps = parameter.unit.to(quantity.stored)
+        steps = ratio(parameter.unit, quantity.stored)
         if steps is None or (steps * parameter.step).denominator != 1 or parameter.minimum != 0:
             message = (
                 f"{parameter.name} is no threshold for {quantity.path}: from 0 on, in whole {quantity.stored.name}"

@@ -9,7 +9,7 @@ from codegen.measure import read_time
 from codegen.model.board_spec import BoardSpec, LinkSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Requirement
-from codegen.model.unit import UNITS
+from codegen.model.unit import unit_named
 from codegen.resolve.citation import cite_optional
 from codegen.source import Place
 
@@ -38,7 +38,7 @@ def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Re
             report.add(BAD_LINK, spec.at(key), message)
         retry = 0
         if spec.retry is not None:
-            retry = read_time(spec.retry, UNITS["ms"], spec.at("retry"), report) or 0
+            retry = read_time(spec.retry, unit_named("ms"), spec.at("retry"), report) or 0
         if not problems:
             links.append(BoardLink(name, kind, retry, spec, citation))
     return tuple(links)

@@ -11,7 +11,7 @@ from codegen.model.dialect import Dialect
 from codegen.model.program import Program
 from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
-from codegen.model.unit import UNITS
+from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component, Parameter
 from codegen.resolve.citation import cite_optional
 from codegen.resolve.failsafe import FailsafeResolver
@@ -52,7 +52,7 @@ def resolve_program(
     """The program of vehicle.yaml; None, with findings, where it cannot be built."""
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
     links = read_rate(spec.control.links, spec.control.at("links"), report)
-    report_ms = read_time(spec.control.report_every, UNITS["ms"], spec.control.at("report_every"), report)
+    report_ms = read_time(spec.control.report_every, unit_named("ms"), spec.control.at("report_every"), report)
     for place, message in _program_problems(spec, components):
         report.add(BAD_PROGRAM, place, message)
     resolver = FailsafeResolver(written, parameters, components, spec.actions, index, report)
@@ -71,7 +71,7 @@ def resolve_program(
             cited[name] = citation
     code = spec.code or CodeSpec(place=spec.place)
     measure = read_rate(code.measure, code.at("measure"), report) if code.measure is not None else None
-    step_limit = read_time(spec.storage.step_limit, UNITS["us"], spec.storage.at("step_limit"), report)
+    step_limit = read_time(spec.storage.step_limit, unit_named("us"), spec.storage.at("step_limit"), report)
     for record, key, period_us in (
         (spec.control, "rate", 1000000 / control if control else 0),
         (spec.control, "links", 1000000 / links if links else 0),
@@ -81,7 +81,7 @@ def resolve_program(
         if period_us > LONGEST_PERIOD_US:
             report.add(BAD_PROGRAM, record.at(key), "a job of the main loop is due every 536 s at least")
     fastest = read_rate(spec.services.fastest, spec.services.at("fastest"), report)
-    silence_ms = read_time(spec.services.silence, UNITS["ms"], spec.services.at("silence"), report)
+    silence_ms = read_time(spec.services.silence, unit_named("ms"), spec.services.at("silence"), report)
     if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
         return None
     if silence_ms is None:

@@ -11,10 +11,10 @@ from codegen.derivations.elements import resolve_elements
 from codegen.derivations.follows import BAD_FOLLOWING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
-from codegen.measure import UNIT_MISMATCH, find_unit
+from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
 from codegen.model.dialect import EnumDefinition
 from codegen.model.spec import Requirement
-from codegen.model.unit import Unit
+from codegen.model.unit import Unit, ratio
 from codegen.model.vehicle import SMALL_INT_MAX, Quantity, QuantityKind, Trust
 from codegen.resolve.citation import cite_aspects, cite_optional
 
@@ -104,9 +104,11 @@ def _kept(around: Surroundings, enum: EnumDefinition | None) -> Kept | None:
     stored = unit if spec.stored is None else find_unit(spec.stored, spec.at("stored"), around.report)
     if unit is None or stored is None:
         return None
-    steps = unit.to(stored)
+    steps = ratio(unit, stored)
     if steps is None:
-        around.bad("stored", f"{unit.name} cannot be kept in {stored.name}", UNIT_MISMATCH)
+        why = obstacle(unit, stored)
+        message = f"{unit.name or 'a number'} cannot be kept in {stored.name}"
+        around.bad("stored", f"{message}: {why}" if why else message, UNCARRIED_CONVERSION if why else UNIT_MISMATCH)
         return None
     minimum, maximum = _limits(around, steps, enum)
     initial = _initial(around, kind, enum, steps)

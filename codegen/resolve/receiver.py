@@ -8,7 +8,7 @@ from codegen.model.receiver import Receiver
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.spec import Requirement
 from codegen.model.system import PopulatedMessage
-from codegen.model.unit import UNITS
+from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component
 from codegen.resolve.citation import cite_optional
 
@@ -28,8 +28,8 @@ def resolve_receiver(
 ) -> Receiver | None:
     """The receiver that receiver.yaml describes; None after a finding."""
     citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
-    stale = read_time(spec.stale_after, UNITS["ms"], spec.at("stale_after"), report)
-    window = read_time(spec.rate_over, UNITS["ms"], spec.at("rate_over"), report)
+    stale = read_time(spec.stale_after, unit_named("ms"), spec.at("stale_after"), report)
+    window = read_time(spec.rate_over, unit_named("ms"), spec.at("rate_over"), report)
     component = components.get(spec.component)
     if component is None:
         hint = did_you_mean(spec.component, components)

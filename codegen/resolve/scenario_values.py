@@ -7,7 +7,7 @@ from codegen.diagnostics import Report, Rule
 from codegen.measure import DAY_S, read_amount
 from codegen.model.scenario import Battery, Point
 from codegen.model.scenario_spec import BatterySpec, Points
-from codegen.model.unit import UNITS
+from codegen.model.unit import unit_named
 from codegen.source import Place
 
 SCENARIO_POINTS = Rule(
@@ -60,7 +60,7 @@ class ScenarioValues:
 
     def amount(self, text: str, unit: str, place: Place) -> Fraction | None:
         """An amount in a unit; None after an error."""
-        value = read_amount(text, UNITS[unit], place, self._report)
+        value = read_amount(text, unit_named(unit), place, self._report)
         if value is None:
             self.is_good = False
         return value

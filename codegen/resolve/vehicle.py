@@ -9,7 +9,7 @@ from codegen.measure import DAY_S, find_unit, read_amount, read_rate, read_time
 from codegen.model.board_spec import AdcSpec, BoardSpec
 from codegen.model.dialect import Dialect
 from codegen.model.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
-from codegen.model.unit import UNITS, decimal
+from codegen.model.unit import decimal, unit_named
 from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Citation, Parameter, Stream
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import Member, ParameterFamilies
@@ -45,10 +45,10 @@ def resolve_channels(
     channels = {}
     for name, spec in board.adc.items():
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
-        reference = read_amount(spec.reference, UNITS["V"], spec.at("reference"), report)
+        reference = read_amount(spec.reference, unit_named("V"), spec.at("reference"), report)
         limit = None
         if spec.read_limit is not None:
-            limit = read_time(spec.read_limit, UNITS["us"], spec.at("read_limit"), report)
+            limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
         pin = None if spec.pin is None else find_parameter(spec.pin, spec.at("pin"), written, parameters, report)
         gpio = _gpio(name, spec, pin, report)
         sane = gpio is not None

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.system import System
-from codegen.model.unit import UNITS, decimal, read_measure
+from codegen.model.unit import decimal, read_measure, unit_named
 from codegen.model.vehicle import Conversion, Instance, Parameter, Quantity, by_instance
 from codegen.source import Place
 
@@ -49,7 +49,7 @@ def full_voltage(system: System, part: Instance) -> Fraction | None:
         return None
     tops = list(system.spec.board.discharge_curves.get(str(part.facts.get("chemistry")), {}))
     measures = [read_measure(text) for text in (*tops, str(part.facts.get("charging_maximum_voltage", "")))]
-    volts = [measure.in_unit(UNITS["V"]) for measure in measures if measure]
+    volts = [measure.in_unit(unit_named("V")) for measure in measures if measure]
     known = [each for each in volts if each is not None]
     return max(known) * cells if known else None
 

@@ -11,7 +11,7 @@ from codegen.model.known import Known, Stored, Value, single
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import rounded
 from codegen.model.system import Policy, PopulatedMessage, Representation
-from codegen.model.unit import UNITS, Measure
+from codegen.model.unit import Measure, unit_named
 from codegen.model.vehicle import Conversion, Quantity, QuantityKind
 
 Wire = int | float | str | list[int | float]
@@ -22,7 +22,7 @@ def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier
     """The stored integer for an ADC count: the formula of the requirement, rounded to nearest at its end."""
     channel = conversion.channel
     volts = Fraction(count, channel.full_scale) * channel.reference * multiplier_steps * conversion.multiplier.step
-    stored = Measure(volts, UNITS["V"]).in_unit(quantity.stored)
+    stored = Measure(volts, unit_named("V")).in_unit(quantity.stored)
     assert stored is not None
     return rounded(stored, Rounding.NEAREST)
 

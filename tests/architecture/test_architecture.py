@@ -31,7 +31,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "decode": {"load", "cache", "tool", "model", *GROUND},
     "checks": GROUND,
     "resolve": {"answers", "derivations", "measure", "model", *GROUND},
-    "rules": {"checks", "resolve", "model", *GROUND},
+    "rules": {"checks", "measure", "resolve", "model", *GROUND},
     "importing": {"load", "decode", "resolve", "model", *GROUND},
     "template_files": set(),
     "render": {"cache", "tool", "template_files"},

@@ -133,6 +133,12 @@ def test_corrections_that_are_wrong(old: str, new: str, rule: str, check: Check)
     assert rule in [name for where, name in found if where.startswith(f"specs/{REPAIRS}:")], found
 
 
+def test_a_unit_that_nobody_knows(check: Check) -> None:
+    """At the field of the overlay, although no table answers it."""
+    found = check(UPSTREAM, INFO, battery_info_upstream=('units="g"', 'units="grm"'))
+    assert found == [(place(INFO, 'units="g"'), "unknown-unit")]
+
+
 @pytest.mark.parametrize(
     ("target", "attribute"),
     [("message: BATTERY_STATUS", 'id: "200"'), ("message: BATTERY_STATUS\n    field: id", "type: uint16_t")],

@@ -157,7 +157,37 @@ CASES = [
     Case("unknown-fact", HEARTBEAT, "{dialect: version}", "{dialect: §versoin}"),
     Case("unknown-requirement", SYS, "requirement: FR-00068.9", "requirement: §FR-00068.99"),
     Case("unknown-requirement", SYS, "requirement: FR-00068.9", "requirement: §FR-00086"),
-    Case("unknown-unit", "state.yaml", "unit: degC", "unit: §celsius"),
+    Case("unknown-unit", "state.yaml", "unit: degC", "unit: §celsius", "did you mean degC?", is_alone=False),
+    Case("unknown-unit", "state.yaml", "stored: mV/s", "stored: §mV/sec", "did you mean mV/s", is_alone=False),
+    Case("unknown-unit", "parameters.yaml", "unit: mAh", "unit: §mah", "did you mean mAh", is_alone=False),
+    Case("bad-amount", "scenarios.yaml", "noise: 10 mV", "noise: §10 millivolt", "did you mean mV"),
+    # what measures the same, and is no multiple of it
+    Case("uncarried-conversion", "state.yaml", "stored: cdegC", "stored: §K", "degC + 273.15 = K", is_alone=False),
+    Case(
+        "uncarried-conversion",
+        "dialects/corrections.yaml",
+        "corrections:\n",
+        "corrections:\n  - message: BATTERY_STATUS\n    field: temperature\n    set: {units: K}\n"
+        "    reason: A test.\n    source: A test.\n",
+        "cdegC * 0.01 + 273.15 = K",
+        at="messages/battery_status.yaml:10:24",
+        is_alone=False,
+    ),
+    Case(
+        "unknown-unit",
+        "dialects/corrections.yaml",
+        "corrections:\n",
+        "corrections:\n  - message: BATTERY_STATUS\n    field: temperature\n    set: §{units: Kelvin}\n"
+        "    reason: A test.\n    source: A test.\n",
+        "did you mean K",
+    ),
+    Case(
+        "unknown-unit",
+        "dialects/battery_info_upstream.xml",
+        'units="g"',
+        'units="grm"',
+        "did you mean g",
+    ),
     # the vehicle
     Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "gpio: §25"),
     Case("bad-adc", "board.yaml", "samples: 5", "samples: §0"),

@@ -17,7 +17,7 @@ from codegen.diff.system import compare_systems
 from codegen.model.dialect import Dialect, EnumDefinition, WireField, WireMessage
 from codegen.model.price import Price
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import UNITS, Unit
+from codegen.model.unit import Unit, unit_named
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, Stream
 from codegen.pipeline import read_systems, read_trace
 from codegen.source import Written
@@ -83,7 +83,7 @@ def other(value: Any, siblings: Mapping[type, list[Any]]) -> Any:
         case str():
             return f"{value}x"
         case Unit():
-            return UNITS["kg"] if value.name != "kg" else UNITS["g"]
+            return unit_named("kg" if value.name != "kg" else "g")
     return next((one for one in siblings.get(type(value), []) if one != value), None)
 
 
@@ -264,7 +264,7 @@ def test_what_nobody_notices_is_silent_though_no_message_has_it(systems: tuple[S
     """A parameter in another unit takes the old numbers and means others by them."""
     main = systems[0]
     name, parameter = next((name, one) for name, one in main.parameters.items() if one.unit.name == "V")
-    parameters = {**main.parameters, name: replace(parameter, unit=UNITS["mV"])}
+    parameters = {**main.parameters, name: replace(parameter, unit=unit_named("mV"))}
     found = compare_systems((main,), (replace(main, parameters=parameters),)).changes
     assert {change.rule.id for change in found if change.is_silent} == {"parameter-unit-changed"}
 

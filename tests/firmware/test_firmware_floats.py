@@ -18,19 +18,22 @@ import pytest
 from firmware_runs import tool
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from stated_units import STATED
 
 from codegen.model.scaling import FLOAT_DIVISOR_MAX
-from codegen.model.unit import UNITS
+from codegen.model.unit import ratio, unit_named
 from codegen.model.vehicle import SMALL_INT_MAX
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates" / "firmware"
 
+UNITS = [unit_named(name) for name in (*STATED, "Wh", "mWh", "J", "kJ", "C", "mW", "uV", "min", "km/h", "l/min", "mg")]
+
 FACTORS = sorted(
     {
         step * factor
-        for unit in UNITS.values()
-        for other in UNITS.values()
-        if (factor := unit.to(other)) is not None
+        for unit in UNITS
+        for other in UNITS
+        if (factor := ratio(unit, other)) is not None
         for step in (Fraction(1), Fraction(1, 2), Fraction(1, 20), Fraction(1, 10000))  # those of parameters
         if (step * factor).denominator <= FLOAT_DIVISOR_MAX and (step * factor).numerator <= SMALL_INT_MAX
     }

@@ -1,12 +1,25 @@
 """Units convert exactly, and only within their dimension."""
 
+import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
+from stated_units import STATED
 
-from codegen.model.unit import UNITS, decimal, read_measure
+from codegen.model.affine import AffineMap, pi_between
+from codegen.model.nearest_unit import nearest_unit
+from codegen.model.population_spec import Rounding
+from codegen.model.scaling import rounded
+from codegen.model.unit import Unit, conversion, decimal, map_words, ratio, read_measure, symbols, unit_named
+from codegen.model.unit_table import SCALED, SHOWN, WORDS
+
+ALL = sorted({*STATED, *symbols(), *SHOWN, *SCALED})
+PI_100 = Fraction(
+    "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679"
+)
+"""The first hundred decimals, known since Machin's time."""
 
 
 @pytest.mark.parametrize(
@@ -18,38 +31,198 @@ from codegen.model.unit import UNITS, decimal, read_measure
         ("1 Wh", "hJ", 36),
         ("45.5 %", "d%", 455),
         ("21.5 degC", "cdegC", 2150),
+        ("21.5 degC", "K", Fraction("294.65")),
+        ("0 K", "cdegC", -27315),
         ("2 ms", "us", 2000),
         ("1.25 kg", "g", 1250),
         ("90 km/h", "m/s", 25),
+        ("1 kn", "km/h", Fraction("1.852")),
         ("9.80665 m/s/s", "mG", 1000),
+        ("9.80665 m/s^2", "mG", 1000),
         ("1 KiB", "bytes", 1024),
+        ("1 mT", "gauss", 10),
+        ("139.69 deg", "degE7", 1396900000),
+        ("51 m/s", "m/s*5", 255),
+        ("358 deg", "deg/2", 179),
+        ("60 rpm", "deg/s", 360),
+        ("12 V*A", "W", 12),
+        ("6 l/h", "cm^3/min", 100),
+        ("5 1/s", "Hz", 5),
+        ("2 mOhm", "Ohm", Fraction("0.002")),
+        ("18 degC/min", "degC/s", Fraction("0.3")),
+        ("18 degC/min", "K/s", Fraction("0.3")),
+        ("0 deg", "rad", 0),
+        ("1 rev", "deg", 360),
+        ("1 m^3", "l", 1000),
+        ("1 mm^2", "m^2", Fraction(1, 1000000)),
+        ("1 m*m^-3", "1/m^2", 1),
     ],
 )
 def test_conversion_is_exact(amount, unit, value):
     """Worked by hand from the definitions of the units."""
-    assert read_measure(amount).in_unit(UNITS[unit]) == value
+    assert read_measure(amount).in_unit(unit_named(unit)) == value
 
 
 @pytest.mark.parametrize(
-    ("amount", "unit"), [("1 A", "mAh"), ("1 V", "A"), ("1 deg", "rad"), ("1 Hz", "s"), ("1 %", "V")]
+    ("amount", "unit"),
+    [("1 A", "mAh"), ("1 V", "A"), ("1 deg", "rad"), ("1 Hz", "s"), ("1 %", "V"), ("1 rpm", "Hz"), ("1 dBm", "W")],
 )
-def test_dimensions_do_not_mix(amount, unit):
-    """A charge is no current, and degrees have no exact factor to radians."""
-    assert read_measure(amount).in_unit(UNITS[unit]) is None
+def test_what_is_no_exact_number_of_a_unit(amount, unit):
+    """A charge is no current, a turn no count, a logarithm no power, and a degree an irrational number of radians."""
+    assert read_measure(amount).in_unit(unit_named(unit)) is None
 
 
-@given(st.sampled_from(sorted(UNITS)), st.sampled_from(sorted(UNITS)), st.fractions())
+@given(st.sampled_from(ALL), st.sampled_from(ALL), st.fractions())
 def test_there_and_back_is_the_same(first, second, value):
-    """No digit is lost on the way to another unit and back."""
-    factor = UNITS[first].to(UNITS[second])
-    if factor is not None:
-        assert value * factor * UNITS[second].to(UNITS[first]) == value
+    """No digit is lost on the way to another unit and back, and powers of pi cancel."""
+    there, back = (conversion(unit_named(one), unit_named(other)) for one, other in ((first, second), (second, first)))
+    assert (there is None) == (back is None)
+    if there is not None and back is not None:
+        assert there.factor * back.factor == 1
+        assert there.pi == -back.pi
+        assert (value * there.factor + there.offset) * back.factor + back.offset == value
 
 
-@pytest.mark.parametrize("text", ["", "V", "3,3 V", "3.3", "3.3 Volt", "3.3 V V", "nan V", "1e V"])
+@given(st.sampled_from(ALL), st.sampled_from(ALL), st.sampled_from(ALL))
+def test_a_way_over_a_third_unit_is_the_same(first, second, third):
+    """What converts into the same converts into each other, by the product of the factors."""
+    one, two, three = (unit_named(name) for name in (first, second, third))
+    way, rest = conversion(one, two), conversion(two, three)
+    if way is not None and rest is not None:
+        straight = AffineMap(way.factor * rest.factor, way.pi + rest.pi, way.offset * rest.factor + rest.offset)
+        assert conversion(one, three) == straight
+
+
+@given(st.sampled_from(ALL), st.sampled_from(ALL))
+def test_a_quotient_is_made_of_its_parts(first, second):
+    """Whatever two units are: one divided by the other, times the other, is the one (as a difference)."""
+    quotient = Unit.parse(f"{first}/{second}") if second[0].isalpha() and "/" not in second else None
+    if quotient is not None and not second[-1].isdigit():
+        product = unit_named(f"{first}/{second}*{second}")
+        assert ratio(unit_named(f"{first}*1"), product) == 1 or unit_named(first).zero
+        assert product.dimension == unit_named(first).dimension
+
+
+@pytest.mark.parametrize(
+    "text", ["", "V", "3,3 V", "3.3", "3.3 Volt", "3.3 V V", "nan V", "1e V", "11/s", "1/s", "2*s"]
+)
 def test_what_is_no_amount(text):
     """Anything but a number and a known unit is None, not an exception."""
     assert read_measure(text) is None
+
+
+@pytest.mark.parametrize(
+    "text", ["5", "1/5", "1", "*s", "s*", "m//s", "m/0", "deg/0.0", "m^0", "mm^2^2", "5*V", "V A", "m/s/"]
+)
+def test_what_is_no_unit(text):
+    """A number alone, an operator too much, a division by 0."""
+    assert Unit.parse(text) is None
+
+
+@given(st.text("mskgAVdegCE/*^%-.0123456789 ", max_size=80))
+@example("m" + "/s" * 1000)
+@example("m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9*m^9")
+def test_no_text_is_an_exception(text):
+    """What somebody wrote for a unit is one or none."""
+    unit = Unit.parse(text)
+    assert unit is None or (unit.name == text and unit.scale > 0)
+
+
+@pytest.mark.parametrize(
+    ("written", "nearest"),
+    [
+        ("celsius", "degC"),
+        ("Volts", "V"),
+        ("HZ", "Hz"),
+        ("mAH", "mAh"),
+        ("DEGC", "degC"),
+        ("km/hr", "km/h"),
+        ("m/sec", "m/s"),
+        ("mV/second", "mV/s"),
+        ("m / s", "m/s"),
+        ("m/s2", "m/s^2"),
+        ("m/s\u00b2", "m/s^2"),
+        ("m**2", "m^2"),
+        ("\u00b5s", "us"),
+        ("knots", "kn"),
+        ("degE77", "degE7"),
+        ("millivolts", "mV"),
+        ("Kilometers/hour", "km/h"),
+        ("grm", "g"),
+    ],
+)
+def test_the_nearest_unit(written, nearest):
+    """What people write, and what the dialects have for it, first among what is named."""
+    assert Unit.parse(written) is None
+    assert nearest_unit(written).removeprefix("did you mean ").rstrip("?").split(" or ")[0] == nearest
+
+
+def test_a_hint_names_units_only():
+    """Also where nothing is near."""
+    assert [name for name in (*WORDS.values(), *SCALED, *SHOWN) if Unit.parse(name) is None] == []
+    assert nearest_unit("furlong") == "units are spelled as in the dialects: V, mA, degC, m/s, degE7"
+
+
+@pytest.mark.parametrize("bits", [8, 64, 300])
+def test_pi(bits):
+    """Both bounds, against digits from elsewhere."""
+    low, high = pi_between(bits)
+    assert low < PI_100 < high
+    assert high - low <= Fraction(1, 2**bits)
+
+
+@given(st.fractions())
+@example(Fraction(180))
+def test_degrees_as_the_nearest_float(value):
+    """By a hundred digits of pi, which is more than any float of this size needs."""
+    assert conversion(unit_named("deg"), unit_named("rad")).settled(value, float) == float(value * PI_100 / 180)
+    assert conversion(unit_named("rad"), unit_named("deg")).settled(value, float) == float(value * 180 / PI_100)
+
+
+def test_half_a_turn_is_pi():
+    """As the standard library has it."""
+    assert conversion(unit_named("rev"), unit_named("rad")).settled(Fraction(1, 2), float) == math.pi
+
+
+WAYS = [("mrad", "cdeg"), ("degE7", "mrad"), ("cdeg", "mrad"), ("rad", "degE7"), ("rpm", "mrad/s"), ("mrad/s", "rpm")]
+
+
+@pytest.mark.parametrize(("unit", "other"), WAYS)
+@pytest.mark.parametrize("largest", [10, 2**15, 2**30 - 1, 2**63 - 1])
+@given(data=st.data())
+def test_a_rational_factor_rounds_as_the_exact_one(unit, other, largest, data):
+    """Every whole number up to the largest, in every direction of rounding."""
+    way = conversion(unit_named(unit), unit_named(other))
+    factor = way.factor_for(largest)
+    value = data.draw(st.integers(-largest, largest))
+    rounding = data.draw(st.sampled_from(Rounding))
+    assert rounded(value * factor, rounding) == way.settled(Fraction(value), lambda exact: rounded(exact, rounding))
+
+
+@pytest.mark.parametrize(("unit", "other"), WAYS)
+def test_a_rational_factor_rounds_alike_over_all_of_16_bits(unit, other):
+    """Exhaustively; by the digits of pi, which are right to a hundred places."""
+    way = conversion(unit_named(unit), unit_named(other))
+    factor, exact = way.factor_for(2**15), way.factor * PI_100**way.pi
+    assert factor.denominator < 2**20
+    for value in range(2**15 + 1):
+        assert rounded(value * factor, Rounding.NEAREST) == rounded(value * exact, Rounding.NEAREST)
+        assert rounded(value * factor, Rounding.DOWN) == rounded(value * exact, Rounding.DOWN)
+
+
+@pytest.mark.parametrize(
+    ("unit", "other", "words"),
+    [
+        ("deg", "rad", "* 1/180 * pi"),
+        ("rad", "deg", "* 180 / pi"),
+        ("degC", "K", "+ 273.15"),
+        ("K", "cdegC", "* 100 - 27315"),
+        ("V", "V", "* 1"),
+    ],
+)
+def test_words_for_a_conversion(unit, other, words):
+    """As documents would write it."""
+    assert map_words(conversion(unit_named(unit), unit_named(other))) == words
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.program import Failsafe, FailsafeLevel, Program
+from codegen.model.unit import ratio
 from codegen.model.vehicle import Component, Parameter, Quantity
 from codegen.targets.families import family_lines
 from codegen.targets.naming import failsafe_class, parameter_attribute, parameter_expression, quoted
@@ -150,7 +151,7 @@ def _level(name: str, number: int, level: FailsafeLevel, failsafe: Failsafe) -> 
 
 def _threshold(parameter: Parameter, quantity: Quantity) -> ThresholdView:
     attribute = parameter_attribute(parameter.name)
-    scale = (parameter.unit.to(quantity.stored) or Fraction(1)) * parameter.step
+    scale = (ratio(parameter.unit, quantity.stored) or Fraction(1)) * parameter.step
     assert scale.denominator == 1, "the failsafe was resolved so"
     times = f" * {scale.numerator}" if scale != 1 else ""
     expression = parameter_expression(parameter, "self._parameters", _INSTANCE)

@@ -7,7 +7,7 @@ from codegen.model.answer import Answer, Elements
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, WireField
 from codegen.model.reading import Reading, flag_names, scaled
 from codegen.model.system import PopulatedMessage
-from codegen.model.unit import UNITS, Unit
+from codegen.model.unit import Unit, ratio, shown_units
 from codegen.model.vehicle import Component
 from codegen.targets.receiver.roles import charging_entry, describes_a_battery
 
@@ -79,14 +79,19 @@ def _fact(covers: Elements, message: PopulatedMessage, component: Component, dia
         uses = frozenset({"entry", enum.name})
         yield Reading(name, f"entry(enum_names.{enum.name}, {got})", "", "", field.name, uses=uses)
     else:
-        unit = UNITS.get(field.definition.units or "")
+        unit = Unit.parse(field.definition.units)
         shown = unit_of(unit, component) if unit else None
-        factor = unit.to(shown) if unit and shown else None
+        factor = ratio(unit, shown) if unit and shown else None
         expression, uses = scaled(got, factor or Fraction(1))
         yield Reading(name, expression, shown.name if shown else "", "", field.name, uses=uses)
 
 
 def unit_of(unit: Unit, component: Component) -> Unit:
-    """The unit that a dimension is shown in: that of a quantity of the component, or the first that is listed."""
-    own = [quantity.unit for quantity in component.quantities.values() if quantity.unit.dimension == unit.dimension]
-    return own[0] if own else next(other for other in UNITS.values() if other.dimension == unit.dimension)
+    """The unit that a value is shown in: that of a quantity of the component, or the first that is listed.
+
+    Only units that a factor leads to: degrees are not shown as radians.
+    """
+    listed = list(shown_units())
+    own = [quantity.unit for quantity in component.quantities.values()]
+    fitting = [*own, *([unit] if unit in listed else listed)]
+    return next((other for other in fitting if ratio(unit, other) is not None), unit)

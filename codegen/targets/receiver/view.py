@@ -9,7 +9,7 @@ from codegen.frozen import dataclass
 from codegen.model.reading import Reading
 from codegen.model.receiver import Receiver
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.unit import UNITS
+from codegen.model.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Component
 from codegen.targets.naming import class_name, class_names, prose, quoted
 from codegen.targets.receiver.readings import CHARGING, FACT, readings_of
@@ -289,8 +289,8 @@ def _roles(readings: Iterable[Reading]) -> tuple[RoleView, ...]:
         wanted = ROLES[role].unit if role in ROLES else None
         factor: Fraction | None = Fraction(1)
         if wanted is not None:
-            unit = UNITS.get(reading.unit)
-            factor = unit.to(UNITS[wanted]) if unit else None
+            unit = Unit.parse(reading.unit)
+            factor = ratio(unit, unit_named(wanted)) if unit else None
         if factor is not None:
             players.setdefault(role, {})[reading.name] = int(factor) if factor.denominator == 1 else float(factor)
     pairs = {name: [f"({quoted(key)}, {factor})" for key, factor in found.items()] for name, found in players.items()}
