@@ -51,6 +51,10 @@ PI_100 = Fraction(
         ("2 mOhm", "Ohm", Fraction("0.002")),
         ("18 degC/min", "degC/s", Fraction("0.3")),
         ("18 degC/min", "K/s", Fraction("0.3")),
+        ("2 1/degC", "1/K", 2),
+        ("2 s*degC", "K*s", 2),
+        ("2 degC^2", "K^2", 2),
+        ("20 degCE2", "K", Fraction("273.35")),
         ("0 deg", "rad", 0),
         ("1 rev", "deg", 360),
         ("1 m^3", "l", 1000),
@@ -182,6 +186,12 @@ def test_degrees_as_the_nearest_float(value):
 def test_half_a_turn_is_pi():
     """As the standard library has it."""
     assert conversion(unit_named("rev"), unit_named("rad")).settled(Fraction(1, 2), float) == math.pi
+
+
+def test_as_many_digits_as_it_takes():
+    """Ninety decimals are more than it begins with."""
+    half = conversion(unit_named("rev"), unit_named("rad")).settled(Fraction(1, 2), lambda exact: int(exact * 10**90))
+    assert half == int(PI_100 * 10**90)
 
 
 WAYS = [("mrad", "cdeg"), ("degE7", "mrad"), ("cdeg", "mrad"), ("rad", "degE7"), ("rpm", "mrad/s"), ("mrad/s", "rpm")]
