@@ -1,16 +1,16 @@
-"""Frozen dataclasses that are made sooner: what only some programs ask of them is compiled when it is asked for.
+"""Frozen dataclasses that are made sooner: what only some programs ask of them is made when it is asked for.
 
-The decorator of the standard library compiles six methods of each class while its module is imported. Codegen has
-hundreds of these classes; a run makes objects of some of them and compares still fewer, and half of the time that its
-imports took went into methods that nobody called.
+The decorator of the standard library describes each class and compiles six methods of it while its module is imported.
+Codegen has hundreds of these classes; a run makes objects of some of them and compares still fewer, and half of the
+time that its imports took went into descriptions and methods that nobody asked for.
 """
 
 import dataclasses
 from collections.abc import Callable
 from dataclasses import MISSING, Field, FrozenInstanceError
-from functools import cache, partial
+from functools import cache
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar, cast
 
 _Class = TypeVar("_Class")
 
@@ -24,7 +24,7 @@ else:
             raise TypeError("a class whose objects change is a dataclass of the standard library")
 
         def frozen_class(cls: _Class) -> _Class:
-            return _frozen(dataclasses.dataclass(slots=True, kw_only=kw_only, init=False, repr=False, eq=False)(cls))
+            return _frozen(cls, kw_only)
 
         return frozen_class
 
@@ -34,13 +34,30 @@ __all__ = ["dataclass"]
 _FEW = 12
 """So many objects are made before it pays to compile how."""
 
+_DESCRIPTION = ("__dataclass_fields__", "__dataclass_params__", "__match_args__")
+"""Where the standard library puts what it finds out about a class, and looks for it."""
 
-def _frozen(cls: Any) -> Any:
-    """The class, of which only the fields are known so far, with the methods of a frozen dataclass.
 
-    One that the class has itself stays.
+class _Slot(NamedTuple):
+    """A field as far as objects need it: ``constant`` is its default, or ``factory`` makes one."""
+
+    name: str
+    put: Callable[[Any, Any], None]
+    constant: Any
+    factory: Any
+    is_named: bool
+    is_compared: bool
+    is_shown: bool
+
+
+_own_slots: dict[type, list[_Slot]] = {}
+
+
+def _frozen(written: Any, kw_only: bool) -> Any:
+    """A class as it is written, with slots for its fields and with the methods of a frozen dataclass.
+
+    A method that it has itself stays.
     """
-
     left = _FEW
 
     def __init__(self: Any, *values: Any, **named: Any) -> None:  # noqa: N807
@@ -50,10 +67,52 @@ def _frozen(cls: Any) -> Any:
             cls.__init__ = _initializer(cls)
             cls.__init__(self, *values, **named)
 
-    for name, method in {"__init__": __init__, **_METHODS}.items():
-        if name not in vars(cls):
-            setattr(cls, name, method)
+    names = [name for name, kind in written.__annotations__.items() if not _is_of_class(kind)]
+    has = vars(written)
+    parts = {"__init__": __init__, **_METHODS, **has, "__slots__": tuple(names)}
+    for name in (*names, "__dict__", "__weakref__"):
+        parts.pop(name, None)
+    cls: Any = type(written)(written.__name__, written.__bases__, parts)
+    cls.__qualname__ = written.__qualname__
+    _own_slots[cls] = [_slot(cls, name, has.get(name, MISSING), kw_only) for name in names]
+    for name in _DESCRIPTION:
+        setattr(cls, name, _Described(name, cls, written, kw_only))
     return cls
+
+
+def _is_of_class(kind: object) -> bool:
+    return getattr(kind, "__origin__", kind) is ClassVar
+
+
+def _slot(cls: Any, name: str, written: Any, kw_only: bool) -> _Slot:
+    """A field; ``written`` is what the class says of it beside its type."""
+    put = getattr(cls, name).__set__
+    if not isinstance(written, Field):
+        return _Slot(name, put, written, MISSING, kw_only, True, True)
+    is_named = kw_only if written.kw_only is MISSING else written.kw_only
+    return _Slot(name, put, written.default, written.default_factory, is_named, written.compare, written.repr)
+
+
+class _Described:
+    """An attribute that describes the class: the standard library is asked once somebody asks for it."""
+
+    def __init__(self, name: str, *of: Any) -> None:
+        self.name, self.of = name, of
+
+    def __get__(self, _: object, _owner: object) -> object:
+        """The attribute, which then takes the place of this one, as do the others."""
+        cls, written, kw_only = self.of
+        dataclasses.dataclass(kw_only=kw_only, init=False, repr=False, eq=False)(written)
+        for name in _DESCRIPTION:
+            setattr(cls, name, getattr(written, name))
+        return getattr(cls, self.name)
+
+
+@cache
+def _slots(cls: Any) -> list[_Slot]:
+    """The fields of a class, those of its bases first."""
+    found = {slot.name: slot for base in reversed(cls.__mro__) for slot in _own_slots.get(base, ())}
+    return list(found.values())
 
 
 def _is_filled(cls: Any, made: object, values: tuple[Any, ...], named: dict[str, Any]) -> bool:
@@ -65,51 +124,35 @@ def _is_filled(cls: Any, made: object, values: tuple[Any, ...], named: dict[str,
     if len(values) > len(slots):
         return False
     taken = 0
-    for index, (name, put, default, is_named) in enumerate(slots):
+    for index, (name, put, constant, factory, is_named, _, _) in enumerate(slots):
         if index < len(values) and not is_named and name not in named:
             put(made, values[index])
         elif index >= len(values) and name in named:
             put(made, named[name])
             taken += 1
-        elif index >= len(values) and default is not None:
-            put(made, default())
+        elif index >= len(values) and factory is not MISSING:
+            put(made, factory())
+        elif index >= len(values) and constant is not MISSING:
+            put(made, constant)
         else:
             return False
     return taken == len(named)
 
 
-@cache
-def _slots(cls: Any) -> list[tuple[str, Callable[[Any, Any], None], Callable[[], Any] | None, bool]]:
-    """Name, setter, what makes the default if there is one, and whether it has to be named, of each field."""
-    found: list[tuple[str, Callable[[Any, Any], None], Callable[[], Any] | None, bool]] = []
-    for field in dataclasses.fields(cls):
-        default: Any = None
-        if field.default_factory is not MISSING:
-            default = field.default_factory
-        elif field.default is not MISSING:
-            default = partial(_same, field.default)
-        found.append((field.name, getattr(cls, field.name).__set__, default, field.kw_only is True))
-    return found
-
-
-def _same(value: object) -> object:
-    return value
-
-
-def _initializer(cls: type[Any]) -> Callable[..., None]:
+def _initializer(cls: Any) -> Callable[..., None]:
     """``__init__`` of a class: each argument goes to the slot of its name."""
     names: dict[str, object] = {"_MISSING": MISSING}
     positional, named, body = ["self"], list[str](), list[str]()
-    for field in dataclasses.fields(cls):
-        name = field.name
-        names[f"_set_{name}"] = getattr(cls, name).__set__
-        value = name
-        if field.default_factory is not MISSING:
-            names[f"_new_{name}"] = field.default_factory
-            value = f"_new_{name}() if {name} is _MISSING else {name}"
-        elif field.default is not MISSING:
-            names[f"_default_{name}"] = field.default
-        (named if field.kw_only else positional).append(name + _default(field))
+    for slot in _slots(cls):
+        argument = name = value = slot.name
+        names[f"_set_{name}"] = slot.put
+        if slot.factory is not MISSING:
+            names[f"_new_{name}"] = slot.factory
+            argument, value = f"{name}=_MISSING", f"_new_{name}() if {name} is _MISSING else {name}"
+        elif slot.constant is not MISSING:
+            names[f"_default_{name}"] = slot.constant
+            argument = f"{name}=_default_{name}"
+        (named if slot.is_named else positional).append(argument)
         body.append(f"    _set_{name}(self, {value})")
     arguments = ", ".join([*positional, *(["*", *named] if named else [])])
     text = "\n".join([f"def __init__({arguments}):", *(body or ["    pass"])])
@@ -117,23 +160,21 @@ def _initializer(cls: type[Any]) -> Callable[..., None]:
     return cast(Callable[..., None], names["__init__"])
 
 
-def _default(field: "Field[Any]") -> str:
-    """The default of an argument as the text of the function has it."""
-    if field.default_factory is not MISSING:
-        return "=_MISSING"
-    return "" if field.default is MISSING else f"=_default_{field.name}"
-
-
 @cache
-def _compared(cls: type[Any]) -> Callable[[Any], object]:
+def _compared(cls: Any) -> Callable[[Any], object]:
     """The values by which objects of a class are compared."""
-    names = [field.name for field in dataclasses.fields(cls) if field.compare]
-    return attrgetter(*names) if names else lambda _: ()
+    return _getter([slot.name for slot in _slots(cls) if slot.is_compared])
 
 
 @cache
-def _setters(cls: type[Any]) -> tuple[Callable[[Any, Any], None], ...]:
-    return tuple(getattr(cls, field.name).__set__ for field in dataclasses.fields(cls))
+def _all(cls: Any) -> Callable[[Any], object]:
+    return _getter([slot.name for slot in _slots(cls)])
+
+
+def _getter(names: list[str]) -> Callable[[Any], object]:
+    if len(names) == 1:
+        return lambda one: (getattr(one, names[0]),)
+    return attrgetter(*names) if names else lambda _: ()
 
 
 def _eq(self: Any, other: Any) -> Any:
@@ -148,7 +189,7 @@ def _hash(self: Any) -> int:
 
 
 def _repr(self: Any) -> str:
-    shown = (f"{field.name}={getattr(self, field.name)!r}" for field in dataclasses.fields(self) if field.repr)
+    shown = (f"{slot.name}={getattr(self, slot.name)!r}" for slot in _slots(self.__class__) if slot.is_shown)
     return f"{self.__class__.__qualname__}({', '.join(shown)})"
 
 
@@ -160,11 +201,16 @@ def _refuse_to_delete(_self: Any, name: str) -> None:
     raise FrozenInstanceError(f"cannot delete field {name!r}")
 
 
-def _state(self: Any) -> list[object]:
-    return [getattr(self, field.name) for field in dataclasses.fields(self)]
+def _state(self: Any) -> object:
+    return _all(self.__class__)(self)
 
 
-def _restore(self: Any, state: list[object]) -> None:
+@cache
+def _setters(cls: Any) -> list[Callable[[Any, Any], None]]:
+    return [slot.put for slot in _slots(cls)]
+
+
+def _restore(self: Any, state: tuple[object, ...]) -> None:
     for put, value in zip(_setters(self.__class__), state, strict=True):
         put(self, value)
 

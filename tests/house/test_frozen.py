@@ -4,11 +4,12 @@ import copy
 import dataclasses
 import pickle
 from dataclasses import FrozenInstanceError, field, fields, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 
-from codegen.frozen import _FEW, dataclass
+from codegen.catalogue import rule_catalogue
+from codegen.frozen import _FEW, _own_slots, _slots, dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,6 +142,48 @@ def test_copies_are_whole(one: Any) -> None:
     for other in (unpickled, copy.copy(one), copy.deepcopy(one), replace(one)):
         assert type(other) is type(one)
         assert [getattr(other, name) for name in names] == [getattr(one, name) for name in names]
+
+
+def test_the_standard_library_describes_them() -> None:
+    for one, standard in ((Base, StandardBase), (Named, StandardNamed)):
+        for found, expected in zip(fields(one), fields(standard), strict=True):
+            for name in ("name", "type", "default", "default_factory", "compare", "repr", "init", "kw_only"):
+                assert getattr(found, name) == getattr(expected, name)
+        assert not hasattr(one("a", **({"unit": "V"} if one is Named else {})), "__dict__")
+
+
+def test_what_belongs_to_the_class_is_no_field() -> None:
+    @dataclass(frozen=True, slots=True)
+    class Counted:
+        MOST: ClassVar[int] = 3
+        name: str
+
+    assert [each.name for each in fields(Counted)] == ["name"]
+    assert (Counted("a").MOST, Counted.MOST) == (3, 3)
+
+
+@pytest.mark.parametrize("before", ROUNDS)
+def test_a_field_that_is_written_again_stays_in_its_place(before: int) -> None:
+    @dataclass(frozen=True, slots=True)
+    class Larger(Base):
+        size: int = 9
+
+    @dataclasses.dataclass(frozen=True, slots=True)
+    class Standard(StandardBase):
+        size: int = 9
+
+    assert dataclasses.astuple(made(Larger, before, "a")) == dataclasses.astuple(Standard("a"))
+    assert replace(made(Larger, before, "a"), size=1).size == 1
+
+
+def test_every_class_has_slots_for_the_fields_that_the_standard_library_finds() -> None:
+    rule_catalogue()  # imports all of codegen
+    for cls, slots in _own_slots.items():
+        own = {each.name for each in fields(cls)} - {
+            each.name for base in cls.__bases__ if dataclasses.is_dataclass(base) for each in fields(base)
+        }
+        assert own <= {slot.name for slot in slots}, cls
+        assert [slot.name for slot in _slots(cls)] == [each.name for each in fields(cls)], cls
 
 
 def test_patterns_take_values_by_position() -> None:
