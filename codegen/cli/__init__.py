@@ -3,33 +3,12 @@
 Nothing heavy is imported before a command runs, so that ``--help`` and ``--version`` answer at once.
 """
 
-import argparse
 import os
 import sys
-from functools import cache
-from importlib import import_module
-
-from codegen import __version__
 
 TYPE_CHECKING = False  # typing takes longer to import than --help may take
 if TYPE_CHECKING:
-    from typing import Any, TextIO
-
-COMMANDS = {
-    "build": "generate the firmware, mocks, tests and documents",
-    "check": "check the specification against the dialect, and what documents claim",
-    "diff": "say what changed between two versions, and who breaks",
-    "explain": "tell the whole story of a message, a field, a parameter or a rule",
-    "trace": "what answers to each requirement: rows, symbols, tests and their results",
-    "import": "make a population table from a requirement document",
-    "codec": "make MicroPython encoders and decoders for any dialect, without a specification",
-    "sim": "run the generated firmware on this host against a scenario",
-}
-"""The commands in the order of ``--help``, and what it says of them; each is a module of this package with
-``add_command``."""
-
-_MODULES = {"import": "importing"}
-"""Modules of commands that are words of Python."""
+    from typing import TextIO
 
 EXIT_USAGE = 2
 EXIT_INTERNAL = 3
@@ -68,8 +47,15 @@ def main(argv: list[str]) -> int:
 
 
 def _run(argv: list[str]) -> int:
+    if argv in (["--help"], ["-h"]):
+        from codegen.cli.usage import HELP
+
+        print(HELP, end="")
+        return 0
+    from codegen.cli.parser import parser_for
+
     try:
-        arguments = _parser(argv).parse_args(argv)
+        arguments = parser_for(argv).parse_args(argv)
     except SystemExit as leaving:  # after --help, --version or wrong usage
         return leaving.code if isinstance(leaving.code, int) else EXIT_USAGE
     code = int(arguments.run(arguments))
@@ -78,60 +64,6 @@ def _run(argv: list[str]) -> int:
 
         keep_what_is_new()
     return code
-
-
-class _Formatter(argparse.HelpFormatter):
-    """Asks for the terminal's width itself: argparse does so at each argument, and reads a large module for it."""
-
-    def __init__(self, prog: str) -> None:
-        super().__init__(prog, width=_columns() - 2)
-
-
-class _Parser(argparse.ArgumentParser):
-    """A parser, and by that also those of the commands, with that formatter."""
-
-    def __init__(self, **options: "Any") -> None:
-        super().__init__(formatter_class=_Formatter, **options)
-
-
-@cache
-def _columns() -> int:
-    try:
-        return int(os.environ.get("COLUMNS") or os.get_terminal_size().columns) or 80
-    except (ValueError, OSError):
-        return 80
-
-
-def _parser(argv: list[str]) -> argparse.ArgumentParser:
-    """The parser with every command, or only with the one that ``argv`` begins with.
-
-    For ``--help`` alone, which lists them, a command is its name and its line.
-    """
-    common = _Parser(add_help=False, argument_default=argparse.SUPPRESS)
-    common.add_argument(
-        "--project",
-        metavar="FILE",
-        help="the codegen.yaml to work on (default: the nearest specs/codegen.yaml or codegen.yaml, "
-        "from the working directory upwards)",
-    )
-    common.add_argument("--debug", action="store_true", help="show the traceback of an internal error")
-    parser = _Parser(
-        prog="codegen",
-        description="Generate MicroPython telemetry firmware, mocks and tests from requirement documents, "
-        "field tables and MAVLink dialects.",
-        epilog="Exit codes: 0 clean; 1 findings, stale output or a breaking change; 2 usage, configuration or "
-        "unreadable input; 3 internal error.",
-        parents=[common],
-    )
-    parser.add_argument("--version", action="version", version=f"codegen {__version__}")
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True, prog="codegen")
-    if argv in (["--help"], ["-h"]):
-        for command, line in COMMANDS.items():
-            commands.add_parser(command, help=line, add_help=False)
-        return parser
-    for command in argv[:1] if argv[:1] and argv[0] in COMMANDS else COMMANDS:
-        import_module(f"codegen.cli.{_MODULES.get(command, command)}").add_command(commands, common)
-    return parser
 
 
 def _show_traceback(fault: Exception, argv: list[str]) -> None:

@@ -4,7 +4,6 @@ import argparse
 import sys
 import time
 
-from codegen.cli import COMMANDS
 from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
 from codegen.cli.output import add_output_options, is_plain, nonsense
@@ -19,7 +18,6 @@ def add_command(commands: "Any", common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "build",
         parents=[common],
-        help=COMMANDS["build"],
         description="Generate the output folder. Files that are right already are not touched; a generated file that "
         "was edited by hand stops the build before anything is written.",
     )

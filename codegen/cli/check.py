@@ -4,8 +4,6 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
-from codegen.cli import COMMANDS
-
 if TYPE_CHECKING:
     from codegen.claims.reading import Reference
     from codegen.diagnostics import Report
@@ -16,7 +14,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "check",
         parents=[common],
-        help=COMMANDS["check"],
         description="Check the specification against the dialect, and recompute what the requirement documents claim: "
         "sizes, rates, ids, worked examples, structs, XML, sentinels. With DOC only the claims of these documents are "
         "checked, Markdown whatever they end in, against the project if there is one.",

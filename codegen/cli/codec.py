@@ -5,7 +5,6 @@ import os
 import sys
 from typing import Any
 
-from codegen.cli import COMMANDS
 from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
 from codegen.cli.output import add_output_options, nonsense
@@ -16,7 +15,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "codec",
         parents=[common],
-        help=COMMANDS["codec"],
         description="Make MicroPython modules that encode and decode messages of a MAVLink dialect: a link for both "
         "versions of the protocol with signing, the messages, their enums, and a page that says how to use them.",
     )

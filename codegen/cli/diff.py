@@ -5,8 +5,6 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from codegen.cli import COMMANDS
-
 if TYPE_CHECKING:
     from codegen.diagnostics import Report
     from codegen.diff.review import Review
@@ -23,7 +21,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "diff",
         parents=[common],
-        help=COMMANDS["diff"],
         description="Compare two resolved specifications or dialects: what changes on the wire, in the meaning of "
         "bytes, in the behaviour of the vehicle, in requirements and in texts; who notices and who breaks.",
         epilog="A side is a git revision (main, HEAD~1, main... for where main parted; REVISION:path for a dialect or "

@@ -4,15 +4,12 @@ import argparse
 import sys
 from typing import Any
 
-from codegen.cli import COMMANDS
-
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
     parser = commands.add_parser(
         "explain",
         parents=[common],
-        help=COMMANDS["explain"],
         description="Tell the whole story of one thing: where it is specified, what becomes of it and why.",
     )
     parser.add_argument("topic", metavar="TOPIC", help="MESSAGE, MESSAGE.field, PARAMETER or RULE_ID")

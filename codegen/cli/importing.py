@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from contextlib import redirect_stdout
 from typing import TYPE_CHECKING, Any
 
-from codegen.cli import COMMANDS
-
 if TYPE_CHECKING:
     from codegen.diagnostics import Report
     from codegen.importing.answer import Sources
@@ -25,7 +23,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "import",
         parents=[common],
-        help=COMMANDS["import"],
         description="Read the tables and lists of a Markdown document that say what goes into the fields of a message, "
         "and print the population table. What is ambiguous is reported with a proposal and stands in a comment. Works "
         "in a project, or without one on a dialect.",

@@ -6,8 +6,6 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
-from codegen.cli import COMMANDS
-
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -31,7 +29,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "sim",
         parents=[common],
-        help=COMMANDS["sim"],
         description="Run exactly the generated firmware on this host, its board mocked, against a scenario. It talks "
         "MAVLink over UDP, so that a ground station can listen and command; Ctrl-C ends it.",
     )

@@ -4,8 +4,6 @@ import argparse
 import sys
 from typing import Any
 
-from codegen.cli import COMMANDS
-
 FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif")
 KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly")
 COUNTED = ("uncovered", "orphaned", "suspect")
@@ -17,7 +15,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser = commands.add_parser(
         "trace",
         parents=[common],
-        help=COMMANDS["trace"],
         usage="codegen trace [ID ...] [--results FILE] [--format FORMAT] [--out FILE] [--fail-on KINDS]\n"
         "       codegen trace accept ID ... | --all  --reason TEXT [--by NAME]",
         description="Follow each criterion of the requirement documents over the rows of the tables and the generated "

@@ -2,14 +2,18 @@
 
 import os
 import pty
+import re
 import subprocess
 import sys
+from argparse import ArgumentParser
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from codegen import __version__
+from codegen.cli.parser import _columns, parser_for
+from codegen.cli.usage import COMMANDS, HELP
 
 HEAVY = ("yaml", "lxml", "jinja2", "markdown_it", "pymavlink", "dataclasses", "codegen.pipeline", "codegen.diagnostics")
 
@@ -59,7 +63,20 @@ def test_wrong_usage_ends_with_2(run: Any, argv: list[str]) -> None:
 def test_help_names_every_command(run: Any) -> None:
     code, out, _ = run("--help")
     assert code == 0
-    assert all(f"\n    {command} " in out for command in ("build", "check", "explain"))
+    listed = out.partition("  COMMAND\n")[2]
+    assert tuple(re.findall(r"(?m)^ {4}([a-z]+) {2,}[a-z]", listed)) == COMMANDS
+    assert run("-h") == run("--debug", "--help") == (code, out, "")
+
+
+def test_help_names_every_option(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is written out: what argparse would say of the options has to be there."""
+    monkeypatch.setenv("COLUMNS", "80")
+    _columns.cache_clear()
+    said = ArgumentParser.format_help(parser_for(["build"]))
+    _columns.cache_clear()
+    usage, options = said.split("\n\n")[:2]
+    assert HELP.startswith(f"{usage}\n\n")
+    assert f"\n\n{options}\n\n" in HELP
 
 
 def test_nearest_project_upwards_is_used(pipeline: Any, run: Any, project: Path, monkeypatch: Any) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import yaml
 
-from codegen.cli import _parser
+from codegen.cli.parser import parser_for
 
 ROOT = Path(__file__).parents[2]
 WORKFLOWS = sorted((ROOT / "examples").glob("*.yml"))
@@ -37,7 +37,7 @@ def commands(text: str) -> list[list[str]]:
 def test_hooks_run_commands_that_there_are(hook: dict[str, Any]) -> None:
     program, *argv = shlex.split(hook["entry"])
     assert program == "codegen"
-    assert callable(_parser(argv).parse_args(argv).run)
+    assert callable(parser_for(argv).parse_args(argv).run)
     assert hook["language"] == "python"
     assert hook["pass_filenames"] is False
     assert re.search(hook["files"], "specs/messages/heartbeat.yaml")
@@ -51,7 +51,7 @@ def test_workflows_run_commands_that_there_are() -> None:
     assert {argv[0] for argv in found} == {"check", "build", "diff"}
     assert len(found) >= 7
     for argv in found:
-        assert callable(_parser(argv).parse_args(argv).run)
+        assert callable(parser_for(argv).parse_args(argv).run)
 
 
 @pytest.mark.parametrize("path", WORKFLOWS, ids=lambda path: path.stem)

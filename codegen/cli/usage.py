@@ -1,0 +1,37 @@
+"""What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
+
+COMMANDS = ("build", "check", "diff", "explain", "trace", "import", "codec", "sim")
+"""Each is a module of this package with ``add_command``."""
+
+HELP = """\
+usage: codegen [-h] [--project FILE] [--debug] [--version] COMMAND ...
+
+Generate MicroPython telemetry firmware, mocks and tests from requirement
+documents, field tables and MAVLink dialects.
+
+options:
+  -h, --help      show this help message and exit
+  --project FILE  the codegen.yaml to work on (default: the nearest
+                  specs/codegen.yaml or codegen.yaml, from the working
+                  directory upwards)
+  --debug         show the traceback of an internal error
+  --version       show program's version number and exit
+
+commands:
+  COMMAND
+    build         generate the firmware, mocks, tests and documents
+    check         check the specification against the dialect, and what
+                  documents claim
+    diff          say what changed between two versions, and who breaks
+    explain       tell the whole story of a message, a field, a parameter or a
+                  rule
+    trace         what answers to each requirement: rows, symbols, tests and
+                  their results
+    import        make a population table from a requirement document
+    codec         make MicroPython encoders and decoders for any dialect,
+                  without a specification
+    sim           run the generated firmware on this host against a scenario
+
+Exit codes: 0 clean; 1 findings, stale output or a breaking change; 2 usage,
+configuration or unreadable input; 3 internal error.
+"""
