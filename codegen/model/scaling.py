@@ -12,15 +12,18 @@ FLOAT_DIVISOR_MAX = 2**25
 
 def rounded(value: Fraction, rounding: Rounding) -> int:
     """``value`` as a whole number; with ``NEAREST`` a half goes away from zero."""
+    return _quotient(value.numerator, value.denominator, rounding)
+
+
+def _quotient(numerator: int, denominator: int, rounding: Rounding) -> int:
+    """The same for a quotient: tests ask for thousands, and fractions on the way would take most of the time."""
     if rounding is Rounding.DOWN:
-        return math.floor(value)
+        return numerator // denominator
     if rounding is Rounding.UP:
-        return math.ceil(value)
-    if rounding is Rounding.TOWARD_ZERO:
-        return math.trunc(value)
-    numerator, denominator = abs(value.numerator), value.denominator
-    nearest = (2 * numerator + denominator) // (2 * denominator)  # without a fraction in between: tests ask often
-    return nearest if value >= 0 else -nearest
+        return -(-numerator // denominator)
+    size = abs(numerator)
+    size = size // denominator if rounding is Rounding.TOWARD_ZERO else (2 * size + denominator) // (2 * denominator)
+    return size if numerator >= 0 else -size
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +56,9 @@ class Scaling:
 
     def whole(self, stored: int) -> int:
         """The number that an integer field carries for a stored value."""
-        value = Fraction(rounded(self._limited(stored), self.rounding))
-        return int(self._beside(value))
+        value = _quotient(stored * self.factor.numerator, self.factor.denominator, self.rounding)
+        value = max(self.low.numerator, min(self.high.numerator, value))  # whole: it can be limited once it is rounded
+        return value if self.beside is None or value != self.hole else int(self.beside)
 
     def real(self, stored: int) -> float:
         """The number that a float field carries for a stored value, before the wire's precision cuts it."""
