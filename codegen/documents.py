@@ -4,7 +4,6 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from codegen import pipeline
 from codegen.claims import check_claims
 from codegen.claims.reading import Reading, Reference, read_document
 from codegen.codec import read_codec_dialect
@@ -13,6 +12,7 @@ from codegen.diagnostics import Report
 from codegen.load.text import read_text
 from codegen.model.price import Range, frame_size
 from codegen.model.system import System
+from codegen.project_dialect import listed_messages
 
 
 def dialect_reference(written: str, report: Report) -> Reference | None:
@@ -32,7 +32,7 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
             sizes = [frame_size(message, instance, protocol) for instance in range(message.instances)]
             sizes += [sent[message.name]] if message.name in sent else []
             sent[message.name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
-    return Reference(systems[0].dialect, sent, pipeline.listed_messages(systems[0].spec, Report()))
+    return Reference(systems[0].dialect, sent, listed_messages(systems[0].spec, Report()))
 
 
 def project_documents(systems: Iterable[System]) -> list[str]:

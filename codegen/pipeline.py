@@ -7,23 +7,19 @@ from typing import TypeVar, cast
 
 from codegen.cache import entry, keep_object, kept_object, pickled
 from codegen.decode.decoded import decoded_with_includes
-from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
-from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
-from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.diagnostics import Diagnostic, Report
 from codegen.load.marked_tests import files_of_tests, read_marked_tests
-from codegen.load.shipped import dialect_path
 from codegen.load.text import read_bytes, read_text
 from codegen.load.trees import exists
-from codegen.model.dialect import Dialect, KnownMessage
+from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
 from codegen.model.trace_lock_spec import TraceLockSpec
-from codegen.resolve.dialect import resolve_dialect
 from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import check_system
@@ -41,12 +37,6 @@ from codegen.trace.rows import rows_of
 from codegen.trace.view import trace_view
 
 _Made = TypeVar("_Made")
-
-UNKNOWN_DIALECT = Rule(
-    "unknown-dialect",
-    "codegen.yaml names a dialect that is neither shipped with pymavlink nor an XML file.",
-    unreadable=True,
-)
 
 
 def read_system(project_file: str, report: Report) -> System | None:
@@ -141,37 +131,14 @@ def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
     project = spec.project
     inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections)
-    dialect, digest = decoded_with_includes("project", inputs, lambda found: _read_dialect(spec, found), report)
+    dialect, digest = decoded_with_includes("project", inputs, lambda found: _decode_dialect(spec, found), report)
     return None if dialect is None else replace(dialect, digest=digest)
 
 
-def _read_dialect(spec: Spec, report: Report) -> Dialect | None:
-    project = spec.project
-    written, place = project.dialect, project.at("dialect")
-    path = dialect_path(written, spec.folder, UNKNOWN_DIALECT, place, report, is_file=written.endswith(".xml"))
-    if path is None:
-        return None
-    files = decode_dialect_files(path, report, place)
-    for index, overlay in enumerate(project.overlays):
-        overlay_path = os.path.normpath(os.path.join(spec.folder, overlay))
-        files += decode_overlay(overlay_path, report, project.at(f"overlays[{index}]"), files)
-    if not files:
-        return None
-    name = os.path.splitext(os.path.basename(path))[0]
-    dialect = resolve_dialect(name, files, spec.corrections, report)
-    added = (message.definition for message in dialect.added_messages())
-    return replace(dialect, known=taken_elsewhere(added, dialect.files, listed_messages(spec, report)))
+def _decode_dialect(spec: Spec, report: Report) -> Dialect | None:
+    from codegen.project_dialect import decode_dialect  # noqa: PLC0415  most builds find it in the cache
 
-
-def listed_messages(spec: Spec, report: Report) -> tuple[KnownMessage, ...]:
-    """The messages of the dialects that a project names under known."""
-    return tuple(
-        message
-        for index, known in enumerate(spec.project.known)
-        for message in decode_known_file(
-            os.path.normpath(os.path.join(spec.folder, known)), report, spec.project.at(f"known[{index}]")
-        )
-    )
+    return decode_dialect(spec, report)
 
 
 def read_trace(systems: Sequence[System], report: Report) -> Trace:
