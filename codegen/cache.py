@@ -20,8 +20,8 @@ MOST_BYTES = 64_000_000
 """What the folder may hold: beyond it the oldest entries go until half of that is left."""
 
 _SEAL_BYTES = 32
-_LOOKS = "0"
-"""One entry in sixteen begins like this; whoever writes one looks at how much there is."""
+_LOOKS = "00"
+"""One entry in 256 begins like this; whoever writes one looks at how much there is."""
 
 
 def entry(*inputs: bytes | str) -> str:

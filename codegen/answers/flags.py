@@ -137,7 +137,7 @@ class FlagsAnswer(KindOfAnswer):
         for name, value, quantity in self._deciding():
             if quantity.component == component.name and not value & self.mask:
                 expression = f'is_set(get("{field.name}"), {value:#x})'
-                yield Reading(quantity.name, expression, "", quantity.spec.doc, name, uses=frozenset({"is_set"}))
+                yield Reading(quantity.name, expression, "", quantity.spec.doc, name, uses=("is_set",))
 
     def read_back(self) -> Iterator[ReadBack]:
         """The booleans that tests can set and that alone decide some bits."""

@@ -212,12 +212,12 @@ class LiveAnswer(KindOfAnswer):
             return
         source, covers = self.source, self.covers
         got = f'get("{covers.field.name}")'
-        uses = frozenset({"element"}) if covers.field.is_array else frozenset()
+        uses = ("element",) if covers.field.is_array else ()
         expression, used = scaled(
             f"element({got}, {covers.first})" if covers.field.is_array else got, to_unit(source, self.scaling)
         )
         enum = source.enum.name if source.kind is QuantityKind.ENUM and source.enum else ""
-        yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, used | uses)
+        yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, (*used, *uses))
 
     def read_back(self) -> Iterator[ReadBack]:
         """The quantity."""

@@ -162,7 +162,7 @@ class SplitAnswer(KindOfAnswer):
             return
         whole = f'joined(raw("{covers.field.name}"), {covers.first}, {covers.count}, {self.unused})'
         expression, uses = scaled(whole, to_unit(source, self.scaling))
-        uses |= {"joined"}
+        uses = (*uses, "joined")
         yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, uses=uses)
 
     def read_back(self) -> Iterator[ReadBack]:

@@ -21,18 +21,18 @@ class Reading:
     doc: str
     field: str
     enum: str = ""
-    uses: frozenset[str] = frozenset()
+    uses: tuple[str, ...] = ()
     is_by_cell: bool = False
 
 
-def scaled(expression: str, factor: Fraction) -> tuple[str, frozenset[str]]:
+def scaled(expression: str, factor: Fraction) -> tuple[str, tuple[str, ...]]:
     """An expression times a factor, and what that uses."""
     if factor == 1:
-        return expression, frozenset()
-    return f"scaled({expression}, {factor.numerator}, {factor.denominator})", frozenset({"scaled"})
+        return expression, ()
+    return f"scaled({expression}, {factor.numerator}, {factor.denominator})", ("scaled",)
 
 
 def flag_names(field: WireField, enum: EnumDefinition) -> Reading:
     """The names of the bits that are set in a field."""
     expression = f'flags(enum_names.{enum.name}, get("{field.name}"))'
-    return Reading(field.name, expression, "", "", field.name, uses=frozenset({"flags", enum.name}))
+    return Reading(field.name, expression, "", "", field.name, uses=("flags", enum.name))

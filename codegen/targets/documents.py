@@ -6,11 +6,11 @@ from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
-from codegen.render import render_template
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
+from codegen.targets.rendered import rendered
 from codegen.targets.table import FieldRow, field_rows, in_table
 
 
@@ -88,7 +88,7 @@ def render_documents(system: System) -> dict[str, str]:
     view = TelemetryDocument(
         project=system.spec.project.project,
         sources=origin.sources,
-        digest=origin.digest,
+        digest=origin.open.digest,
         messages=tuple(_message(message, system) for message in system.messages),
         quantities=tuple(
             _quantity(quantity)
@@ -102,7 +102,7 @@ def render_documents(system: System) -> dict[str, str]:
         program=program_section(system),
         criteria=tuple(_criteria(system)),
     )
-    return {"docs/telemetry.md": render_template("docs/telemetry.md.j2", view)}
+    return {"docs/telemetry.md": origin.closed(rendered("docs/telemetry.md.j2", view))}
 
 
 def _message(message: PopulatedMessage, system: System) -> MessageDocument:

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 from codegen.targets.naming import prose
 from codegen.template_files import copied, plain_files
 
+_OPEN = "\0"
+"""What stands for a digest: no name of a file has that character."""
+
 
 @dataclass(frozen=True, slots=True)
 class Origin:
@@ -21,6 +24,15 @@ class Origin:
 
     sources: tuple[str, ...]
     digest: str
+
+    @property
+    def open(self) -> "Origin":
+        """The same for a view: what it says does not change with every input. ``closed`` puts the digest in."""
+        return Origin(self.sources, _OPEN)
+
+    def closed(self, text: str) -> str:
+        """A text that was rendered of a view with ``open``, in which the digest stands after the sources."""
+        return text.replace(_OPEN, self.digest, 1)
 
 
 def source_name(system: "System", path: str) -> str:

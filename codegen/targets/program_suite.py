@@ -4,7 +4,6 @@ from codegen.frozen import dataclass
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
-from codegen.render import render_template
 from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
@@ -13,6 +12,7 @@ from codegen.targets.firmware.streams import StreamsView, streams_view
 from codegen.targets.generation_facts import GenerationFacts, MessageFacts, generation_facts, message_facts
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
+from codegen.targets.rendered import rendered
 
 _PROGRAM = "tests/program"
 
@@ -71,7 +71,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         requirements=documents_of_topics(system, program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
-    text = render_template(f"{_PROGRAM}/program_facts.py.j2", view)
+    text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)
     files["tests/program_facts.py"] = headed(text, origin)
     return files
 

@@ -2,7 +2,6 @@
 
 from codegen.frozen import dataclass
 from codegen.model.system import System
-from codegen.render import render_template
 from codegen.targets.behaviour_checks import BehaviourCheck, behaviour_checks
 from codegen.targets.cases_file import cases_text
 from codegen.targets.component_facts import ComponentFacts, component_facts
@@ -12,6 +11,7 @@ from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
+from codegen.targets.rendered import rendered
 
 RENDERED = ("behaviour.py", "test_frames.py")
 
@@ -58,7 +58,7 @@ def render_suite(system: System) -> dict[str, str]:
         expiring={component.name: _readers(component.name, system) for component in components},
     )
     for name in RENDERED:
-        files[f"tests/{name}"] = headed(render_template(f"tests/{name}.j2", view), origin)
+        files[f"tests/{name}"] = headed(rendered(f"tests/{name}.j2", view), origin)
     return files if system.program is None else files | render_program_suite(system, system.program)
 
 

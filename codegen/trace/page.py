@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 from codegen.frozen import dataclass
 from codegen.model.system import System
-from codegen.render import render_page, render_template
 from codegen.targets.origin import Origin, origin_of
 from codegen.targets.pages.navigation import TRACE_PAGE, Navigation, navigation
+from codegen.targets.rendered import rendered_page
 from codegen.trace.view import TraceView
 
 
@@ -21,16 +21,20 @@ class TracePage:
 
 def trace_report(view: TraceView) -> str:
     """One file of HTML with the matrix of all criteria, to be filtered; it needs nothing beside it."""
+    from codegen.render import render_page  # noqa: PLC0415  a build that finds the page in the cache has no use for Jinja
+
     return render_page("trace/trace.html.j2", TracePage(view, None, None))
 
 
 def trace_markdown(view: TraceView) -> str:
     """The same as Markdown, for a pull request or a review."""
+    from codegen.render import render_template  # noqa: PLC0415
+
     return render_template("trace/trace.md.j2", view)
 
 
 def render_trace(systems: Sequence[System], view: TraceView) -> dict[str, str]:
     """The page below ``docs/`` of a project, which has what all of its programs do."""
     origin = origin_of(systems[0], systems[0].spec.files)
-    page = TracePage(view, navigation(systems[0], TRACE_PAGE), origin)
-    return {f"docs/{TRACE_PAGE}": render_page("trace/trace.html.j2", page)}
+    page = TracePage(view, navigation(systems[0], TRACE_PAGE), origin.open)
+    return {f"docs/{TRACE_PAGE}": origin.closed(rendered_page("trace/trace.html.j2", page))}

@@ -24,13 +24,13 @@ def cell_readings(parts: Sequence["EachAnswer"], answers: Sequence[Answer]) -> I
     source = parts[0].source
     pages = [answer for answer in answers if isinstance(answer, PageAnswer)]
     values = " + ".join(f"{_values(part)}" for part in parts)
-    uses = frozenset({"values_of"})
+    uses: tuple[str, ...] = ("values_of",)
     if pages and any(part.is_paged for part in parts):
         field = pages[0].covers.field.name
-        expression, uses = f'page(get("{field}"), {values})', uses | {"page"}
+        expression, uses = f'page(get("{field}"), {values})', (*uses, "page")
     else:
         full = [part.fallback.cell_high for part in parts if part.fallback]
-        expression, uses = f"single({values}, {_full(parts[0], full)})", uses | {"single"}
+        expression, uses = f"single({values}, {_full(parts[0], full)})", (*uses, "single")
     label = parts[0].covers.label
     yield Reading(source.name, expression, source.unit.name, source.spec.doc, label, uses=uses, is_by_cell=True)
     yield from _sum(parts)
@@ -61,5 +61,5 @@ def _sum(parts: Sequence["EachAnswer"]) -> Iterator[Reading]:
         ]
         whole = sums[0] if len(sums) == 1 else f"added({', '.join(sums)})"
         expression, uses = scaled(whole, to_unit(source, part.fallback.scaling))
-        uses |= {"joined", "added"} if len(sums) > 1 else {"joined"}
+        uses = (*uses, "joined", "added") if len(sums) > 1 else (*uses, "joined")
         yield Reading(source.name, expression, source.unit.name, source.spec.doc, part.covers.label, uses=uses)

@@ -2,7 +2,6 @@
 
 from codegen.model.dialect import WireMessage
 from codegen.model.system import System
-from codegen.render import render_template
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.firmware.board import board_view
@@ -15,6 +14,7 @@ from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
+from codegen.targets.rendered import rendered
 
 _PROGRAM = "firmware/program"
 
@@ -32,7 +32,7 @@ def render_firmware(system: System) -> dict[str, str]:
     view = state_view(system, layout)
     machine_code = system.spec.project.machine_code
     plain = functions_view(system, layout, machine_code=False)
-    rendered: dict[str, tuple[object, list[str], list[WireMessage]]] = {
+    views: dict[str, tuple[object, list[str], list[WireMessage]]] = {
         "board.py": (board_view(system), [board, state, parameters], []),
         "parameters.py": (parameter_views(system), [parameters], []),
         "state.py": (view, [state, board, parameters], []),
@@ -41,13 +41,13 @@ def render_firmware(system: System) -> dict[str, str]:
         "telemetry_plain.py": (plain, written, wires),
     }
     if view.is_measured:
-        rendered["state_plain.py"] = (readings_view(system, layout, machine_code=False), [state, board, parameters], [])
+        views["state_plain.py"] = (readings_view(system, layout, machine_code=False), [state, board, parameters], [])
         if machine_code:
             readings = readings_view(system, layout, machine_code=True)
-            rendered["state_viper.py"] = (readings, [state, board, parameters], [])
+            views["state_viper.py"] = (readings, [state, board, parameters], [])
     if machine_code:
         fast = functions_view(system, layout, machine_code=True)
-        rendered["telemetry_viper.py"] = (fast, written, wires)
+        views["telemetry_viper.py"] = (fast, written, wires)
     accelerated = [MACHINE_CODE] if machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
     optional = {
@@ -61,8 +61,8 @@ def render_firmware(system: System) -> dict[str, str]:
     files["firmware/messages.py"] = headed(
         messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
     )
-    for name, (shown, paths, messages) in rendered.items():
-        text = render_template(f"firmware/{name}.j2", shown)
+    for name, (shown, paths, messages) in views.items():
+        text = rendered(f"firmware/{name}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
     return files | _program_files(system)
 
@@ -78,7 +78,7 @@ def _program_files(system: System) -> dict[str, str]:
     vehicle = specification_file(system, "vehicle.yaml")
     read = {"main.py": [vehicle], "vehicle.py": paths, **({"failsafe.py": paths} if program.failsafes else {})}
     for name, sources in read.items():
-        text = render_template(f"{_PROGRAM}/{name}.j2", view)
+        text = rendered(f"{_PROGRAM}/{name}.j2", view)
         files[f"firmware/{name}"] = headed(text, origin_of(system, sources))
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)

@@ -1,12 +1,12 @@
 """Pages for reviewers: what is sent byte by byte, where it comes from, what it costs. Each opens from disk alone."""
 
 from codegen.model.system import System
-from codegen.render import render_page
 from codegen.targets.origin import origin_of, specification_file
 from codegen.targets.pages.bandwidth import bandwidth_page
 from codegen.targets.pages.message import message_page
 from codegen.targets.pages.navigation import message_path
 from codegen.targets.pages.overview import overview_page
+from codegen.targets.rendered import rendered_page
 
 
 def render_pages(system: System) -> dict[str, str]:
@@ -17,13 +17,16 @@ def render_pages(system: System) -> dict[str, str]:
     cited: set[str] = set()
     for message in system.messages:
         own = [message.population.place.file, message.citation.requirement.place.file]
-        page = message_page(message, system, origin_of(system, [*shared, *own], [message.wire]))
+        origin = origin_of(system, [*shared, *own], [message.wire])
+        page = message_page(message, system, origin.open)
         cited |= {name for field in page.fields for step in field.steps for name in step.criteria}
-        files[f"docs/{message_path(message.name)}"] = render_page("pages/message.html.j2", page)
+        files[f"docs/{message_path(message.name)}"] = origin.closed(rendered_page("pages/message.html.j2", page))
     wires = [message.wire for message in system.messages]
     tables = [message.population.place.file for message in system.messages]
-    bandwidth = bandwidth_page(system, origin_of(system, [*shared, *tables], wires))
-    files["docs/bandwidth.html"] = render_page("pages/bandwidth.html.j2", bandwidth)
-    overview = overview_page(system, origin_of(system, system.spec.files, wires), cited)
-    files["docs/index.html"] = render_page("pages/overview.html.j2", overview)
+    origin = origin_of(system, [*shared, *tables], wires)
+    bandwidth = bandwidth_page(system, origin.open)
+    files["docs/bandwidth.html"] = origin.closed(rendered_page("pages/bandwidth.html.j2", bandwidth))
+    origin = origin_of(system, system.spec.files, wires)
+    overview = overview_page(system, origin.open, cited)
+    files["docs/index.html"] = origin.closed(rendered_page("pages/overview.html.j2", overview))
     return files

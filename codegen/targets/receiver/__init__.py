@@ -1,13 +1,13 @@
 """The receiver: messages turned back into quantities, for companion computers and ground tools."""
 
 from codegen.model.system import System
-from codegen.render import render_template
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 from codegen.targets.receiver.names import names_view
 from codegen.targets.receiver.suite import render_receiver_suite
 from codegen.targets.receiver.view import receiver_view
+from codegen.targets.rendered import rendered
 
 _FOLDER = "receiver"
 
@@ -28,8 +28,8 @@ def render_receiver(system: System) -> dict[str, str]:
     )
     view = receiver_view(system, receiver)
     origin = origin_of(system, sources, wires)
-    files[f"{_FOLDER}/{view.module}.py"] = headed(render_template("receiver/views_of.py.j2", view), origin)
-    names = render_template("receiver/enum_names.py.j2", names_view(view.enums, system.dialect))
+    files[f"{_FOLDER}/{view.module}.py"] = headed(rendered("receiver/views_of.py.j2", view), origin)
+    names = rendered("receiver/enum_names.py.j2", names_view(view.enums, system.dialect))
     files[f"{_FOLDER}/enum_names.py"] = headed(names, origin)
-    files[f"{_FOLDER}/README.md"] = render_template("receiver/README.md.j2", view)
+    files[f"{_FOLDER}/README.md"] = rendered("receiver/README.md.j2", view)
     return files | render_receiver_suite(system, receiver, view)

@@ -44,7 +44,7 @@ def _charging(field: WireField, enum: EnumDefinition) -> Reading:
     assert entry is not None
     function, number = ("is_set", f"{entry.value:#x}") if _is_bitmask(field, enum) else ("is_entry", str(entry.value))
     expression = f'{function}(get("{field.name}"), {number})'
-    return Reading(CHARGING, expression, "", "", field.name, uses=frozenset({function}))
+    return Reading(CHARGING, expression, "", "", field.name, uses=(function,))
 
 
 def _is_bitmask(field: WireField, enum: EnumDefinition) -> bool:
@@ -72,11 +72,11 @@ def _fact(covers: Elements, message: PopulatedMessage, component: Component, dia
     enum = dialect.enums.get(field.definition.enum or "")
     got = f'get("{field.name}")'
     if field.type.kind is Kind.CHAR:
-        yield Reading(name, f"text({got})", "", "", field.name, uses=frozenset({"text"}))
+        yield Reading(name, f"text({got})", "", "", field.name, uses=("text",))
     elif enum is not None and _is_bitmask(field, enum):
         yield flag_names(field, enum)
     elif enum is not None:
-        uses = frozenset({"entry", enum.name})
+        uses: tuple[str, ...] = ("entry", enum.name)
         yield Reading(name, f"entry(enum_names.{enum.name}, {got})", "", "", field.name, uses=uses)
     else:
         unit = Unit.parse(field.definition.units)
