@@ -6,332 +6,231 @@ import struct
 
 from conversion import to_steps
 
-NAMES = (
-    "BATT2_ARM_VOLT",
-    "BATT2_CAPACITY",
-    "BATT2_CRT_VOLT",
-    "BATT2_FS_CRT_ACT",
-    "BATT2_FS_LOW_ACT",
-    "BATT2_LOW_TIMER",
-    "BATT2_LOW_VOLT",
-    "BATT2_MONITOR",
-    "BATT2_VOLT_MULT",
-    "BATT2_VOLT_PIN",
-    "BATT_ARM_VOLT",
-    "BATT_CAPACITY",
-    "BATT_CRT_VOLT",
-    "BATT_FS_CRT_ACT",
-    "BATT_FS_LOW_ACT",
-    "BATT_LOW_TIMER",
-    "BATT_LOW_VOLT",
-    "BATT_MONITOR",
-    "BATT_REPORT",
-    "BATT_SYS_STATUS",
-    "BATT_VOLT_MULT",
-    "BATT_VOLT_PIN",
-    "SR0_EXTRA1",
-    "SR0_EXTRA3",
-    "SR0_EXT_STAT",
-    "SYSID_THISMAV",
-)
-
-# name: (attribute, default, smallest, largest, numerator, denominator, type, used after a restart only, choices)
+# name: (smallest, largest, numerator, denominator, type, used after a restart only)
 # A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
 _TABLE = {
     "BATT2_ARM_VOLT": (
-        "batt2_arm_volt",
-        0,
         0,
         100000,
         1,
         1000,
         9,  # real32
         False,
-        (),
     ),
     "BATT2_CAPACITY": (
-        "batt2_capacity",
-        3300,
         0,
         1000000,
         1,
         1,
         6,  # int32
         False,
-        (),
     ),
     "BATT2_CRT_VOLT": (
-        "batt2_crt_volt",
-        9900,
         0,
         100000,
         1,
         1000,
         9,  # real32
         False,
-        (),
     ),
     "BATT2_FS_CRT_ACT": (
-        "batt2_fs_crt_act",
-        2,
         0,
         5,
         1,
         1,
         2,  # int8
         False,
-        (0, 1, 2, 3, 4, 5),
     ),
     "BATT2_FS_LOW_ACT": (
-        "batt2_fs_low_act",
-        2,
         0,
         5,
         1,
         1,
         2,  # int8
         False,
-        (0, 1, 2, 3, 4, 5),
     ),
     "BATT2_LOW_TIMER": (
-        "batt2_low_timer",
-        10,
         0,
         120,
         1,
         1,
         2,  # int8
         False,
-        (),
     ),
     "BATT2_LOW_VOLT": (
-        "batt2_low_volt",
-        10500,
         0,
         100000,
         1,
         1000,
         9,  # real32
         False,
-        (),
     ),
     "BATT2_MONITOR": (
-        "batt2_monitor",
-        0,
         0,
         3,
         1,
         1,
         2,  # int8
         True,
-        (0, 3),
     ),
     "BATT2_VOLT_MULT": (
-        "batt2_volt_mult",
-        39500,
         10000,
         100000,
         1,
         10000,
         9,  # real32
         True,
-        (),
     ),
     "BATT2_VOLT_PIN": (
-        "batt2_volt_pin",
-        27,
         26,
         28,
         1,
         1,
         2,  # int8
         True,
-        (),
     ),
     "BATT_ARM_VOLT": (
-        "batt_arm_volt",
-        0,
         0,
         100000,
         1,
         1000,
         9,  # real32
         False,
-        (),
     ),
     "BATT_CAPACITY": (
-        "batt_capacity",
-        3300,
         0,
         1000000,
         1,
         1,
         6,  # int32
         False,
-        (),
     ),
     "BATT_CRT_VOLT": (
-        "batt_crt_volt",
-        9900,
         0,
         100000,
         1,
         1000,
         9,  # real32
         False,
-        (),
     ),
     "BATT_FS_CRT_ACT": (
-        "batt_fs_crt_act",
-        2,
         0,
         5,
         1,
         1,
         2,  # int8
         False,
-        (0, 1, 2, 3, 4, 5),
     ),
     "BATT_FS_LOW_ACT": (
-        "batt_fs_low_act",
-        2,
         0,
         5,
         1,
         1,
         2,  # int8
         False,
-        (0, 1, 2, 3, 4, 5),
     ),
     "BATT_LOW_TIMER": (
-        "batt_low_timer",
-        10,
         0,
         120,
         1,
         1,
         2,  # int8
         False,
-        (),
     ),
     "BATT_LOW_VOLT": (
-        "batt_low_volt",
-        10500,
         0,
         100000,
         1,
         1000,
         9,  # real32
         False,
-        (),
     ),
     "BATT_MONITOR": (
-        "batt_monitor",
-        3,
         0,
         3,
         1,
         1,
         2,  # int8
         True,
-        (0, 3),
     ),
     "BATT_REPORT": (
-        "batt_report",
-        0,
         0,
         2,
         1,
         1,
         2,  # int8
         False,
-        (0, 1, 2),
     ),
     "BATT_SYS_STATUS": (
-        "batt_sys_status",
-        1,
         1,
         16,
         1,
         1,
         2,  # int8
         False,
-        (),
     ),
     "BATT_VOLT_MULT": (
-        "batt_volt_mult",
-        39500,
         10000,
         100000,
         1,
         10000,
         9,  # real32
         True,
-        (),
     ),
     "BATT_VOLT_PIN": (
-        "batt_volt_pin",
-        26,
         26,
         28,
         1,
         1,
         2,  # int8
         True,
-        (),
     ),
     "SR0_EXTRA1": (
-        "sr0_extra1",
-        2,
         0,
         50,
         1,
         1,
         4,  # int16
         False,
-        (),
     ),
     "SR0_EXTRA3": (
-        "sr0_extra3",
-        1,
         0,
         50,
         1,
         1,
         4,  # int16
         False,
-        (),
     ),
     "SR0_EXT_STAT": (
-        "sr0_ext_stat",
-        1,
         0,
         50,
         1,
         1,
         4,  # int16
         False,
-        (),
     ),
     "SYSID_THISMAV": (
-        "sysid_thismav",
-        1,
         1,
         255,
         1,
         1,
         4,  # int16
         True,
-        (),
     ),
 }
+NAMES = tuple(sorted(_TABLE))
+
+_CHOICES = {}  # steps that are accepted, where not all between the limits are
+_CHOICES["BATT2_MONITOR"] = (0, 3)
+_CHOICES["BATT_MONITOR"] = (0, 3)
+_ATTRIBUTES = {}  # where an attribute is not called as its parameter is, in small letters
 
 
 class Parameters:
     """The parameters, at first with their defaults.
 
-    An attribute has the steps of each; set() checks, an attribute that is written does not. `changes` counts what set()
-    has changed.
+    An attribute has the steps of each, its name in small letters; set() checks, an attribute that is written does not.
+    `changes` counts what set() has changed.
     """
 
     def __init__(self):
@@ -395,23 +294,25 @@ class Parameters:
 
     def get(self, name):
         """Return the value of a parameter. KeyError: there is no such parameter."""
-        return self.value(name, getattr(self, _TABLE[name][0]))
+        if name not in _TABLE:
+            raise KeyError(name)
+        return self.value(name, getattr(self, _attribute(name)))
 
     def value(self, name, steps):
         """Return what so many steps of a parameter are worth."""
-        return steps * _TABLE[name][4] / _TABLE[name][5]
+        return steps * _TABLE[name][2] / _TABLE[name][3]
 
     def limits(self, name):
         """Return the smallest and the largest value of a parameter."""
-        return self.value(name, _TABLE[name][2]), self.value(name, _TABLE[name][3])
+        return self.value(name, _TABLE[name][0]), self.value(name, _TABLE[name][1])
 
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE that a parameter goes out as."""
-        return _TABLE[name][6]
+        return _TABLE[name][4]
 
     def is_after_reboot(self, name):
         """Return whether a new value is used only after the next start."""
-        return _TABLE[name][7]
+        return _TABLE[name][5]
 
     def set(self, name, value):
         """Take a value over, rounded to the nearest step; return whether it was accepted.
@@ -421,9 +322,8 @@ class Parameters:
         steps = self._steps(name, value)
         if steps is None:
             return False
-        attribute = _TABLE[name][0]
-        if getattr(self, attribute) != steps:
-            setattr(self, attribute, steps)
+        if getattr(self, _attribute(name)) != steps:
+            setattr(self, _attribute(name), steps)
             self.changes += 1
         return True
 
@@ -431,9 +331,9 @@ class Parameters:
         """Return the steps of an acceptable value, else None."""
         if name not in _TABLE:
             return None
-        _, _, smallest, largest, numerator, denominator, _, _, choices = _TABLE[name]
+        smallest, largest, numerator, denominator, _, _ = _TABLE[name]
         steps = to_steps(value, denominator, numerator)
-        if steps is None or not smallest <= steps <= largest or (choices and steps not in choices):
+        if steps is None or not smallest <= steps <= largest or steps not in _CHOICES.get(name, (steps,)):
             return None
         return steps
 
@@ -443,9 +343,10 @@ class Parameters:
         Each is the length of its name in a byte, its name and its value as a float of 32 bits: a later firmware with
         other steps still understands it.
         """
+        defaults = Parameters()
         records = []
         for name in NAMES:
-            if getattr(self, _TABLE[name][0]) != _TABLE[name][1]:
+            if getattr(self, _attribute(name)) != getattr(defaults, _attribute(name)):
                 records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
         return b"".join(records)
 
@@ -464,6 +365,10 @@ class Parameters:
             if steps is None:
                 problems.append(f"stored {name} = {value} is not accepted")
             else:
-                setattr(self, _TABLE[name][0], steps)
+                setattr(self, _attribute(name), steps)
             at = end + 4
         return problems
+
+
+def _attribute(name):
+    return _ATTRIBUTES.get(name) or name.lower()

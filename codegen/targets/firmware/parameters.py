@@ -11,11 +11,14 @@ from codegen.targets.naming import parameter_attribute, prose
 class ParameterView:
     """One parameter; the value is ``steps * numerator / denominator`` in ``unit``.
 
-    ``type`` is the number of its MAV_PARAM_TYPE; ``choices`` are the only steps that are accepted, or nothing.
+    ``type`` is the number of its MAV_PARAM_TYPE; ``choices`` are the only steps that are accepted, or nothing,
+    and ``has_gaps`` says that not all from ``minimum`` to ``maximum`` are among them. ``is_renamed`` says
+    that the attribute is not the name in small letters.
     """
 
     name: str
     attribute: str
+    is_renamed: bool
     default: int
     minimum: int
     maximum: int
@@ -25,6 +28,7 @@ class ParameterView:
     type_name: str
     after_restart: bool
     choices: tuple[int, ...]
+    has_gaps: bool
     comment: str
     doc: str
 
@@ -39,10 +43,13 @@ def parameter_views(system: System) -> tuple[ParameterView, ...]:
 def _parameter(parameter: Parameter, types: dict[str, int]) -> ParameterView:
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     step = "" if parameter.step == 1 else f", in steps of {decimal(parameter.step)}{unit}"
+    attribute = parameter_attribute(parameter.name)
+    choices = tuple(sorted(parameter.choices))
     meaning = parameter.choices.get(parameter.default)
     return ParameterView(
         name=parameter.name,
-        attribute=parameter_attribute(parameter.name),
+        attribute=attribute,
+        is_renamed=attribute != parameter.name.lower(),
         default=parameter.default,
         minimum=parameter.minimum,
         maximum=parameter.maximum,
@@ -51,7 +58,8 @@ def _parameter(parameter: Parameter, types: dict[str, int]) -> ParameterView:
         type=types.get(parameter.spec.type.value, 0),
         type_name=parameter.spec.type.value,
         after_restart=parameter.spec.reboot,
-        choices=tuple(sorted(parameter.choices)),
+        choices=choices,
+        has_gaps=bool(choices) and choices != tuple(range(parameter.minimum, parameter.maximum + 1)),
         comment=f"{decimal(parameter.default * parameter.step)}{unit}{step}{f': {prose(meaning)}' if meaning else ''}",
         doc=prose(parameter.spec.doc),
     )

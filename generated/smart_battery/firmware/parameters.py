@@ -6,128 +6,94 @@ import struct
 
 from conversion import to_steps
 
-NAMES = (
-    "BATT_CAPACITY",
-    "BATT_ID",
-    "BATT_MONITOR",
-    "BATT_REPORT",
-    "BATT_STATUS_RATE",
-    "BATT_VOLT_MULT",
-    "BATT_VOLT_PIN",
-    "COMPID_BATT",
-    "SYSID_THISMAV",
-)
-
-# name: (attribute, default, smallest, largest, numerator, denominator, type, used after a restart only, choices)
+# name: (smallest, largest, numerator, denominator, type, used after a restart only)
 # A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
 _TABLE = {
     "BATT_CAPACITY": (
-        "batt_capacity",
-        3300,
         0,
         1000000,
         1,
         1,
         6,  # int32
         False,
-        (),
     ),
     "BATT_ID": (
-        "batt_id",
-        2,
         0,
         9,
         1,
         1,
         1,  # uint8
         True,
-        (),
     ),
     "BATT_MONITOR": (
-        "batt_monitor",
-        3,
         0,
         3,
         1,
         1,
         2,  # int8
         True,
-        (0, 3),
     ),
     "BATT_REPORT": (
-        "batt_report",
-        0,
         0,
         2,
         1,
         1,
         2,  # int8
         False,
-        (0, 1, 2),
     ),
     "BATT_STATUS_RATE": (
-        "batt_status_rate",
-        5,
         0,
         100,
         1,
         10,
         9,  # real32
         False,
-        (),
     ),
     "BATT_VOLT_MULT": (
-        "batt_volt_mult",
-        39500,
         10000,
         100000,
         1,
         10000,
         9,  # real32
         True,
-        (),
     ),
     "BATT_VOLT_PIN": (
-        "batt_volt_pin",
-        26,
         26,
         28,
         1,
         1,
         2,  # int8
         True,
-        (),
     ),
     "COMPID_BATT": (
-        "compid_batt",
-        180,
         1,
         255,
         1,
         1,
         4,  # int16
         True,
-        (),
     ),
     "SYSID_THISMAV": (
-        "sysid_thismav",
-        1,
         1,
         255,
         1,
         1,
         4,  # int16
         True,
-        (),
     ),
 }
+NAMES = tuple(sorted(_TABLE))
+
+_CHOICES = {}  # steps that are accepted, where not all between the limits are
+_CHOICES["BATT_MONITOR"] = (0, 3)
+_ATTRIBUTES = {}  # where an attribute is not called as its parameter is, in small letters
 
 
 class Parameters:
     """The parameters, at first with their defaults.
 
-    An attribute has the steps of each; set() checks, an attribute that is written does not. `changes` counts what set()
-    has changed.
+    An attribute has the steps of each, its name in small letters; set() checks, an attribute that is written does not.
+    `changes` counts what set() has changed.
     """
 
     def __init__(self):
@@ -157,23 +123,25 @@ class Parameters:
 
     def get(self, name):
         """Return the value of a parameter. KeyError: there is no such parameter."""
-        return self.value(name, getattr(self, _TABLE[name][0]))
+        if name not in _TABLE:
+            raise KeyError(name)
+        return self.value(name, getattr(self, _attribute(name)))
 
     def value(self, name, steps):
         """Return what so many steps of a parameter are worth."""
-        return steps * _TABLE[name][4] / _TABLE[name][5]
+        return steps * _TABLE[name][2] / _TABLE[name][3]
 
     def limits(self, name):
         """Return the smallest and the largest value of a parameter."""
-        return self.value(name, _TABLE[name][2]), self.value(name, _TABLE[name][3])
+        return self.value(name, _TABLE[name][0]), self.value(name, _TABLE[name][1])
 
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE that a parameter goes out as."""
-        return _TABLE[name][6]
+        return _TABLE[name][4]
 
     def is_after_reboot(self, name):
         """Return whether a new value is used only after the next start."""
-        return _TABLE[name][7]
+        return _TABLE[name][5]
 
     def set(self, name, value):
         """Take a value over, rounded to the nearest step; return whether it was accepted.
@@ -183,9 +151,8 @@ class Parameters:
         steps = self._steps(name, value)
         if steps is None:
             return False
-        attribute = _TABLE[name][0]
-        if getattr(self, attribute) != steps:
-            setattr(self, attribute, steps)
+        if getattr(self, _attribute(name)) != steps:
+            setattr(self, _attribute(name), steps)
             self.changes += 1
         return True
 
@@ -193,9 +160,9 @@ class Parameters:
         """Return the steps of an acceptable value, else None."""
         if name not in _TABLE:
             return None
-        _, _, smallest, largest, numerator, denominator, _, _, choices = _TABLE[name]
+        smallest, largest, numerator, denominator, _, _ = _TABLE[name]
         steps = to_steps(value, denominator, numerator)
-        if steps is None or not smallest <= steps <= largest or (choices and steps not in choices):
+        if steps is None or not smallest <= steps <= largest or steps not in _CHOICES.get(name, (steps,)):
             return None
         return steps
 
@@ -205,9 +172,10 @@ class Parameters:
         Each is the length of its name in a byte, its name and its value as a float of 32 bits: a later firmware with
         other steps still understands it.
         """
+        defaults = Parameters()
         records = []
         for name in NAMES:
-            if getattr(self, _TABLE[name][0]) != _TABLE[name][1]:
+            if getattr(self, _attribute(name)) != getattr(defaults, _attribute(name)):
                 records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
         return b"".join(records)
 
@@ -226,6 +194,10 @@ class Parameters:
             if steps is None:
                 problems.append(f"stored {name} = {value} is not accepted")
             else:
-                setattr(self, _TABLE[name][0], steps)
+                setattr(self, _attribute(name), steps)
             at = end + 4
         return problems
+
+
+def _attribute(name):
+    return _ATTRIBUTES.get(name) or name.lower()
