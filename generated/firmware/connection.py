@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py: do not edit.
-# Inputs: bab2ce9c902e2249
+# Inputs: 4000d32546a1d992
 """One port of the vehicle: what arrives is answered, and what is due is sent.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -11,12 +11,13 @@ import time
 import messages
 from guard import Guard
 from inbox import Inbox
+from micropython import const
 from services import Services
 
-_MESSAGES = 2  # in a pass
-_REPLIES = 8  # that wait for the port
-_QUIET_MS = 1000  # between two texts about faults
-_TEXT = 50  # characters of a STATUSTEXT
+_MESSAGES = const(2)  # in a pass
+_REPLIES = const(8)  # that wait for the port
+_QUIET_MS = const(1000)  # between two texts about faults
+_TEXT = const(50)  # characters of a STATUSTEXT
 
 
 class Connection:
@@ -35,7 +36,7 @@ class Connection:
         self.faults = 0
         self.lost_replies = 0
         # Each frame says whom it comes from.
-        frame = link.encode(messages.Heartbeat())
+        frame = link.encode(messages.Heartbeat(unknown=False))
         at = 5 if link.version == 2 else 3
         self.system_id = frame[at]
         self.component_id = frame[at + 1]
@@ -129,7 +130,7 @@ class _TextSender:
     def __init__(self, connection, texts):
         self._connection = connection
         self._texts = texts
-        self._message = messages.Statustext()
+        self._message = messages.Statustext(unknown=False)
         self._number = 0  # of the text at hand
         self._text = b""
         self._id = 0

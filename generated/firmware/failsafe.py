@@ -6,6 +6,7 @@
 import time
 
 import dialect
+from micropython import const
 
 OK, LOW, CRITICAL = 0, 1, 2
 _HEALTH = (
@@ -13,8 +14,8 @@ _HEALTH = (
     (dialect.MAV_SEVERITY_WARNING, "warning"),
     (dialect.MAV_SEVERITY_WARNING, "unhealthy"),
 )
-_LONGEST_MS = 1 << 24  # time below a threshold is not counted further
-_ABOVE = -1
+_LONGEST_MS = const(1 << 24)  # time below a threshold is not counted further
+_ABOVE = const(-1)
 
 # Names of the parameters that each has of its own.
 _BATT_LOW_VOLT = ("batt_low_volt", "batt2_low_volt")

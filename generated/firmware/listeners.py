@@ -1,11 +1,13 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: 1d6e59f06aba34b4
+# Inputs: 616c814ba561e796
 """Who listens at the other end of a link: the ground stations whose HEARTBEAT arrives."""
 
 import time
 from array import array
 
-_STATIONS = 4  # that are told apart; of more, the one that has been silent for longest is forgotten
+from micropython import const
+
+_STATIONS = const(4)  # that are told apart; of more, the one that has been silent for longest is forgotten
 
 
 class Listeners:

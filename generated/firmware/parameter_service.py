@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py: do not edit.
-# Inputs: 8a58637fea38c1df
+# Inputs: 3c7469a3eb3447c5
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -9,9 +9,10 @@ HEARTBEAT of an ArduPilot vehicle (MAV_AUTOPILOT_ARDUPILOTMEGA) says so.
 import dialect
 import messages
 import parameters
+from micropython import const
 
-_NO_INDEX = 0xFFFF  # PARAM_VALUE that is not part of the list
-_BY_NAME = -1  # index of requests that name the parameter
+_NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
+_BY_NAME = const(-1)  # index of requests that name the parameter
 
 
 class ParameterService:
@@ -20,8 +21,8 @@ class ParameterService:
     def __init__(self, vehicle, connection):
         self._vehicle = vehicle
         self._connection = connection
-        self._value = messages.ParamValue()
-        self._error = messages.ParamError()
+        self._value = messages.ParamValue(unknown=False)  # each sets all fields
+        self._error = messages.ParamError(unknown=False)
         self._next = len(parameters.NAMES)  # index of the list's next value; at the end: nothing to send
 
     def run(self):

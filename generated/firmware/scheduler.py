@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 79ba67990369687e
+# Inputs: 6747eeaa4e38df33
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -10,9 +10,10 @@ import asyncio
 import time
 
 from guard import Guard
+from micropython import const
 
 LONGEST_PERIOD_US = (1 << 29) - 1  # ticks_diff() is right for less than half the range of ticks_us()
-_WINDOW_US = 1000000
+_WINDOW_US = const(1000000)
 
 
 class _Slot:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py: do not edit.
-# Inputs: 0b0bfa070610cd91
+# Inputs: db6f8d7c189f4a30
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -8,9 +8,10 @@ import dialect
 import messages
 from commands import Commands
 from listeners import Listeners
+from micropython import const
 from parameter_service import ParameterService
 
-_HEAD = 12  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
+_HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
 
 class FtpHead(messages.FileTransferProtocol):
@@ -53,8 +54,8 @@ class Services:
         self.ground_station = None
         self.heard_ms = None
         self._listeners = Listeners(vehicle.SILENCE_MS)
-        self._pong = messages.Ping()
-        self._refusal = FtpHead()
+        self._pong = messages.Ping(unknown=False)
+        self._refusal = FtpHead(unknown=False)
         self._for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
         self._for_target = {
             messages.CommandLong.ID: self._commands.handle,

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/storage.py: do not edit.
-# Inputs: 4943b9a0e9e38c68
+# Inputs: 85e372f1d5aedbf8
 """Keeps a few hundred bytes in flash so that a power cut, whenever it comes, leaves the old ones or the new ones.
 
 There are two files, and a save writes the one that does not hold the newest payload: magic, version, sequence number,
@@ -11,14 +11,15 @@ import struct
 from binascii import crc32
 
 from guard import Guard
+from micropython import const
 
 LONGEST_PAYLOAD = 0xFFFF
 
 _HEADER = "<4sHHH"  # magic, version, sequence, length
-_HEADER_SIZE = 10
-_CRC_SIZE = 4
+_HEADER_SIZE = const(10)
+_CRC_SIZE = const(4)
 _MAGIC = b"SLOT"
-_VERSION = 1
+_VERSION = const(1)
 
 
 class Storage:

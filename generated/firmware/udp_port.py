@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/udp_port.py: do not edit.
-# Inputs: ab5650b70028ae99
+# Inputs: ccf9207fcb455a18
 """A port that sends UDP over Wi-Fi.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -14,9 +14,10 @@ import socket
 import time
 
 from guard import Guard
+from micropython import const
 from readiness import Readiness
 
-_WRAP = 0x3FFFFFFF
+_WRAP = const(0x3FFFFFFF)
 _BUSY = (errno.EAGAIN, errno.ENOBUFS, errno.ENOMEM)  # there is no room for a datagram now, and that is all
 
 

@@ -101,6 +101,7 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("connection", "Connection"),
         *(("failsafe", failsafe.class_name) for failsafe in failsafes),
         ("guard", "Guard"),
+        ("micropython", "const"),
         ("parameters", "Parameters"),
         ("scheduler", "Scheduler"),
         ("services", "receivable"),

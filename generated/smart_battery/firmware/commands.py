@@ -1,12 +1,13 @@
 # Generated from templates/firmware/program/commands.py: do not edit.
-# Inputs: 7c5fe065cdd62f66
+# Inputs: b957e38a3bc81a02
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 import dialect
 import messages
+from micropython import const
 
-_LARGEST_ID = 0xFFFFFF  # of a message in MAVLink 2
-_LARGEST_INTERVAL_US = 0x3FFFFFFF  # 18 minutes: what a board counts without making an object
+_LARGEST_ID = const(0xFFFFFF)  # of a message in MAVLink 2
+_LARGEST_INTERVAL_US = const(0x3FFFFFFF)  # 18 minutes: what a board counts without making an object
 
 
 class Command:
@@ -43,7 +44,7 @@ class Commands:
         self._vehicle = vehicle
         self._connection = connection
         self._ack = messages.CommandAck()
-        self._interval = messages.MessageInterval()
+        self._interval = messages.MessageInterval(unknown=False)
         self._table = {
             dialect.MAV_CMD_REQUEST_MESSAGE: self._request_message,
             dialect.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,

@@ -1,13 +1,15 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: 13dcf21cccd254a4
+# Inputs: 1072121dd6afbfb7
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
 import time
 
-_BUFFER = 512  # bytes that one readinto() takes; of UDP it has to be a whole datagram, or its end is lost
-_PIECE = 32  # bytes that are searched for frames at once
-_PIECES = 8  # in a pass
-_BUDGET_US = 500  # no more pieces in a pass from here on: bytes that look like frames take long to be searched
+from micropython import const
+
+_BUFFER = const(512)  # bytes that one readinto() takes; of UDP it has to be a whole datagram, or its end is lost
+_PIECE = const(32)  # bytes that are searched for frames at once
+_PIECES = const(8)  # in a pass
+_BUDGET_US = const(500)  # no more pieces in a pass from here on: bytes that look like frames take long to be searched
 
 
 class Inbox:

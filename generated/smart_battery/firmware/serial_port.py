@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/serial_port.py: do not edit.
-# Inputs: c681d272d67a27b9
+# Inputs: 71bfbb86ca49c865
 """Ports on a UART or on USB, where bytes may go and come in parts.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -12,11 +12,12 @@ import sys
 
 from conversion import limited
 from guard import Guard
+from micropython import const
 from readiness import Readiness
 
-_WRAP = 0x3FFFFFFF
-_PIECE = 32  # bytes that are written at once from the buffer
-_PIECES = 8  # so many of them in one poll(), so that it stays short
+_WRAP = const(0x3FFFFFFF)
+_PIECE = const(32)  # bytes that are written at once from the buffer
+_PIECES = const(8)  # so many of them in one poll(), so that it stays short
 
 
 class StreamPort:

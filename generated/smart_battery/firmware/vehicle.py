@@ -12,6 +12,7 @@ import machine
 from board import Board
 from connection import Connection
 from guard import Guard
+from micropython import const
 from parameters import Parameters
 from scheduler import Scheduler
 from services import receivable
@@ -26,8 +27,8 @@ REPORT_US = 10000000  # between two texts about missed slots
 
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
-_SAVE_MS = 100  # how often it is looked whether there is something to save
-_FAREWELL_MS = 500  # what is on its way to ground stations leaves before a restart
+_SAVE_MS = const(100)  # how often it is looked whether there is something to save
+_FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
 
 
 class Vehicle:

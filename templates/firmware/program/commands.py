@@ -2,9 +2,10 @@
 
 import dialect
 import messages
+from micropython import const
 
-_LARGEST_ID = 0xFFFFFF  # of a message in MAVLink 2
-_LARGEST_INTERVAL_US = 0x3FFFFFFF  # 18 minutes: what a board counts without making an object
+_LARGEST_ID = const(0xFFFFFF)  # of a message in MAVLink 2
+_LARGEST_INTERVAL_US = const(0x3FFFFFFF)  # 18 minutes: what a board counts without making an object
 
 
 class Command:
@@ -41,7 +42,7 @@ class Commands:
         self._vehicle = vehicle
         self._connection = connection
         self._ack = messages.CommandAck()
-        self._interval = messages.MessageInterval()
+        self._interval = messages.MessageInterval(unknown=False)
         self._table = {
             dialect.MAV_CMD_REQUEST_MESSAGE: self._request_message,
             dialect.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,

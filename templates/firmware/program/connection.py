@@ -9,12 +9,13 @@ import time
 import messages
 from guard import Guard
 from inbox import Inbox
+from micropython import const
 from services import Services
 
-_MESSAGES = 2  # in a pass
-_REPLIES = 8  # that wait for the port
-_QUIET_MS = 1000  # between two texts about faults
-_TEXT = 50  # characters of a STATUSTEXT
+_MESSAGES = const(2)  # in a pass
+_REPLIES = const(8)  # that wait for the port
+_QUIET_MS = const(1000)  # between two texts about faults
+_TEXT = const(50)  # characters of a STATUSTEXT
 
 
 class Connection:
@@ -33,7 +34,7 @@ class Connection:
         self.faults = 0
         self.lost_replies = 0
         # Each frame says whom it comes from.
-        frame = link.encode(messages.Heartbeat())
+        frame = link.encode(messages.Heartbeat(unknown=False))
         at = 5 if link.version == 2 else 3
         self.system_id = frame[at]
         self.component_id = frame[at + 1]
@@ -127,7 +128,7 @@ class _TextSender:
     def __init__(self, connection, texts):
         self._connection = connection
         self._texts = texts
-        self._message = messages.Statustext()
+        self._message = messages.Statustext(unknown=False)
         self._number = 0  # of the text at hand
         self._text = b""
         self._id = 0

@@ -3,7 +3,9 @@
 import time
 from array import array
 
-_STATIONS = 4  # that are told apart; of more, the one that has been silent for longest is forgotten
+from micropython import const
+
+_STATIONS = const(4)  # that are told apart; of more, the one that has been silent for longest is forgotten
 
 
 class Listeners:

@@ -7,9 +7,10 @@ HEARTBEAT of an ArduPilot vehicle (MAV_AUTOPILOT_ARDUPILOTMEGA) says so.
 import dialect
 import messages
 import parameters
+from micropython import const
 
-_NO_INDEX = 0xFFFF  # PARAM_VALUE that is not part of the list
-_BY_NAME = -1  # index of requests that name the parameter
+_NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
+_BY_NAME = const(-1)  # index of requests that name the parameter
 
 
 class ParameterService:
@@ -18,8 +19,8 @@ class ParameterService:
     def __init__(self, vehicle, connection):
         self._vehicle = vehicle
         self._connection = connection
-        self._value = messages.ParamValue()
-        self._error = messages.ParamError()
+        self._value = messages.ParamValue(unknown=False)  # each sets all fields
+        self._error = messages.ParamError(unknown=False)
         self._next = len(parameters.NAMES)  # index of the list's next value; at the end: nothing to send
 
     def run(self):

@@ -8,9 +8,10 @@ import asyncio
 import time
 
 from guard import Guard
+from micropython import const
 
 LONGEST_PERIOD_US = (1 << 29) - 1  # ticks_diff() is right for less than half the range of ticks_us()
-_WINDOW_US = 1000000
+_WINDOW_US = const(1000000)
 
 
 class _Slot:

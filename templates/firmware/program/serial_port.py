@@ -10,11 +10,12 @@ import sys
 
 from conversion import limited
 from guard import Guard
+from micropython import const
 from readiness import Readiness
 
-_WRAP = 0x3FFFFFFF
-_PIECE = 32  # bytes that are written at once from the buffer
-_PIECES = 8  # so many of them in one poll(), so that it stays short
+_WRAP = const(0x3FFFFFFF)
+_PIECE = const(32)  # bytes that are written at once from the buffer
+_PIECES = const(8)  # so many of them in one poll(), so that it stays short
 
 
 class StreamPort:

@@ -6,9 +6,10 @@ import dialect
 import messages
 from commands import Commands
 from listeners import Listeners
+from micropython import const
 from parameter_service import ParameterService
 
-_HEAD = 12  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
+_HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
 
 class FtpHead(messages.FileTransferProtocol):
@@ -51,8 +52,8 @@ class Services:
         self.ground_station = None
         self.heard_ms = None
         self._listeners = Listeners(vehicle.SILENCE_MS)
-        self._pong = messages.Ping()
-        self._refusal = FtpHead()
+        self._pong = messages.Ping(unknown=False)
+        self._refusal = FtpHead(unknown=False)
         self._for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
         self._for_target = {
             messages.CommandLong.ID: self._commands.handle,

@@ -9,14 +9,15 @@ import struct
 from binascii import crc32
 
 from guard import Guard
+from micropython import const
 
 LONGEST_PAYLOAD = 0xFFFF
 
 _HEADER = "<4sHHH"  # magic, version, sequence, length
-_HEADER_SIZE = 10
-_CRC_SIZE = 4
+_HEADER_SIZE = const(10)
+_CRC_SIZE = const(4)
 _MAGIC = b"SLOT"
-_VERSION = 1
+_VERSION = const(1)
 
 
 class Storage:

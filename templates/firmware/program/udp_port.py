@@ -12,9 +12,10 @@ import socket
 import time
 
 from guard import Guard
+from micropython import const
 from readiness import Readiness
 
-_WRAP = 0x3FFFFFFF
+_WRAP = const(0x3FFFFFFF)
 _BUSY = (errno.EAGAIN, errno.ENOBUFS, errno.ENOMEM)  # there is no room for a datagram now, and that is all
 
 
