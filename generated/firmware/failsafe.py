@@ -1,18 +1,21 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
-#   specs/vehicle.yaml: do not edit.
-# Inputs: 4d70899e54248639
+#   specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: d18efb8fd54ee45d
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time
 
-import dialect
 from micropython import const
+
+# Numbers of the dialect.
+_MAV_SEVERITY_INFO = const(6)
+_MAV_SEVERITY_WARNING = const(4)
 
 OK, LOW, CRITICAL = 0, 1, 2
 _HEALTH = (
-    (dialect.MAV_SEVERITY_INFO, "healthy"),
-    (dialect.MAV_SEVERITY_WARNING, "warning"),
-    (dialect.MAV_SEVERITY_WARNING, "unhealthy"),
+    (_MAV_SEVERITY_INFO, "healthy"),
+    (_MAV_SEVERITY_WARNING, "warning"),
+    (_MAV_SEVERITY_WARNING, "unhealthy"),
 )
 _LONGEST_MS = const(1 << 24)  # time below a threshold is not counted further
 _ABOVE = const(-1)
@@ -84,7 +87,7 @@ class BatteryFailsafe:
     def _reach(self, level, word):
         self.level = level
         self._battery.failsafe_number = level
-        self._texts.say(dialect.MAV_SEVERITY_WARNING, self._text(word))
+        self._texts.say(_MAV_SEVERITY_WARNING, self._text(word))
         return level
 
     def _text(self, word):

@@ -1,5 +1,5 @@
-# Generated from specs/vehicle.yaml: do not edit.
-# Inputs: 240ca483c1f16f7a
+# Generated from specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: 4906d38cabca1793
 """The program: what the board starts."""
 
 import asyncio

@@ -1,15 +1,19 @@
-# Generated from templates/firmware/program/parameter_service.py: do not edit.
-# Inputs: 3c7469a3eb3447c5
+# Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
+# Inputs: 86e1332724c5598b
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
 HEARTBEAT of an ArduPilot vehicle (MAV_AUTOPILOT_ARDUPILOTMEGA) says so.
 """
 
-import dialect
 import messages
 import parameters
 from micropython import const
+
+# Numbers of the dialect.
+_MAV_PARAM_ERROR_DOES_NOT_EXIST = const(1)
+_MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE = const(2)
+_MAV_SEVERITY_NOTICE = const(5)
 
 _NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
 _BY_NAME = const(-1)  # index of requests that name the parameter
@@ -44,7 +48,7 @@ class ParameterService:
         if index is not None and 0 <= index < len(parameters.NAMES):
             self._connection.deliver(self._send_value, (parameters.NAMES[index], index))
         else:
-            self._refuse(message, message.raw("param_index"), dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST)
+            self._refuse(message, message.raw("param_index"), _MAV_PARAM_ERROR_DOES_NOT_EXIST)
 
     def set(self, message):
         """PARAM_SET: take a value over; what is in force afterwards is the answer, whether it was accepted or not."""
@@ -52,7 +56,7 @@ class ParameterService:
         if _index(name) is None:
             is_readable = name and isinstance(name, str)
             self._say(f"{name} is no parameter" if is_readable else "a parameter of this name does not exist")
-            self._refuse(message, _BY_NAME, dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST)
+            self._refuse(message, _BY_NAME, _MAV_PARAM_ERROR_DOES_NOT_EXIST)
             return
         changes = self._vehicle.parameters.changes
         if not self._vehicle.parameters.set(name, message.raw("param_value")):
@@ -60,7 +64,7 @@ class ParameterService:
             value = message.raw("param_value")
             self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
             # Before the value: a ground station that takes the value for the answer would not see the reason.
-            self._refuse(message, _BY_NAME, dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
+            self._refuse(message, _BY_NAME, _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))
         if changes != self._vehicle.parameters.changes:
             self._tell_change(name)
@@ -77,7 +81,7 @@ class ParameterService:
                 connection.services.parameters.announce(name)
 
     def _say(self, text):
-        self._vehicle.texts.say(dialect.MAV_SEVERITY_NOTICE, text)
+        self._vehicle.texts.say(_MAV_SEVERITY_NOTICE, text)
 
     def _send_value(self, which):
         """Send (name, index) with the value that is in force now; return whether the port took it."""

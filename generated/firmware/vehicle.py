@@ -1,13 +1,12 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
-#   specs/vehicle.yaml: do not edit.
-# Inputs: 4d70899e54248639
+#   specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: d18efb8fd54ee45d
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
 import gc
 import time
 
-import dialect
 import machine
 from board import Board
 from connection import Connection
@@ -21,6 +20,11 @@ from state import SystemState
 from storage import Storage
 from streams import Streams, open_link
 from texts import Texts
+
+# Numbers of the dialect.
+_MAV_STATE_ACTIVE = const(4)
+_MAV_STATE_CRITICAL = const(5)
+_MAV_STATE_STANDBY = const(3)
 
 CONTROL_US = 2500  # 400 Hz (FR-00071)
 LINKS_US = 10000  # 100 Hz
@@ -204,10 +208,10 @@ class Vehicle:
 
     def _set_status(self):
         vehicle = self.state.vehicle
-        vehicle.status = dialect.MAV_STATE_ACTIVE if vehicle.armed else dialect.MAV_STATE_STANDBY
+        vehicle.status = _MAV_STATE_ACTIVE if vehicle.armed else _MAV_STATE_STANDBY
         for failsafe in self.battery_failsafes:
             if failsafe.level:
-                vehicle.status = dialect.MAV_STATE_CRITICAL
+                vehicle.status = _MAV_STATE_CRITICAL
 
     def _act(self, action):
         if action == 1:

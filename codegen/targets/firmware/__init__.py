@@ -1,11 +1,13 @@
 """The MicroPython firmware: what the specification decides is rendered, the rest is copied as it is."""
 
 from codegen.model.dialect import WireMessage
+from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.message_function import functions_view
+from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.program import dialect_text, program_view
 from codegen.targets.firmware.reading_view import readings_view
@@ -13,8 +15,10 @@ from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
 from codegen.targets.firmware.words import word_layout
-from codegen.targets.origin import copied_files, headed, origin_of, specification_file
+from codegen.targets.naming import prose
+from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text, specification_file
 from codegen.targets.rendered import rendered
+from codegen.template_files import copied, plain_files
 
 _PROGRAM = "firmware/program"
 
@@ -71,15 +75,25 @@ def _program_files(system: System) -> dict[str, str]:
     program = system.program
     if program is None:
         return {}
-    files = {path.replace(_PROGRAM, "firmware"): text for path, text in copied_files(_PROGRAM).items()}
+    files = {f"firmware/{name}": _program_file(system, program, name) for name in plain_files(_PROGRAM)}
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)
     vehicle = specification_file(system, "vehicle.yaml")
     read = {"main.py": [vehicle], "vehicle.py": paths, **({"failsafe.py": paths} if program.failsafes else {})}
     for name, sources in read.items():
-        text = rendered(f"{_PROGRAM}/{name}.j2", view)
-        files[f"firmware/{name}"] = headed(text, origin_of(system, sources))
+        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", view), program.constants)
+        files[f"firmware/{name}"] = headed(text, origin_of(system, sources, program.services))
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files
+
+
+def _program_file(system: System, program: Program, name: str) -> str:
+    """A file of the program that is copied, but for the numbers of the dialect."""
+    written = copied(f"{_PROGRAM}/{name}")
+    text = with_numbers(written, program.constants)
+    origin = origin_of_text(f"templates/{_PROGRAM}/{name}", text)
+    if text != written:
+        origin = Origin((*origin.sources, f"dialect {prose(system.dialect.name)}"), origin.digest)
+    return headed(text, origin)

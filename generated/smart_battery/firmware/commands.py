@@ -1,10 +1,26 @@
-# Generated from templates/firmware/program/commands.py: do not edit.
-# Inputs: b957e38a3bc81a02
+# Generated from templates/firmware/program/commands.py, dialect common: do not edit.
+# Inputs: 3f4eab07cf550068
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
-import dialect
 import messages
 from micropython import const
+
+# Numbers of the dialect.
+_MAV_CMD_COMPONENT_ARM_DISARM = const(400)
+_MAV_CMD_GET_MESSAGE_INTERVAL = const(510)
+_MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN = const(246)
+_MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES = const(520)
+_MAV_CMD_REQUEST_MESSAGE = const(512)
+_MAV_CMD_REQUEST_PROTOCOL_VERSION = const(519)
+_MAV_CMD_SET_MESSAGE_INTERVAL = const(511)
+_MAV_RESULT_ACCEPTED = const(0)
+_MAV_RESULT_DENIED = const(2)
+_MAV_RESULT_FAILED = const(4)
+_MAV_RESULT_UNSUPPORTED = const(3)
+_MAV_SEVERITY_ERROR = const(3)
+_REBOOT_SHUTDOWN_ACTION_NONE = const(0)
+_REBOOT_SHUTDOWN_ACTION_REBOOT = const(1)
+_REBOOT_SHUTDOWN_CONDITIONS_FORCE = const(20190226)
 
 _LARGEST_ID = const(0xFFFFFF)  # of a message in MAVLink 2
 _LARGEST_INTERVAL_US = const(0x3FFFFFFF)  # 18 minutes: what a board counts without making an object
@@ -46,21 +62,21 @@ class Commands:
         self._ack = messages.CommandAck()
         self._interval = messages.MessageInterval(unknown=False)
         self._table = {
-            dialect.MAV_CMD_REQUEST_MESSAGE: self._request_message,
-            dialect.MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,
-            dialect.MAV_CMD_GET_MESSAGE_INTERVAL: self._get_interval,
-            dialect.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: self._request_capabilities,
-            dialect.MAV_CMD_REQUEST_PROTOCOL_VERSION: self._request_protocol_version,
-            dialect.MAV_CMD_COMPONENT_ARM_DISARM: self._arm_disarm,
-            dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
+            _MAV_CMD_REQUEST_MESSAGE: self._request_message,
+            _MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,
+            _MAV_CMD_GET_MESSAGE_INTERVAL: self._get_interval,
+            _MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: self._request_capabilities,
+            _MAV_CMD_REQUEST_PROTOCOL_VERSION: self._request_protocol_version,
+            _MAV_CMD_COMPONENT_ARM_DISARM: self._arm_disarm,
+            _MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
         }
         if not hasattr(vehicle, "arm"):  # a battery, say
-            del self._table[dialect.MAV_CMD_COMPONENT_ARM_DISARM]
+            del self._table[_MAV_CMD_COMPONENT_ARM_DISARM]
 
     def handle(self, message):
         """Do what a COMMAND_LONG or COMMAND_INT asks for and answer it."""
         command = Command(message)
-        result, follow_up = dialect.MAV_RESULT_FAILED, None
+        result, follow_up = _MAV_RESULT_FAILED, None
         try:
             result, follow_up = self._do(command)
         finally:  # what raises is a fault of the vehicle: who asked learns that it failed
@@ -70,7 +86,7 @@ class Commands:
 
     def _do(self, command):
         method = self._table.get(command.number)
-        return (dialect.MAV_RESULT_UNSUPPORTED, None) if method is None else method(command)
+        return (_MAV_RESULT_UNSUPPORTED, None) if method is None else method(command)
 
     def _send_ack(self, answer):
         command, result = answer
@@ -99,13 +115,13 @@ class Commands:
         message_id = getattr(getattr(messages, name, None), "ID", None)
         is_asked = command.whole(1, 0, 1)
         if is_asked is None:
-            return dialect.MAV_RESULT_DENIED, None
-        return self._answer_with(message_id) if is_asked else (dialect.MAV_RESULT_ACCEPTED, None)
+            return _MAV_RESULT_DENIED, None
+        return self._answer_with(message_id) if is_asked else (_MAV_RESULT_ACCEPTED, None)
 
     def _answer_with(self, message_id):
         if message_id is None or self._connection.streams.interval_us(message_id) == 0:
-            return dialect.MAV_RESULT_DENIED, None  # not a message of this vehicle
-        return dialect.MAV_RESULT_ACCEPTED, (self._send_message, message_id)
+            return _MAV_RESULT_DENIED, None  # not a message of this vehicle
+        return _MAV_RESULT_ACCEPTED, (self._send_message, message_id)
 
     def _send_message(self, message_id):
         """Send a message once, all instances; return whether the port took any of them.
@@ -128,10 +144,10 @@ class Commands:
         message_id = command.whole(1, 0, _LARGEST_ID)
         interval_us = _interval(command.param(2))
         if message_id is None or interval_us is None:
-            return dialect.MAV_RESULT_DENIED, None
+            return _MAV_RESULT_DENIED, None
         if not self._connection.streams.set_interval(message_id, interval_us):
-            return dialect.MAV_RESULT_DENIED, None  # not a message of this vehicle
-        return dialect.MAV_RESULT_ACCEPTED, None
+            return _MAV_RESULT_DENIED, None  # not a message of this vehicle
+        return _MAV_RESULT_ACCEPTED, None
 
     def _get_interval(self, command):
         return self._interval_of(command, 1)
@@ -140,8 +156,8 @@ class Commands:
         """Answer with the interval of the message that a parameter names, 0 if the vehicle does not have it."""
         message_id = command.whole(number, 0, 0xFFFF)  # MESSAGE_INTERVAL carries no more
         if message_id is None:
-            return dialect.MAV_RESULT_DENIED, None
-        return dialect.MAV_RESULT_ACCEPTED, (self._send_interval, message_id)
+            return _MAV_RESULT_DENIED, None
+        return _MAV_RESULT_ACCEPTED, (self._send_interval, message_id)
 
     def _send_interval(self, message_id):
         self._interval.update(message_id=message_id, interval_us=self._connection.streams.interval_us(message_id))
@@ -150,7 +166,7 @@ class Commands:
     def _arm_disarm(self, command):
         is_arming = command.whole(1, 0, 1)
         if is_arming is None:
-            return dialect.MAV_RESULT_DENIED, None
+            return _MAV_RESULT_DENIED, None
         is_forced = command.param(2) == self._vehicle.FORCE_ARM
         return self._result_of(self._vehicle.arm(is_forced) if is_arming else self._vehicle.disarm(is_forced))
 
@@ -158,20 +174,20 @@ class Commands:
         """Start again, if the vehicle is disarmed. Vehicle.reboot() leaves the COMMAND_ACK time to go out."""
         action = command.whole(1, 0, 0xFF)
         if action is None:
-            return dialect.MAV_RESULT_DENIED, None
-        if action == dialect.REBOOT_SHUTDOWN_ACTION_NONE:
-            return dialect.MAV_RESULT_ACCEPTED, None
-        if action != dialect.REBOOT_SHUTDOWN_ACTION_REBOOT:
-            return dialect.MAV_RESULT_UNSUPPORTED, None
+            return _MAV_RESULT_DENIED, None
+        if action == _REBOOT_SHUTDOWN_ACTION_NONE:
+            return _MAV_RESULT_ACCEPTED, None
+        if action != _REBOOT_SHUTDOWN_ACTION_REBOOT:
+            return _MAV_RESULT_UNSUPPORTED, None
         # On boards 20190226 arrives whole: a float of 32 bits carries even numbers up to 2 ** 25.
-        return self._result_of(self._vehicle.reboot(command.param(6) == dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE))
+        return self._result_of(self._vehicle.reboot(command.param(6) == _REBOOT_SHUTDOWN_CONDITIONS_FORCE))
 
     def _result_of(self, why_not):
         """Return the result of what came back with None, or with a text why it was not done."""
         if why_not is None:
-            return dialect.MAV_RESULT_ACCEPTED, None
-        self._vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, why_not)
-        return dialect.MAV_RESULT_FAILED, None
+            return _MAV_RESULT_ACCEPTED, None
+        self._vehicle.texts.say(_MAV_SEVERITY_ERROR, why_not)
+        return _MAV_RESULT_FAILED, None
 
 
 def _interval(asked):

@@ -1,5 +1,5 @@
-# Generated from specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 8bd8e3048cda10a7
+# Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
+# Inputs: faec74ed531ecd11
 """The program: what the board starts."""
 
 import asyncio

@@ -1,15 +1,20 @@
-# Generated from templates/firmware/program/services.py: do not edit.
-# Inputs: db6f8d7c189f4a30
+# Generated from templates/firmware/program/services.py, dialect common: do not edit.
+# Inputs: 12340ce5f0e6a4c1
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
 
-import dialect
 import messages
 from commands import Commands
 from listeners import Listeners
 from micropython import const
 from parameter_service import ParameterService
+
+# Numbers of the dialect.
+_MAV_FTP_ERR_UNKNOWNCOMMAND = const(7)
+_MAV_FTP_OPCODE_ACK = const(128)
+_MAV_FTP_OPCODE_NAK = const(129)
+_MAV_TYPE_GCS = const(6)
 
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
@@ -90,7 +95,7 @@ class Services:
         return message.raw("target_component") in (0, self._connection.component_id)
 
     def _hear(self, message):
-        if message.raw("type") == dialect.MAV_TYPE_GCS:
+        if message.raw("type") == _MAV_TYPE_GCS:
             self.ground_station = (message.source_system, message.source_component)
             self.heard_ms = time.ticks_ms()
             if self._listeners.hear(message.source_system, message.source_component, self.heard_ms):
@@ -114,17 +119,17 @@ class Services:
         Requests are repeated until they are answered: a refusal that the port did not take needs no second try.
         """
         request = message.raw("payload")
-        if request[3] >= dialect.MAV_FTP_OPCODE_ACK or self._connection.link.version == 1:
+        if request[3] >= _MAV_FTP_OPCODE_ACK or self._connection.link.version == 1:
             return  # an answer, or MAVLink 1, which would take all 251 bytes of the payload
         sequence = (request[0] | request[1] << 8) + 1
         payload = [0] * (_HEAD + 1)
         payload[0] = sequence & 0xFF
         payload[1] = (sequence >> 8) & 0xFF
         payload[2] = request[2]
-        payload[3] = dialect.MAV_FTP_OPCODE_NAK
+        payload[3] = _MAV_FTP_OPCODE_NAK
         payload[4] = 1  # byte of data: the reason
         payload[5] = request[3]
-        payload[_HEAD] = dialect.MAV_FTP_ERR_UNKNOWNCOMMAND
+        payload[_HEAD] = _MAV_FTP_ERR_UNKNOWNCOMMAND
         self._refusal.update(
             target_system=message.source_system, target_component=message.source_component, payload=payload
         )

@@ -1,14 +1,21 @@
-# Generated from templates/firmware/program/texts.py: do not edit.
-# Inputs: ac08c88605db91de
+# Generated from templates/firmware/program/texts.py, dialect common: do not edit.
+# Inputs: a0cf4c0d5f1a062b
 """Texts for people: printed on the board, and kept until every link has sent them as STATUSTEXT."""
 
-import dialect
 from guard import Guard
+from micropython import const
 
+# Numbers of the dialect.
+_MAV_SEVERITY_ERROR = const(3)
+_MAV_SEVERITY_INFO = const(6)
+_MAV_SEVERITY_NOTICE = const(5)
+_MAV_SEVERITY_WARNING = const(4)
+
+_CAPACITY = const(16)
 _SEVERITIES = {
-    "error: ": dialect.MAV_SEVERITY_ERROR,
-    "warning: ": dialect.MAV_SEVERITY_WARNING,
-    "notice: ": dialect.MAV_SEVERITY_NOTICE,
+    "error: ": _MAV_SEVERITY_ERROR,
+    "warning: ": _MAV_SEVERITY_WARNING,
+    "notice: ": _MAV_SEVERITY_NOTICE,
 }
 _PREFIXES = {severity: prefix for prefix, severity in _SEVERITIES.items()}
 
@@ -20,7 +27,7 @@ class Texts:
     number of the newest text, 0 before the first: a link that remembers the number it has sent knows what is missing.
     """
 
-    def __init__(self, echo=print, capacity=16):
+    def __init__(self, echo=print, capacity=_CAPACITY):
         self.last = 0
         self._echo = echo
         self._guard = Guard()
@@ -33,13 +40,13 @@ class Texts:
             if text.startswith(prefix):
                 self.say(severity, text[len(prefix) :])
                 return
-        self.say(dialect.MAV_SEVERITY_INFO, text)
+        self.say(_MAV_SEVERITY_INFO, text)
 
     def say(self, severity, text):
         """Keep a text with its MAV_SEVERITY; what is worse than an error is echoed as one."""
         self.last += 1
         self._ring[self.last % len(self._ring)] = (severity, text)
-        prefix = _PREFIXES.get(max(severity, dialect.MAV_SEVERITY_ERROR), "")
+        prefix = _PREFIXES.get(max(severity, _MAV_SEVERITY_ERROR), "")
         with self._guard:  # nobody may be there to read it, which is no reason to stop
             self._echo(prefix + text)
 

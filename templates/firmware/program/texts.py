@@ -2,7 +2,9 @@
 
 import dialect
 from guard import Guard
+from micropython import const
 
+_CAPACITY = const(16)
 _SEVERITIES = {
     "error: ": dialect.MAV_SEVERITY_ERROR,
     "warning: ": dialect.MAV_SEVERITY_WARNING,
@@ -18,7 +20,7 @@ class Texts:
     number of the newest text, 0 before the first: a link that remembers the number it has sent knows what is missing.
     """
 
-    def __init__(self, echo=print, capacity=16):
+    def __init__(self, echo=print, capacity=_CAPACITY):
         self.last = 0
         self._echo = echo
         self._guard = Guard()
