@@ -74,29 +74,46 @@ _VEHICLE_LOAD_DPCT = const(4)
 _BATT_MONITOR = ("batt_monitor", "batt2_monitor")
 _BATT_VOLT_MULT = ("batt_volt_mult", "batt2_volt_mult")
 
-# What is known of the battery from the start, for each of them where it differs.
+# What is known of the battery from the start: places and values, for each of them where it differs.
 _BATTERY_START = (
-    (_BATTERY_COUNTED_FROM_FULL, 0),
-    (_BATTERY_HEALTH_NUMBER, 2),
-    (_BATTERY_FAILSAFE_NUMBER, 0),
-    (_BATTERY_SWAPS_NUMBER, 0),
-    (_BATTERY_MONITORED, 1),
-    (_BATTERY_PROTECTED, 0),
-    (_BATTERY_TREND_COUNT, 0),
-    (_BATTERY_TREND_NEWER, 0),
-    (_BATTERY_TREND_OLDER, 0),
-    (_BATTERY_FAILURES, 0),
-    (_BATTERY_IS_LOGGED, 0),
-    (_BATTERY_GONE, 0),
+    _BATTERY_COUNTED_FROM_FULL,
+    0,
+    _BATTERY_HEALTH_NUMBER,
+    2,
+    _BATTERY_FAILSAFE_NUMBER,
+    0,
+    _BATTERY_SWAPS_NUMBER,
+    0,
+    _BATTERY_MONITORED,
+    1,
+    _BATTERY_PROTECTED,
+    0,
+    _BATTERY_TREND_COUNT,
+    0,
+    _BATTERY_TREND_NEWER,
+    0,
+    _BATTERY_TREND_OLDER,
+    0,
+    _BATTERY_FAILURES,
+    0,
+    _BATTERY_IS_LOGGED,
+    0,
+    _BATTERY_GONE,
+    0,
 )
 
-# What is known of the vehicle from the start.
+# What is known of the vehicle from the start: places and values.
 _VEHICLE_START = (
-    (_VEHICLE_ARMED, 0),
-    (_VEHICLE_READY, 0),
-    (_VEHICLE_MODE_NUMBER, 0),
-    (_VEHICLE_STATUS, 3),
-    (_VEHICLE_LOAD_DPCT, 0),
+    _VEHICLE_ARMED,
+    0,
+    _VEHICLE_READY,
+    0,
+    _VEHICLE_MODE_NUMBER,
+    0,
+    _VEHICLE_STATUS,
+    3,
+    _VEHICLE_LOAD_DPCT,
+    0,
 )
 
 

@@ -1,9 +1,11 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: f97690ea1d74add7
+# Inputs: 4e2c5d4d7095a1bb
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; shown() has them in the units of people. To set an attribute to None, or one in
 the units of people to NaN, makes it unknown.
+
+What a view is about are defaults of its functions: closures and their cells would take twice the heap.
 """
 
 from array import array
@@ -22,8 +24,9 @@ class Component:
     def __init__(self, size, start, words=None, instance=0):
         self.words = array("i", [UNKNOWN] * size) if words is None else words
         self._all = (self,)
-        for place, values in start:
-            self.words[place] = values[instance] if isinstance(values, tuple) else values
+        for at in range(0, len(start), 2):
+            values = start[at + 1]
+            self.words[start[at]] = values[instance] if isinstance(values, tuple) else values
 
     def __len__(self):
         return len(self._all)
@@ -44,11 +47,11 @@ def together(cls, words, base, size, instances):
 def whole(place):
     """Return an attribute for a whole number: what is beyond a word becomes the largest that it holds."""
 
-    def get(self):
+    def get(self, place=place):
         value = self.words[place]
         return None if value == UNKNOWN else value
 
-    def put(self, value):
+    def put(self, value, place=place):
         self.words[place] = UNKNOWN if value is None else limited(value, -LARGEST, LARGEST)
 
     return property(get, put)
@@ -57,11 +60,11 @@ def whole(place):
 def shown(place, numerator, denominator=1):
     """Return an attribute in the unit of people, `numerator` / `denominator` steps of which make one."""
 
-    def get(self):
+    def get(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
         return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
 
-    def put(self, value):
+    def put(self, value, place=place, numerator=numerator, denominator=denominator):
         steps = to_steps(value, numerator, denominator)
         self.words[place] = UNKNOWN if steps is None else steps
 
@@ -71,7 +74,7 @@ def shown(place, numerator, denominator=1):
 def result(place, numerator, denominator=1):
     """Return an attribute in the unit of people that only the firmware sets."""
 
-    def get(self):
+    def get(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
         return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
 
@@ -81,10 +84,10 @@ def result(place, numerator, denominator=1):
 def truth(place):
     """Return an attribute for a boolean."""
 
-    def get(self):
+    def get(self, place=place):
         return self.words[place] != 0
 
-    def put(self, value):
+    def put(self, value, place=place):
         self.words[place] = 1 if value else 0
 
     return property(get, put)
@@ -93,7 +96,7 @@ def truth(place):
 def known(place):
     """Return an attribute that tells whether a word is known."""
 
-    def get(self):
+    def get(self, place=place):
         return self.words[place] != UNKNOWN
 
     return property(get)
@@ -102,7 +105,7 @@ def known(place):
 def at_least(place, limit, own=None):
     """Return an attribute that tells whether a word is at least a limit, or the instance's own one at place `own`."""
 
-    def get(self):
+    def get(self, place=place, limit=limit, own=own):
         return self.words[place] >= (limit if own is None else self.words[own])
 
     return property(get)
@@ -111,7 +114,7 @@ def at_least(place, limit, own=None):
 def below(place, limit, own=None):
     """Return an attribute that tells whether a word is known and below a limit, or the instance's own one."""
 
-    def get(self):
+    def get(self, place=place, limit=limit, own=own):
         value = self.words[place]
         return value != UNKNOWN and value < (limit if own is None else self.words[own])
 

@@ -46,17 +46,26 @@ _BATTERY_WARNED_MS = const(18)
 _BATTERY_GONE = const(19)
 _BATTERY_CELLS_MV = const(20)
 
-# What is known of the battery from the start.
+# What is known of the battery from the start: places and values.
 _BATTERY_START = (
-    (_BATTERY_COUNTED_FROM_FULL, 0),
-    (_BATTERY_SWAPS_NUMBER, 0),
-    (_BATTERY_MONITORED, 1),
-    (_BATTERY_USED_UP, 0),
-    (_BATTERY_PROTECTED, 0),
-    (_BATTERY_NUMBER, 0),
-    (_BATTERY_FAILURES, 0),
-    (_BATTERY_IS_LOGGED, 0),
-    (_BATTERY_GONE, 0),
+    _BATTERY_COUNTED_FROM_FULL,
+    0,
+    _BATTERY_SWAPS_NUMBER,
+    0,
+    _BATTERY_MONITORED,
+    1,
+    _BATTERY_USED_UP,
+    0,
+    _BATTERY_PROTECTED,
+    0,
+    _BATTERY_NUMBER,
+    0,
+    _BATTERY_FAILURES,
+    0,
+    _BATTERY_IS_LOGGED,
+    0,
+    _BATTERY_GONE,
+    0,
 )
 
 
