@@ -14,6 +14,7 @@ from codegen.model.vehicle import Component, Parameter, Quantity, Stream
 from codegen.targets.naming import (
     builder_name,
     class_names,
+    encoder_name,
     failsafe_class,
     parameter_attribute,
     state_class,
@@ -81,7 +82,7 @@ class Symbols:
     def stream(self, stream: Stream) -> tuple[Symbol, ...]:
         """What sends its messages."""
         sent = [message for message in self.system.messages if message.stream is stream]
-        return self._all([(STREAMS, "Streams"), *((STREAMS, f"_send_{message.name.lower()}") for message in sent)])
+        return self._all([(STREAMS, "Streams"), *((TELEMETRY, encoder_name(message)) for message in sent)])
 
     def generations(self) -> tuple[Symbol, ...]:
         """What knows which generation is chosen."""

@@ -43,82 +43,53 @@ def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):
     return Link(stream, system_id, COMPONENT_ID, VERSION, known, LONGEST)
 
 
-def _send_heartbeat(state, link):
-    link.send_frame(telemetry.encode_heartbeat(link, state))
+def _send(encode, state, link):
+    link.send_frame(encode(link, state))
 
 
-def _send_sys_status(state, link):
-    link.send_frame(telemetry.encode_sys_status(link, state))
-
-
-def _send_battery_status(state, link):
+def _send_battery(encode, state, link):
     for instance in range(2):
         if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
-            link.send_frame(telemetry.encode_battery_status(link, state, instance))
+            link.send_frame(encode(link, state, instance))
 
 
-def _send_battery_status_v2(state, link):
-    for instance in range(2):
-        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
-            link.send_frame(telemetry.encode_battery_status_v2(link, state, instance))
-
-
-def _send_smart_battery_info(state, link):
-    for instance in range(2):
-        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
-            link.send_frame(telemetry.encode_smart_battery_info(link, state, instance))
-
-
-def _send_battery_info(state, link):
-    for instance in range(2):
-        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
-            link.send_frame(telemetry.encode_battery_info(link, state, instance))
-
-
-def _send_autopilot_version(state, link):
-    link.send_frame(telemetry.encode_autopilot_version(link, state))
-
-
-def _send_protocol_version(state, link):
-    link.send_frame(telemetry.encode_protocol_version(link, state))
-
-
-def _send_battery_cell_voltages(state, link):
-    for instance in range(2):
-        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
-            link.send_frame(telemetry.encode_battery_cell_voltages(link, state, instance))
-
-
+# What makes the frames of each message, and what sends them.
+_ENCODERS = (
+    telemetry.encode_heartbeat,
+    telemetry.encode_sys_status,
+    telemetry.encode_battery_status,
+    telemetry.encode_battery_status_v2,
+    telemetry.encode_smart_battery_info,
+    telemetry.encode_battery_info,
+    telemetry.encode_autopilot_version,
+    telemetry.encode_protocol_version,
+    telemetry.encode_battery_cell_voltages,
+)
 _SENDERS = (
-    _send_heartbeat,
-    _send_sys_status,
-    _send_battery_status,
-    _send_battery_status_v2,
-    _send_smart_battery_info,
-    _send_battery_info,
-    _send_autopilot_version,
-    _send_protocol_version,
-    _send_battery_cell_voltages,
+    _send,
+    _send,
+    _send_battery,
+    _send_battery,
+    _send_battery,
+    _send_battery,
+    _send,
+    _send,
+    _send_battery,
 )
 
 
-def _announce_smart_battery_info(state, link, instance, _page):
+def _announce_battery(encode, state, link, instance, _page):
     if state.words[_BATTERY_MONITORED[instance]]:
-        link.send_frame(telemetry.encode_smart_battery_info(link, state, instance))
-
-
-def _announce_battery_info(state, link, instance, _page):
-    if state.words[_BATTERY_MONITORED[instance]]:
-        link.send_frame(telemetry.encode_battery_info(link, state, instance))
+        link.send_frame(encode(link, state, instance))
 
 
 # What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.
 # The first _ON_CONNECTION of them are for who appears on the link.
 _ANNOUNCED = (
-    (4, _announce_smart_battery_info, 0, 0),
-    (4, _announce_smart_battery_info, 1, 0),
-    (5, _announce_battery_info, 0, 0),
-    (5, _announce_battery_info, 1, 0),
+    (4, _announce_battery, 0, 0),
+    (4, _announce_battery, 1, 0),
+    (5, _announce_battery, 0, 0),
+    (5, _announce_battery, 1, 0),
 )
 _ON_CONNECTION = 4
 
@@ -212,7 +183,7 @@ class Streams:
         sequence = link.sequence
         errors = link.tx_errors
         announced = _ANNOUNCED[place]
-        announced[1](self._state, link, announced[2], announced[3])
+        announced[1](_ENCODERS[announced[0]], self._state, link, announced[2], announced[3])
         if link.tx_errors == errors:
             return True
         link.sequence = sequence
@@ -358,7 +329,7 @@ class Streams:
             self._denominator = 1
 
     def _send(self, index):
-        _SENDERS[index](self._state, self._link)
+        _SENDERS[index](_ENCODERS[index], self._state, self._link)
 
 
 def _index(message_id):

@@ -16,20 +16,34 @@ from codegen.targets.naming import encoder_name, parameter_attribute
 class SentView:
     """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true.
 
-    ``identifier`` is its name within those of functions; ``sending`` are the statements that send all instances and
-    pages, ``announcing`` those for one. ``never`` is for the generation that was not chosen for good.
+    ``way`` is what sends all instances and pages of what ``encoder`` makes, or one. ``never`` is for the generation
+    that was not chosen for good.
     """
 
     id: int
     name: str
-    identifier: str
-    sending: str
-    announcing: str
+    encoder: str
+    way: "WayView"
     instances: int
     pages: int
     component: str | None
     never: bool
     enabled: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class WayView:
+    """How messages are sent that are alike in it: ``sending`` are the statements that send all instances and pages.
+
+    ``announcing`` are those for one. ``suffix`` is what the names of both functions end in, ``instances`` and ``pages``
+    say whether the second one takes them.
+    """
+
+    suffix: str
+    sending: str
+    announcing: str
+    instances: bool
+    pages: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,14 +65,14 @@ class WatchView:
 
 @dataclass(frozen=True, slots=True)
 class AnnouncementView:
-    """What is sent at once: literals of the frames, (message, what sends it, instance, page).
+    """What is sent at once: literals of the frames, (message, what sends it, instance, page), and ways to send one.
 
     The first ``on_connection`` of the frames are for who appears on the link.
     """
 
     frames: tuple[str, ...]
     on_connection: int
-    messages: tuple[SentView, ...]
+    ways: tuple[WayView, ...]
     watches: tuple[WatchView, ...]
     seen: tuple[str, ...]
 
@@ -123,6 +137,7 @@ class StreamsView:
     streams: tuple[StreamView, ...]
     periods: tuple[PeriodView, ...]
     messages: tuple[SentView, ...]
+    ways: tuple[WayView, ...]
     parameters: tuple[str, ...]
     ids: str
     stream_of: str
@@ -160,6 +175,7 @@ def streams_view(system: System) -> StreamsView:
         streams=streams,
         periods=_periods(streams),
         messages=messages,
+        ways=_ways(messages),
         parameters=tuple(f"parameters.{name}" for name in parameters),
         ids=_tuple([message.id for message in messages]),
         stream_of=_tuple(places),
@@ -245,7 +261,7 @@ def _announcements(messages: tuple[SentView, ...], system: System) -> Announceme
         return None
     announced.sort(key=lambda found: not populated[found[1].name].on_connection)
     frames = [
-        (populated[view.name].on_connection, f"({place}, _announce_{view.identifier}, {instance}, {page})")
+        (populated[view.name].on_connection, f"({place}, _announce{view.way.suffix}, {instance}, {page})")
         for place, view in announced
         for instance in range(view.instances)
         for page in range(view.pages)
@@ -254,7 +270,7 @@ def _announcements(messages: tuple[SentView, ...], system: System) -> Announceme
     return AnnouncementView(
         frames=tuple(text for _, text in frames),
         on_connection=sum(is_first for is_first, _ in frames),
-        messages=tuple(view for _, view in announced),
+        ways=_ways(view for _, view in announced),
         watches=watches,
         seen=seen,
     )
@@ -337,24 +353,41 @@ def _sent(message: PopulatedMessage, system: System) -> SentView:
     arguments = ["state"] + ["instance"] * (message.instances > 1)
     if message.pages > 1:
         arguments.append("page" if message.instances > 1 else "page=page")
-    send = f"link.send_frame(telemetry.{encoder_name(message)}({', '.join(['link', *arguments])}))"
-    each = [
-        *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
-        *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
-        *([f"for page in range({message.pages}):"] if message.pages > 1 else []),
-    ]
     return SentView(
         id=message.wire.id,
         name=message.name,
-        identifier=message.name.lower(),
-        sending=_nested(*each, send),
-        announcing=_nested(*is_measured, send),
+        encoder=encoder_name(message),
+        way=_way(message, arguments, is_measured),
         instances=message.instances,
         pages=message.pages,
         component=component.name if component else None,
         never=_generation_bits(message.name, system) == 0,
         enabled=enabled,
     )
+
+
+def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]) -> WayView:
+    """How a message is sent; what it is called follows from all that it depends on."""
+    component = message.component
+    send = f"link.send_frame(encode({', '.join(['link', *arguments])}))"
+    each = [
+        *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
+        *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
+        *([f"for page in range({message.pages}):"] if message.pages > 1 else []),
+    ]
+    about = f"_{component.name}" if component and (is_measured or message.instances > 1) else ""
+    return WayView(
+        suffix=f"{about}{f'_{message.pages}_pages' if message.pages > 1 else ''}",
+        sending=_nested(*each, send),
+        announcing=_nested(*is_measured, send),
+        instances=message.instances > 1,
+        pages=message.pages > 1,
+    )
+
+
+def _ways(messages: Iterable[SentView]) -> tuple[WayView, ...]:
+    """The ways of messages, each once, in their order."""
+    return tuple(dict.fromkeys(message.way for message in messages))
 
 
 def _place(component: Component, quantity: Quantity) -> str:

@@ -44,70 +44,48 @@ def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMP
     return Link(stream, system_id, component_id, VERSION, known, LONGEST)
 
 
-def _send_heartbeat(state, link):
-    link.send_frame(telemetry.encode_heartbeat(link, state))
+def _send(encode, state, link):
+    link.send_frame(encode(link, state))
 
 
-def _send_battery_status(state, link):
+def _send_battery(encode, state, link):
     if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
-        link.send_frame(telemetry.encode_battery_status(link, state))
+        link.send_frame(encode(link, state))
 
 
-def _send_battery_status_v2(state, link):
-    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
-        link.send_frame(telemetry.encode_battery_status_v2(link, state))
-
-
-def _send_smart_battery_info(state, link):
-    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
-        link.send_frame(telemetry.encode_smart_battery_info(link, state))
-
-
-def _send_battery_info(state, link):
-    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
-        link.send_frame(telemetry.encode_battery_info(link, state))
-
-
-def _send_autopilot_version(state, link):
-    link.send_frame(telemetry.encode_autopilot_version(link, state))
-
-
-def _send_protocol_version(state, link):
-    link.send_frame(telemetry.encode_protocol_version(link, state))
-
-
-def _send_battery_cell_voltages(state, link):
-    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
-        link.send_frame(telemetry.encode_battery_cell_voltages(link, state))
-
-
+# What makes the frames of each message, and what sends them.
+_ENCODERS = (
+    telemetry.encode_heartbeat,
+    telemetry.encode_battery_status,
+    telemetry.encode_battery_status_v2,
+    telemetry.encode_smart_battery_info,
+    telemetry.encode_battery_info,
+    telemetry.encode_autopilot_version,
+    telemetry.encode_protocol_version,
+    telemetry.encode_battery_cell_voltages,
+)
 _SENDERS = (
-    _send_heartbeat,
-    _send_battery_status,
-    _send_battery_status_v2,
-    _send_smart_battery_info,
-    _send_battery_info,
-    _send_autopilot_version,
-    _send_protocol_version,
-    _send_battery_cell_voltages,
+    _send,
+    _send_battery,
+    _send_battery,
+    _send_battery,
+    _send_battery,
+    _send,
+    _send,
+    _send_battery,
 )
 
 
-def _announce_smart_battery_info(state, link, _instance, _page):
+def _announce_battery(encode, state, link, _instance, _page):
     if state.words[_BATTERY_MONITORED]:
-        link.send_frame(telemetry.encode_smart_battery_info(link, state))
-
-
-def _announce_battery_info(state, link, _instance, _page):
-    if state.words[_BATTERY_MONITORED]:
-        link.send_frame(telemetry.encode_battery_info(link, state))
+        link.send_frame(encode(link, state))
 
 
 # What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.
 # The first _ON_CONNECTION of them are for who appears on the link.
 _ANNOUNCED = (
-    (3, _announce_smart_battery_info, 0, 0),
-    (4, _announce_battery_info, 0, 0),
+    (3, _announce_battery, 0, 0),
+    (4, _announce_battery, 0, 0),
 )
 _ON_CONNECTION = 2
 
@@ -200,7 +178,7 @@ class Streams:
         sequence = link.sequence
         errors = link.tx_errors
         announced = _ANNOUNCED[place]
-        announced[1](self._state, link, announced[2], announced[3])
+        announced[1](_ENCODERS[announced[0]], self._state, link, announced[2], announced[3])
         if link.tx_errors == errors:
             return True
         link.sequence = sequence
@@ -337,7 +315,7 @@ class Streams:
             self._denominator = 1
 
     def _send(self, index):
-        _SENDERS[index](self._state, self._link)
+        _SENDERS[index](_ENCODERS[index], self._state, self._link)
 
 
 def _index(message_id):
