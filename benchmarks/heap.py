@@ -51,7 +51,7 @@ def prepare(folder: Path) -> None:
 
     Names of files lie on the heap, too: within the folder they are the same everywhere.
     """
-    generated = measure.rover(folder / "rover", machine_code=False)
+    generated = measure.rover(folder / "project", machine_code=False)
     shutil.copytree(generated / "firmware", folder / "source")
     _compile(folder / "mpy", generated / "firmware")
     _compile(folder / "mocks", generated / "mocks")
