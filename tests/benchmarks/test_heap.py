@@ -31,6 +31,12 @@ def test_program_runs_in_the_heap_that_is_stored(folder: Path, form: str) -> Non
             assert count <= 1.03 * STORED[f"{moment}_{form}"], moment
 
 
+@pytest.mark.requirement("FR-00071.4")
+def test_stored_heap_is_not_more_than_128_kb() -> None:
+    """From .mpy files, as a board has them; that the program does run in as much is tested above."""
+    assert STORED["smallest_mpy"] <= 128
+
+
 @pytest.mark.parametrize("form", heap.FORMS)
 def test_too_small_a_heap_is_noticed(folder: Path, form: str) -> None:
     """What is in use once the program has started does not fit into less: the limit of the heap is one."""
