@@ -5,6 +5,7 @@ from struct import pack_into
 
 _type = type  # found here, it is found sooner than among the built-in names
 keep = getattr(object, "__setattr__", setattr)  # a small port has none, and then does not ask __setattr__ either
+_NOTHING_LIVE = array("i")
 _fields = None  # the module: names of fields take memory, it is read when the first one is used
 
 
@@ -43,7 +44,7 @@ class Message:
         image[9:start] = places
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
-        live = array("i", [0] * count)
+        live = array("i", [0] * count) if count else _NOTHING_LIVE
         keep(self, "_live", live)
         keep(self, "live", live)
         if unknown:

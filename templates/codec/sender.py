@@ -38,7 +38,7 @@ class Sender:
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
         whole = memoryview(frame)
-        self.views = [whole[2 : 2 + extra + length] for length in range(longest + 1)]
+        self.views = tuple([whole[2 : 2 + extra + length] for length in range(longest + 1)])  # a list keeps more room
         # Who makes the frame of a payload itself writes it here and finds the frame in `views`, by its length. The
         # buffer of a link that sends MAVLink 1, or signs, is not for that: this one says so, by holding nothing.
         self.room = memoryview(frame if version == 2 and not signing else bytes(13))[12:]

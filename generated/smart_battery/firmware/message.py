@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 523621f98a42f26a
+# Inputs: 4d40167db239037d
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -7,6 +7,7 @@ from struct import pack_into
 
 _type = type  # found here, it is found sooner than among the built-in names
 keep = getattr(object, "__setattr__", setattr)  # a small port has none, and then does not ask __setattr__ either
+_NOTHING_LIVE = array("i")
 _fields = None  # the module: names of fields take memory, it is read when the first one is used
 
 
@@ -45,7 +46,7 @@ class Message:
         image[9:start] = places
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
-        live = array("i", [0] * count)
+        live = array("i", [0] * count) if count else _NOTHING_LIVE
         keep(self, "_live", live)
         keep(self, "live", live)
         if unknown:
