@@ -16,8 +16,6 @@ from streams import open_link
 class StandIn:
     """Reads the same count at any time."""
 
-    battery_failures = (0, 0)
-
     def read_battery_adc(self, _instance):
         """Return the count."""
         return 3000

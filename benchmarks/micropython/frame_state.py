@@ -18,8 +18,6 @@ passes, count = map(int, sys.argv[1:3])
 class Board:
     """Reads the same count at any time."""
 
-    battery_failures = (0, 0)
-
     def read_battery_adc(self, _instance):
         """Return the count."""
         return 3000

@@ -2,8 +2,6 @@
 # Inputs: 22bc6f042f62670f
 """What is done with each reading of a component, in plain Python, for ports without machine code."""
 
-import time
-
 from micropython import const
 
 _UNKNOWN = const(-0x3FFFFFFF - 1)
@@ -28,31 +26,35 @@ _BATTERY_TREND_OLDER = const(23)
 _BATTERY_TREND_READINGS = const(24)
 
 
-def read_battery(state, board):
-    """Take a reading of each that is measured, FR-00067.1.
+def read_battery(words, every, board, ticks, first):
+    """Take a reading of each that is measured, from the first one to ask for on, FR-00067.1.
 
-    What the board raises ends it; the instances that have not been read have -2 for a count.
+    It ends early where there is something to tell, and returns which one that is about, times 16, and what. 1: it is
+    the first reading; 2: the battery was gone and has come back; 4: the value is above where it is warned.
+
+    What the board raises comes out; the one that it was asked for has -1000000000 for a count then.
+    `words` are those of the state, `every` the parts of each. With -1 for the first `words` are those of a
+    single one, with its count.
     """
-    for instance in range(2):
-        state.battery_words[instance][_BATTERY_COUNT] = -2
-    for instance in range(2):
-        _read_battery(state, state.battery_words[instance], board, instance)
-
-
-def _read_battery(state, battery, board, instance):
-    if battery[_BATTERY_MONITORED]:
-        count = board.read_battery_adc(instance)
-        battery[_BATTERY_COUNT] = -1 if board.battery_failures[instance] else count
-        told = take_battery(battery, time.ticks_ms())
+    if first < 0:
+        return _take_battery(words, ticks())
+    while first < 2:
+        told = _read_battery(every[first], board, ticks, first)
         if told:
-            state.tell_battery(told, instance)
+            return told | first << 4
+        first += 1
+    return 0
 
 
-def take_battery(battery, now_ms):
-    """Take over what was counted of the voltage; return what there is to tell.
+def _read_battery(battery, board, ticks, instance):
+    if not battery[_BATTERY_MONITORED]:
+        return 0
+    battery[_BATTERY_COUNT] = -1000000000
+    battery[_BATTERY_COUNT] = board.read_battery_adc(instance)
+    return _take_battery(battery, ticks())
 
-    1: it is the first reading; 2: the battery was gone and has come back; 4: the value is above where it is warned.
-    """
+
+def _take_battery(battery, now_ms):
     told = 0
     count = battery[_BATTERY_COUNT]
     if count < 0 or count > 4095:
@@ -64,8 +66,6 @@ def take_battery(battery, now_ms):
             battery[_BATTERY_TREND_COUNT] = 0
             battery[_BATTERY_TREND_NEWER] = 0
             battery[_BATTERY_TREND_OLDER] = 0
-        if battery[_BATTERY_VOLTAGE_MV] == _UNKNOWN:
-            return 0
     else:
         # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
         value = count * battery[_BATTERY_MULTIPLIER]
@@ -98,7 +98,8 @@ def take_battery(battery, now_ms):
         if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
             battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
             told |= 4
-    _change_battery(battery)
+    if battery[_BATTERY_VOLTAGE_MV] != _UNKNOWN:
+        _change_battery(battery)
     return told
 
 
@@ -109,7 +110,8 @@ def _change_battery(battery):
     at = count
     if at >= 40:
         at -= 40
-        battery[_BATTERY_TREND_OLDER] = battery[_BATTERY_TREND_OLDER] - battery[_BATTERY_TREND_READINGS + at]
+        oldest = battery[_BATTERY_TREND_READINGS + at]
+        battery[_BATTERY_TREND_OLDER] = battery[_BATTERY_TREND_OLDER] - oldest
     if count >= 20:
         middle = at + 20
         if middle >= 40:
@@ -126,7 +128,8 @@ def _change_battery(battery):
     if count < 40:
         battery[_BATTERY_TREND_MV_S] = _UNKNOWN
     else:
-        value = battery[_BATTERY_TREND_NEWER] - battery[_BATTERY_TREND_OLDER]
+        value = battery[_BATTERY_TREND_NEWER]
+        value -= battery[_BATTERY_TREND_OLDER]
         if value < 0:
             battery[_BATTERY_TREND_MV_S] = 0 - (20 - value) // 40
         else:

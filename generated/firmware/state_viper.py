@@ -5,13 +5,13 @@
 # ptr8, ptr16 and ptr32 are viper's own names.
 # ruff: noqa: F821
 
-from time import ticks_ms
-
 import micropython
 from micropython import const
 
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
+_BATTERY = const(0)
+_BATTERY_SIZE = const(67)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
@@ -33,115 +33,111 @@ _BATTERY_TREND_READINGS = const(24)
 
 
 @micropython.viper
-def read_battery(state, board):
-    """Take a reading of each that is measured, FR-00067.1.
+def read_battery(words, every, board, ticks, first: int) -> int:
+    """Take a reading of each that is measured, from the first one to ask for on, FR-00067.1.
 
-    What the board raises ends it; the instances that have not been read have -2 for a count.
-    """
-    every = state.battery_words
-    now_ms = int(ticks_ms())
-    instance = 0
-    while instance < 2:
-        battery = ptr32(every[instance])
-        battery[_BATTERY_COUNT] = -2
-        instance += 1
-    instance = 0
-    while instance < 2:
-        battery = ptr32(every[instance])
-        if battery[_BATTERY_MONITORED]:
-            count = int(board.read_battery_adc(instance))
-            if board.battery_failures[instance]:
-                count = -1
-            battery[_BATTERY_COUNT] = count
-            told = int(take_battery(every[instance], now_ms))
-            if told:
-                state.tell_battery(told, instance)
-        instance += 1
+    It ends early where there is something to tell, and returns which one that is about, times 16, and what. 1: it is
+    the first reading; 2: the battery was gone and has come back; 4: the value is above where it is warned.
 
-
-@micropython.viper
-def take_battery(battery: ptr32, now_ms: int) -> int:
-    """Take over what was counted of the voltage; return what there is to tell.
-
-    1: it is the first reading; 2: the battery was gone and has come back; 4: the value is above where it is warned.
+    What the board raises comes out; the one that it was asked for has -1000000000 for a count then.
+    `words` are those of the state, `every` the parts of each, which plain Python looks at. With -1 for the first
+    `words` are those of a single one, with its count.
     """
     bit = 1
     sign = bit << 31
-    told = 0
-    count = (battery[_BATTERY_COUNT] ^ sign) - sign
-    if count < 0 or count > 4095:
-        # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
-        battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
-        if battery[_BATTERY_FAILURES] >= 5:
-            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-            battery[_BATTERY_TREND_COUNT] = 0
-            battery[_BATTERY_TREND_NEWER] = 0
-            battery[_BATTERY_TREND_OLDER] = 0
-        if (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign == _UNKNOWN:
-            return 0
-    else:
-        # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
-        value = count * battery[_BATTERY_MULTIPLIER]
-        value = value // 136500 * 11 + (value % 136500 * 11 + 68250) // 136500
-        battery[_BATTERY_VOLTAGE_MV] = value
-        battery[_BATTERY_FAILURES] = 0
-        battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
-        if battery[_BATTERY_IS_LOGGED] == 0:
-            battery[_BATTERY_IS_LOGGED] = 1
-            told = 1
-        # Whether it is absent; another one may have been put in (FR-00073.8).
-        is_gone = 0
-        if value != _UNKNOWN and value < 3000:
-            is_gone = 1
-        if battery[_BATTERY_GONE] and is_gone == 0:
-            told |= 2
-            if (battery[_BATTERY_SWAPS_NUMBER] ^ sign) - sign == _UNKNOWN:
-                battery[_BATTERY_SWAPS_NUMBER] = 0
-            battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
-            if (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign != _UNKNOWN:
-                battery[_BATTERY_CONSUMED_MAH] = 0
-            if (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign != _UNKNOWN:
-                battery[_BATTERY_ENERGY_HJ] = 0
-            battery[_BATTERY_COUNTED_FROM_FULL] = 0
-        battery[_BATTERY_GONE] = is_gone
-        # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
-        since = (battery[_BATTERY_WARNED_MS] ^ sign) - sign
-        if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
-            battery[_BATTERY_WARNED_MS] = _UNKNOWN
-        if value > 13000 and (battery[_BATTERY_WARNED_MS] ^ sign) - sign == _UNKNOWN:
-            battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
-            told |= 4
+    now_ms = int(ticks())
+    instance = first
+    battery = ptr32(words)
+    if first >= 0:
+        battery = ptr32(int(battery) + 4 * (_BATTERY + _BATTERY_SIZE * first))
+    while instance < 2:
+        if first < 0 or battery[_BATTERY_MONITORED]:
+            if first >= 0:
+                battery[_BATTERY_COUNT] = -1000000000
+                battery[_BATTERY_COUNT] = int(board.read_battery_adc(instance))
+            told = 0
+            count = (battery[_BATTERY_COUNT] ^ sign) - sign
+            if count < 0 or count > 4095:
+                # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
+                battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
+                if battery[_BATTERY_FAILURES] >= 5:
+                    battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                    battery[_BATTERY_TREND_COUNT] = 0
+                    battery[_BATTERY_TREND_NEWER] = 0
+                    battery[_BATTERY_TREND_OLDER] = 0
+            else:
+                # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
+                value = count * battery[_BATTERY_MULTIPLIER]
+                value = value // 136500 * 11 + (value % 136500 * 11 + 68250) // 136500
+                battery[_BATTERY_VOLTAGE_MV] = value
+                battery[_BATTERY_FAILURES] = 0
+                battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
+                if battery[_BATTERY_IS_LOGGED] == 0:
+                    battery[_BATTERY_IS_LOGGED] = 1
+                    told = 1
+                # Whether it is absent; another one may have been put in (FR-00073.8).
+                is_gone = 0
+                if value != _UNKNOWN and value < 3000:
+                    is_gone = 1
+                if battery[_BATTERY_GONE] and is_gone == 0:
+                    told |= 2
+                    if (battery[_BATTERY_SWAPS_NUMBER] ^ sign) - sign == _UNKNOWN:
+                        battery[_BATTERY_SWAPS_NUMBER] = 0
+                    battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
+                    if (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign != _UNKNOWN:
+                        battery[_BATTERY_CONSUMED_MAH] = 0
+                    if (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign != _UNKNOWN:
+                        battery[_BATTERY_ENERGY_HJ] = 0
+                    battery[_BATTERY_COUNTED_FROM_FULL] = 0
+                battery[_BATTERY_GONE] = is_gone
+                # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
+                since = (battery[_BATTERY_WARNED_MS] ^ sign) - sign
+                if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
+                    battery[_BATTERY_WARNED_MS] = _UNKNOWN
+                if value > 13000 and (battery[_BATTERY_WARNED_MS] ^ sign) - sign == _UNKNOWN:
+                    battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
+                    told |= 4
 
-    # The change per second: the sum of the newer 20 readings against that of the older ones (FR-00021.1).
-    value = battery[_BATTERY_VOLTAGE_MV]
-    count = battery[_BATTERY_TREND_COUNT]
-    at = count
-    if at >= 40:
-        at -= 40
-        battery[_BATTERY_TREND_OLDER] = battery[_BATTERY_TREND_OLDER] - battery[_BATTERY_TREND_READINGS + at]
-    if count >= 20:
-        middle = at + 20
-        if middle >= 40:
-            middle -= 40
-        middle = battery[_BATTERY_TREND_READINGS + middle]
-        battery[_BATTERY_TREND_NEWER] = battery[_BATTERY_TREND_NEWER] - middle
-        battery[_BATTERY_TREND_OLDER] = battery[_BATTERY_TREND_OLDER] + middle
-    battery[_BATTERY_TREND_NEWER] = battery[_BATTERY_TREND_NEWER] + value
-    battery[_BATTERY_TREND_READINGS + at] = value
-    count += 1
-    if count == 80:
-        count = 40
-    battery[_BATTERY_TREND_COUNT] = count
-    if count < 40:
-        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-    else:
-        value = (battery[_BATTERY_TREND_NEWER] ^ sign) - sign - ((battery[_BATTERY_TREND_OLDER] ^ sign) - sign)
-        if value < 0:
-            battery[_BATTERY_TREND_MV_S] = 0 - (20 - value) // 40
-        else:
-            battery[_BATTERY_TREND_MV_S] = (value + 20) // 40
-    return told
+            if (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign != _UNKNOWN:
+                # The change per second: the sum of the newer 20 readings against that of the older ones (FR-00021.1).
+                value = battery[_BATTERY_VOLTAGE_MV]
+                count = battery[_BATTERY_TREND_COUNT]
+                at = count
+                if at >= 40:
+                    at -= 40
+                    oldest = battery[_BATTERY_TREND_READINGS + at]
+                    battery[_BATTERY_TREND_OLDER] = battery[_BATTERY_TREND_OLDER] - oldest
+                if count >= 20:
+                    middle = at + 20
+                    if middle >= 40:
+                        middle -= 40
+                    middle = battery[_BATTERY_TREND_READINGS + middle]
+                    battery[_BATTERY_TREND_NEWER] = battery[_BATTERY_TREND_NEWER] - middle
+                    battery[_BATTERY_TREND_OLDER] = battery[_BATTERY_TREND_OLDER] + middle
+                battery[_BATTERY_TREND_NEWER] = battery[_BATTERY_TREND_NEWER] + value
+                battery[_BATTERY_TREND_READINGS + at] = value
+                count += 1
+                if count == 80:
+                    count = 40
+                battery[_BATTERY_TREND_COUNT] = count
+                if count < 40:
+                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                else:
+                    value = (battery[_BATTERY_TREND_NEWER] ^ sign) - sign
+                    value -= (battery[_BATTERY_TREND_OLDER] ^ sign) - sign
+                    if value < 0:
+                        battery[_BATTERY_TREND_MV_S] = 0 - (20 - value) // 40
+                    else:
+                        battery[_BATTERY_TREND_MV_S] = (value + 20) // 40
+
+            if first < 0:
+                return told
+            if told:
+                return told | instance << 4
+        instance += 1
+        battery = ptr32(int(battery) + 4 * _BATTERY_SIZE)
+    return 0
 
 
 @micropython.viper

@@ -115,6 +115,9 @@ def battery_failed_reading_keeps_the_last_value():
     assert state.battery[0].voltage_mv == before
     assert board.battery_failures[0] == 1
     assert len(log.lines) == 1, log.lines
+    board.fail_adc(1)
+    assert board.read_battery_adc() == -1
+    assert len(log.lines) == 1, log.lines
     state.update_battery(board)
     assert state.battery[0].voltage_mv < before
     assert board.battery_failures[0] == 0
@@ -151,9 +154,11 @@ class BatteryOddity:
 
     def __init__(self, result):
         self.result = result
+        self.asked = 0
 
-    def read_battery_adc(self):
-        if isinstance(self.result, Exception):
+    def read_battery_adc(self, _instance):
+        self.asked += 1
+        if isinstance(self.result, BaseException):
             raise self.result
         return self.result
 
@@ -166,11 +171,21 @@ def battery_broken_board_does_not_raise():
         before = state.battery[0].voltage_mv
         state.update_battery(board)
         assert state.battery[0].voltage_mv == before
+        measured = len([each for each in state.battery if each.monitored])
+        assert board is None or board.asked == measured  # about none of them twice
         for _ in range(4):
             state.update_battery(board)
         assert state.battery[0].voltage_mv is None
         # One error of each that is measured.
         assert len(log.lines) <= len([each for each in state.battery if each.monitored]), log.lines
+    # Who interrupts a reading gets the next one nevertheless.
+    good, state, _ = fresh(3063)
+    try:
+        state.update_battery(BatteryOddity(KeyboardInterrupt()))
+        raise AssertionError
+    except KeyboardInterrupt:
+        state.update_battery(good)
+    assert state.battery[0].voltage_mv is not None
 
 
 def battery_late_reading_keeps_the_last_value():

@@ -64,7 +64,7 @@ WRONG_FRAMES = [
     ("rounding-of-floats", "floats_plain.py", "(value + 1 + ((value >> 2) & 1)) >> 2", "value >> 2"),
     ("rounding-of-floats-in-machine-code", "floats_viper.py", "(value + 1 + ((value >> 2) & 1)) >> 2", "value >> 2"),
     ("unknown-float", "telemetry_viper.py", "wire16[1] = 32704", "wire16[1] = 65472"),
-    ("samples", "board.py", "// 5", "// 4"),
+    ("samples", "samples_viper.py", "// 5", "// 4"),
 ]
 
 WRONG_BEHAVIOUR = [
@@ -79,7 +79,8 @@ WRONG_BEHAVIOUR = [
     ("failed-readings-in-machine-code", "state_viper.py", "_FAILURES] >= 5", "_FAILURES] >= 6"),
     ("default-of-the-multiplier", "parameters.py", "batt_volt_mult = 39500", "batt_volt_mult = 39400"),
     ("default-rate", "parameters.py", "sr0_extra1 = 2", "sr0_extra1 = 3"),
-    ("rounding-of-the-mean", "board.py", "(total + 2) // 5", "total // 5"),
+    ("rounding-of-the-mean", "samples_plain.py", "(total + 2) // 5", "total // 5"),
+    ("rounding-of-the-mean-in-machine-code", "samples_viper.py", "(total + 2) // 5", "total // 5"),
     ("warning-threshold", "state_plain.py", "> 13000", "> 12990"),
     ("warning-threshold-in-machine-code", "state_viper.py", "> 13000", "> 12990"),
     (
@@ -93,7 +94,16 @@ WRONG_BEHAVIOUR = [
     ("age", "state_plain.py", "now_ms - 1073740824", "now_ms - 1073740823"),
     ("age-in-machine-code", "state_viper.py", "now_ms - 1073740824", "now_ms - 1073740823"),
     ("reading-that-is-kept", "telemetry_viper.py", "battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN", "pass"),
-    ("time-limit", "board.py", "took > 2000", "took > 2010"),
+    ("time-limit", "samples_plain.py", "took > 2000", "took > 2010"),
+    ("time-limit-in-machine-code", "samples_viper.py", "took > 2000", "took > 2010"),
+    (
+        "failed-reading-of-the-board",
+        "board.py",
+        "            return -1\n        if took",
+        "            return 0\n        if took",
+    ),
+    ("failure-that-is-over", "samples_plain.py", "failures[instance] = 0", "pass"),
+    ("failure-that-is-over-in-machine-code", "samples_viper.py", "failures[instance] = 0", "pass"),
 ]
 
 MUTATIONS = [

@@ -45,8 +45,10 @@ def render_firmware(system: System) -> dict[str, str]:
         "telemetry_plain.py": (plain, written, wires),
     }
     if view.is_measured:
+        views["samples_plain.py"] = (board_view(system), [board, state], [])
         views["state_plain.py"] = (readings_view(system, layout, machine_code=False), [state, board, parameters], [])
         if machine_code:
+            views["samples_viper.py"] = (board_view(system), [board, state], [])
             readings = readings_view(system, layout, machine_code=True)
             views["state_viper.py"] = (readings, [state, board, parameters], [])
     if machine_code:

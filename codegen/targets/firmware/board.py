@@ -8,7 +8,7 @@ from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
 from codegen.model.vehicle import AdcChannel, Component, Parameter
 from codegen.targets.families import family_lines
-from codegen.targets.imports import import_lines
+from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, quoted
 
 
@@ -18,9 +18,10 @@ class ReaderView:
 
     ``spare_bits`` are the bits of the 12 bit converter that a count leaves out, ``pin`` is the attribute of the
     parameter that has the pin. ``before`` are the lines that find ``input``, the number of the pin, and ``indent`` is
-    how deep within them it is set up. Of several instances ``at`` is the index, ``also`` a further argument and
-    ``only`` the one argument with which their code names one, else "". ``zeros`` and ``nones`` are the first values,
-    for each of them; ``absent`` and ``failed`` are arguments of what is logged.
+    how deep within them it is set up. Of several instances ``at`` is the index, ``also`` a further argument that names
+    one, ``only`` the one argument and ``leading`` the first of several, else "". ``zeros`` and ``nones`` are the first
+    values, for each of them; ``absent`` and ``failed`` are arguments of what is logged. What takes a reading is made
+    with ``given``, for which the board has ``passed``, and counts in ``failures``.
     """
 
     component: str
@@ -34,6 +35,10 @@ class ReaderView:
     at: str
     also: str
     only: str
+    leading: str
+    given: str
+    passed: str
+    failures: str
     zeros: str
     nones: str
     absent: str
@@ -62,7 +67,8 @@ class LinkView:
 class BoardView:
     """The board, its readers and its links.
 
-    ``head`` are the lines above the class, with an empty one behind the imports and behind the constants.
+    ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
+    is whether the time of a reading is limited.
     """
 
     board: str
@@ -71,6 +77,7 @@ class BoardView:
     head: tuple[str, ...]
     links: tuple[LinkView, ...]
     has_pins: bool
+    is_timed: bool
 
 
 def board_view(system: System) -> BoardView:
@@ -85,22 +92,26 @@ def board_view(system: System) -> BoardView:
         board=prose(system.spec.board.board),
         mcu=prose(system.spec.board.mcu),
         readers=readers,
-        head=(*_imports(readers, links, has_pins=has_pins), *_families(system)),
+        head=(*_imports(readers, links, has_pins=has_pins), *_readings(system, readers), *_families(system)),
         links=links,
         has_pins=has_pins,
+        is_timed=any(reader.read_limit_us is not None for reader in readers),
     )
 
 
 def _imports(readers: tuple[ReaderView, ...], links: tuple[LinkView, ...], *, has_pins: bool) -> tuple[str, ...]:
     """What the module imports to read and to open its links, with an empty line behind it; nothing without both."""
-    modules = ["time"] if any(reader.read_limit_us is not None for reader in readers) else []
+    modules = ["machine"] if readers else []
     names = [(link.module, link.function) for link in links]
-    if readers:
-        modules.append("machine")
-        names.append(("guard", "Guard"))
     if has_pins:
         names.append(("parameters", "Parameters"))
     return (*import_lines(modules, names), "") if modules or names else ()
+
+
+def _readings(system: System, readers: tuple[ReaderView, ...]) -> tuple[str, ...]:
+    """The import of what makes the functions that take readings, with an empty line behind it."""
+    names = sorted(f"{reader.component}_reading" for reader in readers)
+    return (*either_import("samples", names, machine_code=system.spec.project.machine_code), "") if names else ()
 
 
 def _families(system: System) -> tuple[str, ...]:
@@ -127,6 +138,7 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
     has_variable = several or channel.pin is not None
     title = f"{name} {{instance + 1}}" if several else f"the {name}"
     literal = "f" if several else ""
+    also = ", instance" if several else ""
     return ReaderView(
         component=name,
         several=several,
@@ -137,8 +149,12 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
         input="gpio" if has_variable else str(channel.gpio),
         indent="    " if several else "",
         at="[instance]" if several else "",
-        also=", instance" if several else "",
+        also=also,
         only="instance" if several else "",
+        leading="instance, " if several else "",
+        given=f"board, read_u16{also}",
+        passed=f"self, adc.read_u16{also}",
+        failures="failures[instance]" if several else f"board.{name}_failures",
         zeros=f"[0] * {component.instances}" if several else "0",
         nones=f"[None] * {component.instances}" if several else "None",
         absent=f'{literal}"warning: no ADC for {title} on GPIO'

@@ -38,10 +38,6 @@ class SpelledCode(PayloadCode):
         """A word that can be negative."""
         raise NotImplementedError
 
-    def difference(self, first: str, second: str) -> str:
-        """The difference of two words, which can be negative."""
-        raise NotImplementedError
-
     def read(self, quantity: Quantity, element: str = "") -> str:
         """The word, with its sign."""
         return self.number_of(self.word(quantity.component, quantity.attribute, element))

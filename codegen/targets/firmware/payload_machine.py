@@ -23,10 +23,6 @@ class MachineCode(SpelledCode):
         self.uses.add("sign")
         return f"({word} ^ sign) - sign"
 
-    def difference(self, first: str, second: str) -> str:
-        """The sign is that of the difference in 32 bits."""
-        return f"{self.number_of(first)} - ({self.number_of(second)})"
-
     def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
         """In one piece where the place is a multiple of the size; the smaller Cortex-M insist on that.
 

@@ -25,10 +25,6 @@ class PlainCode(SpelledCode):
         """An array knows signs."""
         return word
 
-    def difference(self, first: str, second: str) -> str:
-        """As it is."""
-        return f"{first} - {second}"
-
     def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
         """Byte by byte."""
         if always:

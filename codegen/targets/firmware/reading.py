@@ -15,6 +15,10 @@ FIRST, RETURNED, ABOVE, GOOD = 1, 2, 4, 8
 """What a reading gives cause to tell: bits of what the function returns."""
 
 
+WAITING = -1000000000
+"""The count of an instance that the board is being asked about."""
+
+
 def expires(component: Component) -> bool:
     """Whether a reading of it can become too old."""
     measured = measured_of(component)
@@ -50,7 +54,7 @@ def forgotten(component: Component, code: SpelledCode) -> list[str]:
 def taken(component: Component, code: SpelledCode) -> list[str]:
     """Take over the count that stands in its word, at ``now_ms``; one that cannot be is a failed reading.
 
-    What there is to tell is in ``told``.
+    What there is to tell is in ``told``. The value is unknown afterwards, or the one that ``changed`` goes on with.
     """
     measured = measured_of(component)
     assert measured is not None
@@ -63,11 +67,9 @@ def taken(component: Component, code: SpelledCode) -> list[str]:
     name, full_scale = component.name, conversion.channel.full_scale
     value = code.word(name, measured.attribute)
     failures = code.word(name, "failures")
-    trend = next((quantity for quantity in component.quantities.values() if quantity.derivation.kept_readings), None)
     failed = [f"{failures} = {failures} + 1"]
     if lasting:
         failed += [f"if {failures} >= {lasting}:", *indented(forgotten(component, code))]
-    failed += [f"if {code.number_of(value)} == {UNKNOWN}:", "    return 0"] if trend else ["return 0"]
     numerator, denominator = conversion.numerator, conversion.denominator
     good = [
         f"value = count * {code.word(name, 'multiplier')}",
@@ -87,24 +89,30 @@ def taken(component: Component, code: SpelledCode) -> list[str]:
     if threshold is not None:
         good += _above(measured, threshold, code)
     lasts = _until(lasting) + _cited(measured.cited("invalid_after"))
-    lines = [
+    head = f"# count / {full_scale} * reference * multiplier, rounded to nearest ({measured.citation or name})."
+    return [
         "told = 0",
         f"count = {code.number_of(code.word(name, 'count'))}",
         f"if count < 0 or count > {full_scale}:",
         f"    # A failed reading keeps the last value{lasts}.",
         *indented(failed),
+        "else:",
+        *indented([head, *good]),
     ]
-    head = f"# count / {full_scale} * reference * multiplier, rounded to nearest ({measured.citation or name})."
-    if trend is None:
-        return [*lines, "", head, *good]
-    return [*lines, "else:", *indented([head, *good])]
 
 
 def changed(component: Component, code: SpelledCode) -> list[str]:
-    """Take the value into the trend, where there is one."""
+    """Take the value into the trend, where there is one; not for a value that is unknown."""
     measured = measured_of(component)
     trend = next((quantity for quantity in component.quantities.values() if quantity.derivation.kept_readings), None)
     return [] if trend is None or measured is None else list(_trend(trend, measured, component, code))
+
+
+def known(component: Component, code: SpelledCode) -> str:
+    """The condition that the measured value is known."""
+    measured = measured_of(component)
+    assert measured is not None
+    return f"{code.number_of(code.word(component.name, measured.attribute))} != {UNKNOWN}"
 
 
 def _until(failures: int | None) -> str:
@@ -179,7 +187,8 @@ def _trend(trend: Quantity, measured: Quantity, component: Component, code: Spel
     yield "at = count"
     yield f"if at >= {readings}:"
     yield f"    at -= {readings}"
-    yield f"    {older} = {older} - {code.word(name, ring, 'at')}"
+    yield f"    oldest = {code.word(name, ring, 'at')}"
+    yield f"    {older} = {older} - oldest"
     yield f"if count >= {half}:"
     yield f"    middle = at + {half}"
     yield f"    if middle >= {readings}:"
@@ -196,7 +205,8 @@ def _trend(trend: Quantity, measured: Quantity, component: Component, code: Spel
     yield f"if count < {readings}:"
     yield f"    {word} = {UNKNOWN}"
     yield "else:"
-    yield f"    value = {code.difference(newer, older)}"
+    yield f"    value = {code.number_of(newer)}"
+    yield f"    value -= {code.number_of(older)}"
     product = f"value * {scale.numerator}" if scale.numerator != 1 else "value"
     part = scale.denominator // 2
     yield "    if value < 0:"

@@ -7,29 +7,31 @@ from codegen.model.vehicle import Component
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.payload_machine import MachineReading
 from codegen.targets.firmware.payload_plain import PlainReading
-from codegen.targets.firmware.reading import changed, expires, expiry, taken
+from codegen.targets.firmware.reading import WAITING, changed, expires, expiry, known, taken
 from codegen.targets.firmware.words import ConstantView, Layout, measured_of
-
-WAITING = -2
-"""The count of an instance that has not been read yet."""
 
 
 @dataclass(frozen=True, slots=True)
 class ReadingView:
-    """The functions of one component: what reads it, what takes a reading over, and what forgets an old one;
-    ``changed`` are the statements for its trend.
+    """The functions of one component: what reads it, what takes a reading over, and what forgets an old one.
 
-    ``count`` is the word of what was counted, ``read`` are the statements for one instance.
+    ``start`` is where the first one stands in the state, in bytes, ``size`` how many words each takes. ``declared`` are
+    the statements that the code for one instance needs before it, ``is_read`` is the condition that one is read, "" for
+    always, ``asked`` the count that the board is asked for, and ``turn`` what is done with it; ``changed`` are the
+    statements for its trend where they have a function of their own.
     """
 
     component: str
     instances: int
+    start: str
+    size: str
+    declared: tuple[str, ...]
+    is_read: str
     count: str
-    read: tuple[str, ...]
-    count_constant: str
+    asked: str
     measured: str
     citation: str
-    taken: tuple[str, ...]
+    turn: tuple[str, ...]
     changed: tuple[str, ...]
     expiry: tuple[str, ...]
     stale_after: str
@@ -55,42 +57,53 @@ def readings_view(system: System, layout: Layout, *, machine_code: bool) -> Read
         code: SpelledCode = (MachineReading if machine_code else PlainReading)(layout, component.name)
         old = expiry(component, code, "now_ms", "age") if expires(component) else []
         old_pointers = code.pointers()
-        body, change = taken(component, code), changed(component, code)
+        name, enabled, block = component.name, component.enabled, layout.blocks[component.name]
+        several = component.instances > 1
+        asked = f"board.read_{name}_adc({'instance' if several else ''})"
+        is_read = code.word(name, enabled.attribute) if enabled else ""
+        change = changed(component, code)
+        turn = _turn(component, code, asked, is_read) if machine_code else _take(component, code)
         views.append(
             ReadingView(
-                component=component.name,
+                component=name,
                 instances=component.instances,
-                read=tuple(_read(component, code, machine_code=machine_code)),
-                count=code.word(component.name, "count"),
-                count_constant=layout.blocks[component.name].constant("count"),
+                start=f"4 * ({block.base_constant} + {block.size_constant} * first)"
+                if several
+                else f"4 * {block.base_constant}",
+                size=block.size_constant,
+                declared=tuple(code.pointers()),
+                is_read=is_read,
+                count=code.word(name, "count"),
+                asked=asked,
                 measured=measured.name,
-                citation=str(component.citation or component.name),
-                taken=tuple(indented([*code.pointers(), *body])),
-                changed=tuple(indented(change)),
+                citation=str(component.citation or name),
+                turn=tuple(turn),
+                changed=() if machine_code else tuple(change),
                 expiry=tuple(indented([*old_pointers, *old])),
                 stale_after=measured.cited("stale_after"),
             )
         )
-        constants += layout.constants(component.name, code.words[component.name], in_array=False)
+        if machine_code:
+            constants.append(ConstantView(block.base_constant, block.base))
+            constants += [ConstantView(block.size_constant, block.size)] if several else []
+        constants += layout.constants(name, code.words[name], in_array=False)
     return ReadingsView(tuple(constants), tuple(views))
 
 
-def _read(component: Component, code: SpelledCode, *, machine_code: bool) -> list[str]:
-    """Read one instance and take the count over, if it is measured at all."""
-    name, several = component.name, component.instances > 1
-    counted = f"board.read_{name}_adc({'instance' if several else ''})"
-    failures = f"board.{name}_failures{'[instance]' if several else ''}"
-    count = code.word(name, "count")
-    if machine_code:
-        lines = [f"count = int({counted})", f"if {failures}:", "    count = -1", f"{count} = count"]
-        lines.append(f"told = int(take_{name}(every[instance], now_ms))")
-    else:
-        lines = [
-            f"count = {counted}",
-            f"{count} = -1 if {failures} else count",
-            f"told = take_{name}({name}, time.ticks_ms())",
-        ]
-    lines += ["if told:", f"    state.tell_{name}(told, instance)"]
-    if component.enabled is None:
-        return lines
-    return [f"if {code.word(name, component.enabled.attribute)}:", *indented(lines)]
+def _turn(component: Component, code: SpelledCode, asked: str, is_read: str) -> list[str]:
+    """One turn of the loop in machine code: ask for a count, unless it stands there already, and take it over."""
+    count = code.word(component.name, "count")
+    lines = ["if first >= 0:", f"    {count} = {WAITING}", f"    {count} = int({asked})"]
+    lines += taken(component, code)
+    if change := changed(component, code):
+        lines += ["", f"if {known(component, code)}:", *indented(change)]
+    lines += ["", "if first < 0:", "    return told", "if told:", "    return told | instance << 4"]
+    return [f"if first < 0 or {is_read}:", *indented(lines)] if is_read else lines
+
+
+def _take(component: Component, code: SpelledCode) -> list[str]:
+    """Take a count over in plain Python; the trend has a function of its own: one of many variables needs heap."""
+    lines = taken(component, code)
+    if changed(component, code):
+        lines += [f"if {known(component, code)}:", f"    _change_{component.name}({component.name})"]
+    return [*lines, "return told"]

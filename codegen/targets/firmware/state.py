@@ -8,7 +8,7 @@ from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
-from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, expires
+from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
 from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ, measured_of
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
@@ -110,6 +110,7 @@ class StateView:
     families: tuple[FamilyView, ...]
     has_estimate: bool
     is_measured: bool
+    waiting: int = WAITING
 
 
 def state_view(system: System, layout: Layout) -> StateView:
@@ -133,7 +134,7 @@ def state_view(system: System, layout: Layout) -> StateView:
             *(ConstantView(block.constant(name), at) for name, at in block.offsets.items()),
         )
     ]
-    readings = [f"{verb}_{component.name}" for component in measured for verb in ("read", "take")]
+    readings = [f"read_{component.name}" for component in measured]
     readings += [f"expire_{component.name}" for component in measured if component.expires]
     machine_code = system.spec.project.machine_code
     return StateView(

@@ -3,12 +3,14 @@
 # Inputs: 7419676caa2ab49c
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
-import time
-
 import machine
-from guard import Guard
 from parameters import Parameters
 from serial_port import open_uart
+
+try:
+    from samples_viper import battery_reading
+except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
+    from samples_plain import battery_reading
 
 
 class Board:
@@ -17,13 +19,12 @@ class Board:
     def __init__(self, log=print, parameters=None):
         self._log = log
         parameters = parameters or Parameters()  # a pin that is changed counts from the next start
-        self._guard = Guard()
         self.battery_failures = 0  # failed readings in a row
-        self._battery_count = None
-        self._battery_adc = None
+        self._read_battery = None
         gpio = parameters.batt_volt_pin
         try:
-            self._battery_adc = machine.ADC(machine.Pin(gpio))
+            adc = machine.ADC(machine.Pin(gpio))
+            self._read_battery = battery_reading(self, adc.read_u16)
         except Exception as error:
             log("warning: no ADC for the battery on GPIO", gpio, ":", error)
 
@@ -43,32 +44,20 @@ class Board:
     def read_battery_adc(self):
         """Return the mean of 5 samples as a count, 0 to 4095, FR-00066.2.
 
-        A failed or late reading returns the last good count, None before the first, and counts in
-        `battery_failures`.
+        A failed or late reading returns -1, and counts in `battery_failures`. It never raises.
         """
-        started = time.ticks_us()
-        total = self._try_battery()
-        if total is None:
-            return self._keep_battery("cannot be read:", self._guard.error)
-        took = time.ticks_diff(time.ticks_us(), started)
-        if took > 2000:
-            return self._keep_battery("took too long to read, in us:", took)
-        self.battery_failures = 0
-        self._battery_count = (total + 2) // 5
-        return self._battery_count
+        try:
+            return self._read_battery()
+        except Exception:  # to keep it, or to do more here, would take heap at each call
+            return self.fail_battery()
 
-    def _try_battery(self):
-        with self._guard:
-            return self._sum_battery()
-
-    def _sum_battery(self):
-        total = 0
-        for _ in range(5):
-            total += self._battery_adc.read_u16() >> 4
-        return total
-
-    def _keep_battery(self, problem, detail):
+    def fail_battery(self, took=None):
+        """Count a reading that failed, or that took so many us; return -1."""
         self.battery_failures += 1
-        if self.battery_failures == 1:  # once for each run of failures, not at each reading
-            self._log("error: the battery's ADC", problem, detail)
-        return self._battery_count
+        if self.battery_failures > 1:  # once for each run of failures, not at each reading
+            return -1
+        if took is None:
+            self._log("error: the battery's ADC", "cannot be read")
+        else:
+            self._log("error: the battery's ADC", "took too long to read, in us:", took)
+        return -1

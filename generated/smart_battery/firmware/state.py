@@ -16,9 +16,9 @@ from parameters import Parameters
 from words import UNKNOWN, Component, at_least, below, elements, known, shown, shown_elements, together, truth, whole
 
 try:
-    from state_viper import expire_battery, read_battery, take_battery
+    from state_viper import expire_battery, read_battery
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
-    from state_plain import expire_battery, read_battery, take_battery
+    from state_plain import expire_battery, read_battery
 
 _SIZE = const(23)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
@@ -148,7 +148,7 @@ class BatteryState(Component):
         own = words[_BATTERY_MULTIPLIER]
         words[_BATTERY_COUNT] = count
         words[_BATTERY_MULTIPLIER] = multiplier
-        told = take_battery(words, time.ticks_ms())
+        told = read_battery(words, None, None, time.ticks_ms, -1)
         words[_BATTERY_MULTIPLIER] = own
         return told
 
@@ -176,31 +176,53 @@ class SystemState:
             words[_BATTERY_MONITORED] = 1 if self.parameters.batt_monitor != 0 else 0
             words[_BATTERY_MULTIPLIER] = self.parameters.batt_volt_mult
         self.battery_words = tuple(self.battery[instance].words for instance in range(1))
+        self._start_battery()
 
-    def update_battery(self, board):
-        """Take one reading; call it every 100 ms, FR-00067.1.
+    def _start_battery(self):
+        updates = self._battery_updates()
+        next(updates)
+        self.update_battery = updates.send
 
-        It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
+    def _battery_updates(self):
+        """Go on for ever: update_battery(board) is one turn, which takes one reading, FR-00067.1.
+
+        Call it every 100 ms. It never raises. A failed reading keeps the last value; 5 in a row make it unknown.
+        What lives on between the calls can keep an exception without heap at each of them, and looks up no names.
         """
+        words = self.words
+        every = self.battery_words
+        read = read_battery
+        ticks = time.ticks_ms
+        first = 0
         try:
-            read_battery(self, board)
-        except Exception:  # to keep it would cost heap at each call
-            self._guard_battery(board)
+            board = yield
+            while True:
+                try:
+                    told = read(words, every, board, ticks, first)
+                    if told:
+                        first = (told >> 4) + 1
+                        self.tell_battery(told & 15, told >> 4)
+                    else:
+                        first = 0
+                        board = yield
+                except Exception as error:
+                    first = self._fail_battery(error, first)
+        except (KeyboardInterrupt, SystemExit):
+            self._start_battery()  # that was the end of this one
+            raise
 
-    def _guard_battery(self, board):
-        """Read those of which there is no count yet, one by one; of one that the board cannot read learn why."""
-        for instance in range(1):
+    def _fail_battery(self, error, first):
+        """Count a failed reading of the one that the board was asked for; return which one is next."""
+        for instance in range(first, 1):
             words = self.battery_words[instance]
-            if words[_BATTERY_COUNT] != -2 or not words[_BATTERY_MONITORED]:
-                continue
-            with self._guard:
-                count = board.read_battery_adc()
-                words[_BATTERY_COUNT] = -1 if board.battery_failures else count
-            if self._guard.error is not None:
+            if words[_BATTERY_COUNT] == -1000000000:
                 words[_BATTERY_COUNT] = -1
                 if words[_BATTERY_FAILURES] == 0:
-                    self._log("error: the board cannot read the battery:", self._guard.error)
-            self.tell_battery(take_battery(words, time.ticks_ms()), instance)
+                    with self._guard:
+                        self._log("error: the board cannot read the battery:", error)
+                read_battery(words, None, None, time.ticks_ms, -1)
+                return instance + 1
+        return 1
 
     def tell_battery(self, told, instance):
         """Do what a reading gives cause to."""

@@ -3,8 +3,6 @@
 # Inputs: 7419676caa2ab49c
 """What is done with each reading of a component, in plain Python, for ports without machine code."""
 
-import time
-
 from micropython import const
 
 _UNKNOWN = const(-0x3FFFFFFF - 1)
@@ -21,31 +19,35 @@ _BATTERY_WARNED_MS = const(18)
 _BATTERY_GONE = const(19)
 
 
-def read_battery(state, board):
-    """Take a reading of each that is measured, FR-00067.1.
+def read_battery(words, every, board, ticks, first):
+    """Take a reading of each that is measured, from the first one to ask for on, FR-00067.1.
 
-    What the board raises ends it; the instances that have not been read have -2 for a count.
+    It ends early where there is something to tell, and returns which one that is about, times 16, and what. 1: it is
+    the first reading; 2: the battery was gone and has come back; 4: the value is above where it is warned.
+
+    What the board raises comes out; the one that it was asked for has -1000000000 for a count then.
+    `words` are those of the state, `every` the parts of each. With -1 for the first `words` are those of a
+    single one, with its count.
     """
-    for instance in range(1):
-        state.battery_words[instance][_BATTERY_COUNT] = -2
-    for instance in range(1):
-        _read_battery(state, state.battery_words[instance], board, instance)
-
-
-def _read_battery(state, battery, board, instance):
-    if battery[_BATTERY_MONITORED]:
-        count = board.read_battery_adc()
-        battery[_BATTERY_COUNT] = -1 if board.battery_failures else count
-        told = take_battery(battery, time.ticks_ms())
+    if first < 0:
+        return _take_battery(words, ticks())
+    while first < 1:
+        told = _read_battery(every[first], board, ticks, first)
         if told:
-            state.tell_battery(told, instance)
+            return told | first << 4
+        first += 1
+    return 0
 
 
-def take_battery(battery, now_ms):
-    """Take over what was counted of the voltage; return what there is to tell.
+def _read_battery(battery, board, ticks, instance):
+    if not battery[_BATTERY_MONITORED]:
+        return 0
+    battery[_BATTERY_COUNT] = -1000000000
+    battery[_BATTERY_COUNT] = board.read_battery_adc()
+    return _take_battery(battery, ticks())
 
-    1: it is the first reading; 2: the battery was gone and has come back; 4: the value is above where it is warned.
-    """
+
+def _take_battery(battery, now_ms):
     told = 0
     count = battery[_BATTERY_COUNT]
     if count < 0 or count > 4095:
@@ -53,34 +55,33 @@ def take_battery(battery, now_ms):
         battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
         if battery[_BATTERY_FAILURES] >= 5:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-        return 0
-
-    # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
-    value = count * battery[_BATTERY_MULTIPLIER]
-    value = value // 136500 * 11 + (value % 136500 * 11 + 68250) // 136500
-    battery[_BATTERY_VOLTAGE_MV] = value
-    battery[_BATTERY_FAILURES] = 0
-    battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
-    if battery[_BATTERY_IS_LOGGED] == 0:
-        battery[_BATTERY_IS_LOGGED] = 1
-        told = 1
-    # Whether it is absent; another one may have been put in (FR-00073.8).
-    is_gone = 0
-    if value != _UNKNOWN and value < 3000:
-        is_gone = 1
-    if battery[_BATTERY_GONE] and is_gone == 0:
-        told |= 2
-        if battery[_BATTERY_SWAPS_NUMBER] == _UNKNOWN:
-            battery[_BATTERY_SWAPS_NUMBER] = 0
-        battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
-    battery[_BATTERY_GONE] = is_gone
-    # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
-    since = battery[_BATTERY_WARNED_MS]
-    if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
-        battery[_BATTERY_WARNED_MS] = _UNKNOWN
-    if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
-        battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
-        told |= 4
+    else:
+        # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
+        value = count * battery[_BATTERY_MULTIPLIER]
+        value = value // 136500 * 11 + (value % 136500 * 11 + 68250) // 136500
+        battery[_BATTERY_VOLTAGE_MV] = value
+        battery[_BATTERY_FAILURES] = 0
+        battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
+        if battery[_BATTERY_IS_LOGGED] == 0:
+            battery[_BATTERY_IS_LOGGED] = 1
+            told = 1
+        # Whether it is absent; another one may have been put in (FR-00073.8).
+        is_gone = 0
+        if value != _UNKNOWN and value < 3000:
+            is_gone = 1
+        if battery[_BATTERY_GONE] and is_gone == 0:
+            told |= 2
+            if battery[_BATTERY_SWAPS_NUMBER] == _UNKNOWN:
+                battery[_BATTERY_SWAPS_NUMBER] = 0
+            battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
+        battery[_BATTERY_GONE] = is_gone
+        # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
+        since = battery[_BATTERY_WARNED_MS]
+        if since != _UNKNOWN and now_ms - since & 0x3FFFFFFF >= 10000:
+            battery[_BATTERY_WARNED_MS] = _UNKNOWN
+        if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
+            battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
+            told |= 4
     return told
 
 

@@ -117,6 +117,9 @@ def battery_failed_reading_keeps_the_last_value():
     assert state.battery.voltage_mv == before
     assert board.battery_failures == 1
     assert len(log.lines) == 1, log.lines
+    board.fail_adc(1)
+    assert board.read_battery_adc() == -1
+    assert len(log.lines) == 1, log.lines
     state.update_battery(board)
     assert state.battery.voltage_mv < before
     assert board.battery_failures == 0
@@ -153,9 +156,11 @@ class BatteryOddity:
 
     def __init__(self, result):
         self.result = result
+        self.asked = 0
 
     def read_battery_adc(self):
-        if isinstance(self.result, Exception):
+        self.asked += 1
+        if isinstance(self.result, BaseException):
             raise self.result
         return self.result
 
@@ -168,10 +173,19 @@ def battery_broken_board_does_not_raise():
         before = state.battery.voltage_mv
         state.update_battery(board)
         assert state.battery.voltage_mv == before
+        assert board is None or board.asked == 1  # about none of them twice
         for _ in range(4):
             state.update_battery(board)
         assert state.battery.voltage_mv is None
         assert len(log.lines) <= 1, log.lines
+    # Who interrupts a reading gets the next one nevertheless.
+    good, state, _ = fresh(3063)
+    try:
+        state.update_battery(BatteryOddity(KeyboardInterrupt()))
+        raise AssertionError
+    except KeyboardInterrupt:
+        state.update_battery(good)
+    assert state.battery.voltage_mv is not None
 
 
 def battery_late_reading_keeps_the_last_value():

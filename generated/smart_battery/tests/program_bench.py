@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: d9130dca02112065
+# Inputs: 2e8d462696d2e702
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -388,7 +388,9 @@ class Watch:
         self.events = []
         self.started_us = at_us
         self.set(low, critical, timer)
-        setattr(self.rover.state, "update_" + self.facts["component"], self._update)
+        name = "update_" + self.facts["component"]
+        self._read = getattr(self.rover.state, name)
+        setattr(self.rover.state, name, self._update)
 
     def set(self, low, critical, timer):
         """Set the thresholds, in stored steps, and the time in seconds."""
@@ -397,8 +399,7 @@ class Watch:
         setattr(self.parameters, self.facts["after"], timer)
 
     def _update(self, board):
-        state = self.rover.state
-        getattr(type(state), "update_" + self.facts["component"])(state, board)
+        self._read(board)
         setattr(self.component, self.facts["attribute"], self.value)
 
     def readings(self, value, count=1):

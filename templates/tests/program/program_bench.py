@@ -386,7 +386,9 @@ class Watch:
         self.events = []
         self.started_us = at_us
         self.set(low, critical, timer)
-        setattr(self.rover.state, "update_" + self.facts["component"], self._update)
+        name = "update_" + self.facts["component"]
+        self._read = getattr(self.rover.state, name)
+        setattr(self.rover.state, name, self._update)
 
     def set(self, low, critical, timer):
         """Set the thresholds, in stored steps, and the time in seconds."""
@@ -395,8 +397,7 @@ class Watch:
         setattr(self.parameters, self.facts["after"], timer)
 
     def _update(self, board):
-        state = self.rover.state
-        getattr(type(state), "update_" + self.facts["component"])(state, board)
+        self._read(board)
         setattr(self.component, self.facts["attribute"], self.value)
 
     def readings(self, value, count=1):

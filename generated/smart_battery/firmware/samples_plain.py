@@ -1,0 +1,26 @@
+# Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
+# Inputs: c82b0ef58a569b99
+"""What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
+
+import time
+
+
+def battery_reading(board, read_u16):
+    """Return what takes a reading by `read_u16`: the mean of 5 samples as a count, FR-00066.2; -1 of a late one."""
+    ticks_us = time.ticks_us
+
+    def reading():
+        started = ticks_us()
+        total = read_u16() >> 4
+        total += read_u16() >> 4
+        total += read_u16() >> 4
+        total += read_u16() >> 4
+        total += read_u16() >> 4
+        took = ticks_us() - started & 0x3FFFFFFF
+        if took > 2000:
+            return board.fail_battery(took)
+        if board.battery_failures:
+            board.battery_failures = 0
+        return (total + 2) // 5
+
+    return reading
