@@ -47,6 +47,13 @@ def test_message_takes_less_than_100_us_by_the_prediction(key: str) -> None:
     assert most / cost.MEGAHERTZ < 100
 
 
+@pytest.mark.requirement("NFR-00060.1")
+def test_reading_nominally_takes_10_to_50_us_by_the_prediction() -> None:
+    """The stored instructions, which the count above may exceed a little, and five calls of the converter."""
+    likely, _ = cost.cycles(MORE * STORED["reading"].value)
+    assert 10 <= likely / cost.MEGAHERTZ + cost.CONVERSIONS_US <= 50
+
+
 def test_a_figure_that_could_not_be_counted_says_why(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Without valgrind nothing is guessed and nothing is taken as counted."""
     monkeypatch.setattr(cost.shutil, "which", lambda _name: None)

@@ -25,7 +25,7 @@ def test_the_shipped_project_is_covered(capsys: pytest.CaptureFixture[str]) -> N
     said = capsys.readouterr()
     assert "trace-" not in said.out
     assert said.err == ""
-    assert re.search(r"on the bench +4\n", said.out)
+    assert re.search(r"on the bench +3\n", said.out)
 
 
 def test_the_summary_and_what_needs_attention(project: Project, capsys: pytest.CaptureFixture[str]) -> None:
