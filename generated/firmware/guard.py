@@ -1,5 +1,5 @@
 # Generated from templates/firmware/guard.py: do not edit.
-# Inputs: 7cff632e174bd8d6
+# Inputs: a637cf28e04cdd49
 """Going on after an exception, and keeping it, without a variable for it.
 
 `except Exception as error` makes a function of MicroPython so large that its variables are put on the heap at each
@@ -18,4 +18,4 @@ class Guard:
 
     def __exit__(self, _kind, error, _trace):
         self.error = error
-        return isinstance(error, Exception)
+        return error is not None and isinstance(error, Exception)  # a name of Python's own takes long to find

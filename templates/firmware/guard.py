@@ -16,4 +16,4 @@ class Guard:
 
     def __exit__(self, _kind, error, _trace):
         self.error = error
-        return isinstance(error, Exception)
+        return error is not None and isinstance(error, Exception)  # a name of Python's own takes long to find
