@@ -76,15 +76,22 @@ def set_voltage(rounds):
         battery.voltage = 11.7
 
 
-def frame_of(name):
-    """Return the workload that makes the frame of a message of the first battery, and tells its full length."""
+def frame_of(name, *about):
+    """Return the workload that makes the frame of a message, by its instance and page, and tells its full length."""
     build = getattr(telemetry, "build_" + name)
     length = 12 + build(state).LENGTH
 
     def make_frames(rounds):
         encode = getattr(telemetry, "encode_" + name)
-        for _ in range(rounds):
-            encode(link, state)
+        if len(about) == 2:
+            for _ in range(rounds):
+                encode(link, state, 0, 0)
+        elif about:
+            for _ in range(rounds):
+                encode(link, state, 0)
+        else:
+            for _ in range(rounds):
+                encode(link, state)
         return length
 
     return make_frames
@@ -104,9 +111,9 @@ counting.count(
     reading=read_the_board,
     build=build_battery_status,
     encode=encode_battery_status,
-    battery_status=frame_of("battery_status"),
+    battery_status=frame_of("battery_status", 0),
     sys_status=frame_of("sys_status"),
-    battery_status_v2=frame_of("battery_status_v2"),
-    cell_voltages=frame_of("battery_cell_voltages"),
+    battery_status_v2=frame_of("battery_status_v2", 0),
+    cell_voltages=frame_of("battery_cell_voltages", 0, 0),
     set_voltage=set_voltage,
 )

@@ -44,7 +44,7 @@ def frames(first, count):
     frame = None
     for consumed in range(first, first + count):
         battery.consumed_mah = consumed
-        frame = encode(link, state)
+        frame = encode(link, state, 0)
     return frame
 
 

@@ -94,6 +94,13 @@ class PayloadCode(ABC):
             *indented([*self.store_at(covers, "place", str(value)), "place += 1"]),
         ]
 
+    def rest(self, covers: "Elements", value: int) -> list[str]:
+        """Write the same number into the elements from the place ``place`` on, which nothing else has written."""
+        return [
+            f"while place < {covers.first + covers.count}:",
+            *indented([*self.store_at(covers, "place", str(value)), "place += 1"]),
+        ]
+
 
 LONGEST_RUN = 16
 """So many elements that get the same value are written one by one: each is two instructions, a turn of a loop more."""

@@ -9,6 +9,7 @@ from codegen.model.spec import Correction
 from codegen.model.system import System
 from codegen.model.vehicle import Component
 from codegen.targets.cases import conversion_cases, message_cases
+from codegen.targets.naming import message_about
 
 
 def cases_text(system: System, origin: dict[str, object]) -> str:
@@ -42,6 +43,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
     parts = [f'"generated": {json.dumps(origin)}']
     parts.append(f'"dialect": {json.dumps(_dialect_files(system))}')
     parts.append(f'"instances": {json.dumps(_instances(system.components))}')
+    parts.append(f'"about": {json.dumps(_about(system))}')
     for key, cases in (("messages", messages), ("conversions", conversions)):
         lines = ",\n".join(_json(case) for case in cases)
         parts.append(f'"{key}": [\n{lines}\n]')
@@ -51,6 +53,12 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
 def _instances(components: Mapping[str, Component]) -> dict[str, int]:
     """How many of each component exist: the runner reaches the n-th of several through a list."""
     return {"parameters": 1, **{name: component.instances for name, component in components.items()}}
+
+
+def _about(system: System) -> dict[str, int]:
+    """By how many numbers functions are told what a message is about: its instance, and its page."""
+    counts = {message.name: message_about(message) for message in system.messages}
+    return {name: len(told) for name, told in counts.items() if told}
 
 
 def _dialect_files(system: System) -> dict[str, object]:

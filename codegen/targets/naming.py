@@ -51,6 +51,12 @@ def writer_name(message: "PopulatedMessage") -> str:
     return f"write_{message.name.lower()}"
 
 
+def message_about(message: "PopulatedMessage") -> tuple[str, ...]:
+    """What those functions are told that a message is about: the instance and the page, as far as it has them."""
+    each = ("instance",) if message.component else ()
+    return (*each, "page") if message.population.pages else each
+
+
 def failsafe_class(component: str) -> str:
     """battery -> BatteryFailsafe."""
     return f"{class_name(component)}Failsafe"

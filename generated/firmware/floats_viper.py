@@ -1,8 +1,8 @@
 # Generated from templates/firmware/floats_viper.py: do not edit.
-# Inputs: d433a3ee46f2c30b
+# Inputs: 44bfaf5af7e8ba59
 """Floats of the wire from whole numbers in machine code, by MicroPython's viper emitter; floats_plain describes it.
 
-The caller sees to it that there are four bytes from the offset on: viper checks no bounds.
+The caller sees to it that there are four bytes at the address: viper checks no bounds.
 """
 
 # ptr8 is viper's own name; min() and chained assignments cost calls and objects.
@@ -12,9 +12,9 @@ import micropython
 
 
 @micropython.viper
-def put_float(wire: ptr8, offset: int, value: int, divisor: int):
-    """Write value / divisor as a float of 32 bits, as floats_plain.put_float does."""
-    target = ptr8(int(wire) + offset)
+def put_float(at: int, value: int, divisor: int):
+    """Write value / divisor as a float of 32 bits at an address, as floats_plain.put_float does into a buffer."""
+    target = ptr8(at)
     sign = 0
     if value < 0:
         sign = 0x80

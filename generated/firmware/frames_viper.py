@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: f8d4cf0ba131f959
+# Inputs: b917fed7065e3c59
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -21,14 +21,15 @@ _len, _type = len, type  # found here, they are found sooner than among the buil
 
 
 @micropython.viper
-def _address(data: ptr8) -> int:
+def address(data: ptr8) -> int:
+    """Return where the bytes of a buffer are. It stays right as long as somebody holds the buffer."""
     return int(data)
 
 
 def encoder(frame, views):
     """Return the function encode(message) of a link, as frames_plain.encoder does; the views hold the frame."""
-    frame_at = _address(frame)
-    table_at = _address(TABLE)
+    frame_at = address(frame)
+    table_at = address(TABLE)
 
     @micropython.viper
     def encode(message):
@@ -136,8 +137,8 @@ def encoder(frame, views):
 
 def taker(receiver):
     """Return the function put(data) of a receiver, as frames_plain.taker does; it holds the receiver."""
-    state_at = _address(receiver._state)
-    buffer_at = _address(receiver._buffer)
+    state_at = address(receiver._state)
+    buffer_at = address(receiver._buffer)
 
     @micropython.viper
     def put(data):
@@ -192,9 +193,9 @@ def decoder(receiver):
 
     A closure of more than five variables would take memory at each call.
     """
-    state_at = _address(receiver._state)
-    buffer_at = _address(receiver._buffer)
-    table_at = _address(TABLE)
+    state_at = address(receiver._state)
+    buffer_at = address(receiver._buffer)
+    table_at = address(TABLE)
     known = receiver._messages.get
 
     @micropython.viper

@@ -53,6 +53,12 @@ def _send_battery(encode, state, link):
             link.send_frame(encode(link, state, instance))
 
 
+def _send_battery_page(encode, state, link):
+    for instance in range(2):
+        if state.words[_BATTERY_MONITORED[instance]]:  # what is not measured is not reported
+            link.send_frame(encode(link, state, instance, 0))
+
+
 # What makes the frames of each message, and what sends them.
 _ENCODERS = (
     telemetry.encode_heartbeat,
@@ -74,7 +80,7 @@ _SENDERS = (
     _send_battery,
     _send,
     _send,
-    _send_battery,
+    _send_battery_page,
 )
 
 

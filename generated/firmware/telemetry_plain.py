@@ -14,6 +14,9 @@ Locals are few, and what machine code is told in `place` is a variable for loops
 larger functions on the heap at every call.
 """
 
+import time
+
+import messages
 from floats_plain import put_float
 from micropython import const
 
@@ -49,8 +52,23 @@ _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
 
+_heartbeat = messages.Heartbeat(unknown=False)
+
+
+def build_heartbeat(state):
+    """Return HEARTBEAT (0), FR-00068.8."""
+    message = _heartbeat
+    write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
+    return message
+
+
+def encode_heartbeat(link, state):
+    """Return the frame of HEARTBEAT (0), FR-00068.8."""
+    return link.encode(build_heartbeat(state))
+
+
 def write_heartbeat(value, place, wire, words):
-    """HEARTBEAT (0), FR-00068.8."""
+    """Write the payload of HEARTBEAT (0), FR-00068.8."""
     # custom_mode: vehicle.mode (FR-00068.8)
     value = words[_VEHICLE + _VEHICLE_MODE_NUMBER]
     if value < 0:
@@ -85,9 +103,37 @@ def write_heartbeat(value, place, wire, words):
     wire[8] = 3
 
 
-def write_sys_status(value, place, wire, words, battery_instance):
-    """SYS_STATUS (1), FR-00068.9."""
-    battery = _BATTERY + _BATTERY_SIZE * battery_instance
+_sys_status = messages.SysStatus(unknown=False)
+
+
+def build_sys_status(state):
+    """Return SYS_STATUS (1), FR-00068.9."""
+    message = _sys_status
+    write_sys_status(time.ticks_ms(), 0, message.wire, state.words, state.parameters.batt_sys_status)
+    return message
+
+
+def encode_sys_status(link, state):
+    """Return the frame of SYS_STATUS (1), FR-00068.9."""
+    return link.encode(build_sys_status(state))
+
+
+def write_sys_status(value, place, wire, words, batt_sys_status):
+    """Write the payload of SYS_STATUS (1), FR-00068.9."""
+    # The battery that BATT_SYS_STATUS says, from 1 there, or else the first enabled one.
+    place = batt_sys_status - 1
+    if place < 0 or place >= 2:
+        place = 0
+    battery = _BATTERY + _BATTERY_SIZE * place
+    if words[battery + _BATTERY_MONITORED] == 0:
+        place = 0
+        battery = _BATTERY + _BATTERY_SIZE * place
+        while place < 1 and words[battery + _BATTERY_MONITORED] == 0:
+            place += 1
+            battery = _BATTERY + _BATTERY_SIZE * place
+        if words[battery + _BATTERY_MONITORED] == 0:
+            place = 0
+            battery = _BATTERY + _BATTERY_SIZE * place
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
@@ -209,8 +255,23 @@ def write_sys_status(value, place, wire, words, battery_instance):
     wire[42] = 0
 
 
+_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(2)]
+
+
+def build_battery_status(state, instance=0):
+    """Return BATTERY_STATUS (147), FR-00068.1."""
+    message = _battery_status[instance]
+    write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
+    return message
+
+
+def encode_battery_status(link, state, instance):
+    """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
+    return link.encode(build_battery_status(state, instance))
+
+
 def write_battery_status(value, place, wire, words, instance):
-    """BATTERY_STATUS (147), FR-00068.1."""
+    """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
@@ -261,16 +322,18 @@ def write_battery_status(value, place, wire, words, instance):
         place += 1
     if place == 3:
         place = 0
-        while place < 10:
-            value = _UNKNOWN
-            if place < 3:
-                value = words[battery + _BATTERY_CELLS_MV + place]
+        while place < 3:
+            value = words[battery + _BATTERY_CELLS_MV + place]
             if value < 0:
                 value = 65535 if value == _UNKNOWN else 0  # unknown, or too small
             elif value > 65534:
                 value = 65534
             wire[2 * place + 10] = value & 0xFF
             wire[2 * place + 11] = value >> 8 & 0xFF
+            place += 1
+        while place < 10:
+            wire[2 * place + 10] = 255
+            wire[2 * place + 11] = 255
             place += 1
     else:
         value = words[battery + _BATTERY_VOLTAGE_MV]
@@ -378,8 +441,23 @@ def write_battery_status(value, place, wire, words, instance):
         wire[50] |= 0x20
 
 
+_autopilot_version = messages.AutopilotVersion(unknown=False)
+
+
+def build_autopilot_version(state):
+    """Return AUTOPILOT_VERSION (148), FR-00070.2."""
+    message = _autopilot_version
+    write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
+    return message
+
+
+def encode_autopilot_version(link, state):
+    """Return the frame of AUTOPILOT_VERSION (148), FR-00070.2."""
+    return link.encode(build_autopilot_version(state))
+
+
 def write_autopilot_version(value, place, wire, words):
-    """AUTOPILOT_VERSION (148), FR-00070.2."""
+    """Write the payload of AUTOPILOT_VERSION (148), FR-00070.2."""
     # capabilities: MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT + MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST +
     #   MAV_PROTOCOL_CAPABILITY_MAVLINK2 + MAV_PROTOCOL_CAPABILITY_COMMAND_INT (FR-00070.2)
     wire[0] = 10
@@ -470,8 +548,23 @@ def write_autopilot_version(value, place, wire, words):
         place += 1
 
 
+_protocol_version = messages.ProtocolVersion(unknown=False)
+
+
+def build_protocol_version(state):
+    """Return PROTOCOL_VERSION (300), FR-00070.2."""
+    message = _protocol_version
+    write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
+    return message
+
+
+def encode_protocol_version(link, state):
+    """Return the frame of PROTOCOL_VERSION (300), FR-00070.2."""
+    return link.encode(build_protocol_version(state))
+
+
 def write_protocol_version(value, place, wire, words):
-    """PROTOCOL_VERSION (300), FR-00070.2."""
+    """Write the payload of PROTOCOL_VERSION (300), FR-00070.2."""
     # version: 200 (FR-00070.2)
     wire[0] = 200
     wire[1] = 0
@@ -505,8 +598,23 @@ def write_protocol_version(value, place, wire, words):
     wire[21] = 0
 
 
+_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(2)]
+
+
+def build_battery_status_v2(state, instance=0):
+    """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
+    message = _battery_status_v2[instance]
+    write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
+    return message
+
+
+def encode_battery_status_v2(link, state, instance):
+    """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
+    return link.encode(build_battery_status_v2(state, instance))
+
+
 def write_battery_status_v2(value, place, wire, words, instance):
-    """BATTERY_STATUS_V2 (369), FR-00072.1."""
+    """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
@@ -627,8 +735,23 @@ def write_battery_status_v2(value, place, wire, words, instance):
     wire[26] = instance & 0xFF
 
 
+_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(2)]
+
+
+def build_smart_battery_info(state, instance=0):
+    """Return SMART_BATTERY_INFO (370), FR-00076.1."""
+    message = _smart_battery_info[instance]
+    write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
+    return message
+
+
+def encode_smart_battery_info(link, state, instance):
+    """Return the frame of SMART_BATTERY_INFO (370), FR-00076.1."""
+    return link.encode(build_smart_battery_info(state, instance))
+
+
 def write_smart_battery_info(value, place, wire, words, instance, batt_capacity):
-    """SMART_BATTERY_INFO (370), FR-00076.1."""
+    """Write the payload of SMART_BATTERY_INFO (370), FR-00076.1."""
     # capacity_full_specification [mAh]: BATT_CAPACITY (FR-00076.1)
     value = batt_capacity
     if value < 0:
@@ -705,8 +828,23 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
     # manufacture_date: unknown ([0]) (FR-00076.1)
 
 
+_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(2)]
+
+
+def build_battery_info(state, instance=0):
+    """Return BATTERY_INFO (372), FR-00076.2."""
+    message = _battery_info[instance]
+    write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
+    return message
+
+
+def encode_battery_info(link, state, instance):
+    """Return the frame of BATTERY_INFO (372), FR-00076.2."""
+    return link.encode(build_battery_info(state, instance))
+
+
 def write_battery_info(value, place, wire, words, instance, batt_capacity):
-    """BATTERY_INFO (372), FR-00076.2."""
+    """Write the payload of BATTERY_INFO (372), FR-00076.2."""
     # discharge_minimum_voltage: 3.3 V (FR-00076.2)
     wire[0] = 51
     wire[1] = 51
@@ -803,20 +941,24 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
         place += 1
 
 
-def write_battery_cell_voltages(value, place, wire, words, instance, page):
-    """BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    battery = _BATTERY + _BATTERY_SIZE * instance
+_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(2)]
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[battery + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
-            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
-            words[battery + _BATTERY_TREND_COUNT] = 0
-            words[battery + _BATTERY_TREND_NEWER] = 0
-            words[battery + _BATTERY_TREND_OLDER] = 0
-            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+def build_battery_cell_voltages(state, instance=0, page=0):
+    """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    message = _battery_cell_voltages[instance]
+    write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
+    return message
+
+
+def encode_battery_cell_voltages(link, state, instance, page):
+    """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    return link.encode(build_battery_cell_voltages(state, instance, page))
+
+
+def write_battery_cell_voltages(value, place, wire, words, instance, page):
+    """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    battery = _BATTERY + _BATTERY_SIZE * instance
 
     # id: the battery's number (FR-00073.4)
     wire[0] = instance & 0xFF
@@ -828,10 +970,8 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
 
     # voltages [mV]: battery.cells, a page of them (FR-00076.7)
     place = 0
-    while place < 12:
-        value = _UNKNOWN
-        if place + page * 12 < 3:
-            value = words[battery + _BATTERY_CELLS_MV + place + page * 12]
+    while place < 12 and place + page * 12 < 3:
+        value = words[battery + _BATTERY_CELLS_MV + place + page * 12]
         if value < 1:
             value = 0 if value == _UNKNOWN else 1  # unknown, or too small
         elif value > 65535:
@@ -839,24 +979,7 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
         wire[2 * place + 4] = value & 0xFF
         wire[2 * place + 5] = value >> 8 & 0xFF
         place += 1
-
-
-TABLE_AT = 0  # the functions make payloads only
-
-
-def encoder(_write, build):
-    """Return encode(link, state), which makes the frame of a message."""
-
-    def encode(link, state):
-        return link.encode(build(state))
-
-    return encode
-
-
-def each_encoder(_write, build):
-    """Return encode(link, state, instance), the same for messages of which each instance has one."""
-
-    def encode(link, state, instance=0):
-        return link.encode(build(state, instance))
-
-    return encode
+    while place < 12:
+        wire[2 * place + 4] = 0
+        wire[2 * place + 5] = 0
+        place += 1

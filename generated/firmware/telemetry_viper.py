@@ -7,11 +7,11 @@
 # Inputs: bd634d5381aacf98
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
-`value` is at first the time in ms, then each value in turn, at last the checksum: viper keeps a function's first locals
-in registers. `wire` is where the payload goes, in a message or in a link's buffer; `words` are those of the state, see
-state.py. With the address of the checksum's table the functions make the frame around the payload in a link's buffer
-and return its length; 0 is no frame: there is no table, or Link.encode() has to make it, since the link is too short,
-signs or sends MAVLink 1.
+`value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
+those of the state, see state.py. Calls are dear, and so is each look into an object: so one function does all of it,
+and a link and a state know the addresses of what they hold. A link that is too short for the message, signs or sends
+MAVLink 1 has no room, see sender.py: there Link.encode() makes the frame of the message. What builds a message calls
+the same function with the payload of the message in place of a link's.
 
 Viper checks no bounds. All that is read or written in steps of two or four bytes lies at a multiple of that, which the
 smaller Cortex-M insist on. telemetry_plain has the same functions for ports without machine code.
@@ -22,8 +22,8 @@ smaller Cortex-M insist on. telemetry_plain has the same functions for ports wit
 
 from time import ticks_ms
 
+import messages
 import micropython
-from checksum import TABLE
 from floats_viper import put_float
 from micropython import const
 
@@ -57,14 +57,43 @@ _VEHICLE_STATUS = const(3)
 _VEHICLE_LOAD_DPCT = const(4)
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
+class _Stand:
+    """Stands in for a link where a message is built: the room of that is 1 more than where its payload begins."""
+
+    def __init__(self):
+        self.room = _room
+
+
+_room = [0, None]
+_stand = _Stand()
 
 
 @micropython.viper
-def write_heartbeat(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
-    """HEARTBEAT (0), FR-00068.8."""
+def _stand_in(message):
+    _room[0] = int(ptr8(message.wire)) + 1
+    return _stand
+
+
+_heartbeat = messages.Heartbeat(unknown=False)
+
+
+def build_heartbeat(state):
+    """Return HEARTBEAT (0), FR-00068.8."""
+    message = _heartbeat
+    encode_heartbeat(_stand_in(message), state)
+    return message
+
+
+@micropython.viper
+def encode_heartbeat(link, state):
+    """Return the frame of HEARTBEAT (0), FR-00068.8."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 9:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 9:
+        return link.encode(build_heartbeat(state))
+    words = ptr32(int(state.words_at))
     wire32 = ptr32(wire)
     bit = 1
     sign = bit << 31
@@ -104,8 +133,8 @@ def write_heartbeat(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
     # mavlink_version: version of the dialect (FR-00068.8)
     wire[8] = 3
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 0
     frame[10] = 0
     frame[11] = 0
@@ -121,8 +150,9 @@ def write_heartbeat(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -148,23 +178,55 @@ def write_heartbeat(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
     value = high[(value ^ 50) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_sys_status = messages.SysStatus(unknown=False)
+
+
+def build_sys_status(state):
+    """Return SYS_STATUS (1), FR-00068.9."""
+    message = _sys_status
+    encode_sys_status(_stand_in(message), state)
+    return message
 
 
 @micropython.viper
-def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, battery_instance: int) -> int:
-    """SYS_STATUS (1), FR-00068.9."""
+def encode_sys_status(link, state):
+    """Return the frame of SYS_STATUS (1), FR-00068.9."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 43:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 43:
+        return link.encode(build_sys_status(state))
+    words = ptr32(int(state.words_at))
+    batt_sys_status = int(state.parameters.batt_sys_status)
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
     bit = 1
     sign = bit << 31
-    battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * battery_instance))
     vehicle = ptr32(int(words) + 4 * _VEHICLE)
 
+    # The battery that BATT_SYS_STATUS says, from 1 there, or else the first enabled one.
+    place = batt_sys_status - 1
+    if place < 0 or place >= 2:
+        place = 0
+    battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * place))
+    if battery[_BATTERY_MONITORED] == 0:
+        place = 0
+        battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * place))
+        while place < 1 and battery[_BATTERY_MONITORED] == 0:
+            place += 1
+            battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * place))
+        if battery[_BATTERY_MONITORED] == 0:
+            place = 0
+            battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * place))
+
     # What nothing below writes is 0.
+    wire32[4] = 0
+    wire32[5] = 0
+    wire32[6] = 0
     wire32[7] = 0
     wire32[8] = 0
     wire32[9] = 0
@@ -172,7 +234,7 @@ def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, batter
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
         if value > 0 and value < 0x20000000:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
@@ -231,22 +293,16 @@ def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, batter
     wire16[8] = value
 
     # drop_rate_comm: 0 (FR-00068.9)
-    wire16[9] = 0
 
     # errors_comm: 0 (FR-00068.9)
-    wire16[10] = 0
 
     # errors_count1: 0 (FR-00068.9)
-    wire16[11] = 0
 
     # errors_count2: 0 (FR-00068.9)
-    wire16[12] = 0
 
     # errors_count3: 0 (FR-00068.9)
-    wire16[13] = 0
 
     # errors_count4: 0 (FR-00068.9)
-    wire16[14] = 0
 
     # battery_remaining [%]: battery.remaining (FR-00068.5)
     value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
@@ -262,8 +318,8 @@ def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, batter
 
     # onboard_control_sensors_health_extended: no flag (FR-00068.9)
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 1
     frame[10] = 0
     frame[11] = 0
@@ -279,8 +335,9 @@ def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, batter
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -306,15 +363,29 @@ def write_sys_status(value: int, table_at: int, wire: ptr8, words: ptr32, batter
     value = high[(value ^ 124) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(2)]
+
+
+def build_battery_status(state, instance=0):
+    """Return BATTERY_STATUS (147), FR-00068.1."""
+    message = _battery_status[instance]
+    encode_battery_status(_stand_in(message), state, instance)
+    return message
 
 
 @micropython.viper
-def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, instance: int) -> int:
-    """BATTERY_STATUS (147), FR-00068.1."""
+def encode_battery_status(link, state, instance: int):
+    """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 54:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 54:
+        return link.encode(build_battery_status(state, instance))
+    words = ptr32(int(state.words_at))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
     bit = 1
@@ -322,6 +393,7 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
     battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * instance))
 
     # What nothing below writes is 0.
+    wire32[9] = 0
     wire32[10] = 0
     wire32[11] = 0
     wire32[12] = 0
@@ -329,7 +401,7 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
         if value > 0 and value < 0x20000000:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
@@ -368,15 +440,16 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
         place += 1
     if place == 3:
         place = 0
-        while place < 10:
-            value = _UNKNOWN
-            if place < 3:
-                value = (battery[_BATTERY_CELLS_MV + place] ^ sign) - sign
+        while place < 3:
+            value = (battery[_BATTERY_CELLS_MV + place] ^ sign) - sign
             if value < 0:
                 value = 65535 if value == _UNKNOWN else 0  # unknown, or too small
             elif value > 65534:
                 value = 65534
             wire16[5 + place] = value
+            place += 1
+        while place < 10:
+            wire16[5 + place] = 65535
             place += 1
     else:
         value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
@@ -431,16 +504,13 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
     wire[35] = value
 
     # time_remaining: unknown (0), 0 (FR-00068.6)
-    wire32[9] = 0
 
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
-    wire[40] = 0
 
     # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
     # there are 3: all unknown
 
     # mode: MAV_BATTERY_MODE_UNKNOWN, 0 (FR-00068.6)
-    wire[49] = 0
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
@@ -460,8 +530,8 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
     wire[52] = flags >> 16
     wire[53] = flags >> 24
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 147
     frame[10] = 0
     frame[11] = 0
@@ -477,8 +547,9 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -504,19 +575,37 @@ def write_battery_status(value: int, table_at: int, wire: ptr8, words: ptr32, in
     value = high[(value ^ 154) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_autopilot_version = messages.AutopilotVersion(unknown=False)
+
+
+def build_autopilot_version(state):
+    """Return AUTOPILOT_VERSION (148), FR-00070.2."""
+    message = _autopilot_version
+    encode_autopilot_version(_stand_in(message), state)
+    return message
 
 
 @micropython.viper
-def write_autopilot_version(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
-    """AUTOPILOT_VERSION (148), FR-00070.2."""
+def encode_autopilot_version(link, state):
+    """Return the frame of AUTOPILOT_VERSION (148), FR-00070.2."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 78:
-        return 0
-    wire16 = ptr16(wire)
+    if room_at & 1 == 0 and int(frame[0]) < 78:
+        return link.encode(build_autopilot_version(state))
     wire32 = ptr32(wire)
 
     # What nothing below writes is 0.
+    wire32[2] = 0
+    wire32[3] = 0
+    place = 5
+    while place < 15:
+        wire32[place] = 0
+        place += 1
     wire32[19] = 0
 
     # capabilities: MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT + MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST +
@@ -525,56 +614,25 @@ def write_autopilot_version(value: int, table_at: int, wire: ptr8, words: ptr32)
     wire32[1] = 0
 
     # uid: 0 (FR-00070.2)
-    wire32[2] = 0
-    wire32[3] = 0
 
     # flight_sw_version: 16777216 (FR-00070.2)
     wire32[4] = 16777216
 
     # middleware_sw_version: 0 (FR-00070.2)
-    wire32[5] = 0
 
     # os_sw_version: 0 (FR-00070.2)
-    wire32[6] = 0
 
     # board_version: 0 (FR-00070.2)
-    wire32[7] = 0
 
     # vendor_id: 0 (FR-00070.2)
-    wire16[16] = 0
 
     # product_id: 0 (FR-00070.2)
-    wire16[17] = 0
 
     # flight_custom_version: 0 (FR-00070.2)
-    wire[36] = 0
-    wire[37] = 0
-    wire[38] = 0
-    wire[39] = 0
-    wire[40] = 0
-    wire[41] = 0
-    wire[42] = 0
-    wire[43] = 0
 
     # middleware_custom_version: 0 (FR-00070.2)
-    wire[44] = 0
-    wire[45] = 0
-    wire[46] = 0
-    wire[47] = 0
-    wire[48] = 0
-    wire[49] = 0
-    wire[50] = 0
-    wire[51] = 0
 
     # os_custom_version: 0 (FR-00070.2)
-    wire[52] = 0
-    wire[53] = 0
-    wire[54] = 0
-    wire[55] = 0
-    wire[56] = 0
-    wire[57] = 0
-    wire[58] = 0
-    wire[59] = 0
 
     # uid2: 0 (FR-00070.2)
     place = 0
@@ -582,8 +640,8 @@ def write_autopilot_version(value: int, table_at: int, wire: ptr8, words: ptr32)
         wire[60 + place] = 0
         place += 1
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 148
     frame[10] = 0
     frame[11] = 0
@@ -599,8 +657,9 @@ def write_autopilot_version(value: int, table_at: int, wire: ptr8, words: ptr32)
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -626,19 +685,36 @@ def write_autopilot_version(value: int, table_at: int, wire: ptr8, words: ptr32)
     value = high[(value ^ 178) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_protocol_version = messages.ProtocolVersion(unknown=False)
+
+
+def build_protocol_version(state):
+    """Return PROTOCOL_VERSION (300), FR-00070.2."""
+    message = _protocol_version
+    encode_protocol_version(_stand_in(message), state)
+    return message
 
 
 @micropython.viper
-def write_protocol_version(value: int, table_at: int, wire: ptr8, words: ptr32) -> int:
-    """PROTOCOL_VERSION (300), FR-00070.2."""
+def encode_protocol_version(link, state):
+    """Return the frame of PROTOCOL_VERSION (300), FR-00070.2."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 22:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 22:
+        return link.encode(build_protocol_version(state))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
 
     # What nothing below writes is 0.
+    wire32[1] = 0
+    wire32[2] = 0
+    wire32[3] = 0
+    wire32[4] = 0
     wire32[5] = 0
 
     # version: 200 (FR-00070.2)
@@ -651,27 +727,11 @@ def write_protocol_version(value: int, table_at: int, wire: ptr8, words: ptr32) 
     wire16[2] = 200
 
     # spec_version_hash: 0 (FR-00070.2)
-    wire[6] = 0
-    wire[7] = 0
-    wire[8] = 0
-    wire[9] = 0
-    wire[10] = 0
-    wire[11] = 0
-    wire[12] = 0
-    wire[13] = 0
 
     # library_version_hash: 0 (FR-00070.2)
-    wire[14] = 0
-    wire[15] = 0
-    wire[16] = 0
-    wire[17] = 0
-    wire[18] = 0
-    wire[19] = 0
-    wire[20] = 0
-    wire[21] = 0
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 44
     frame[10] = 1
     frame[11] = 0
@@ -687,8 +747,9 @@ def write_protocol_version(value: int, table_at: int, wire: ptr8, words: ptr32) 
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -714,16 +775,29 @@ def write_protocol_version(value: int, table_at: int, wire: ptr8, words: ptr32) 
     value = high[(value ^ 217) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(2)]
+
+
+def build_battery_status_v2(state, instance=0):
+    """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
+    message = _battery_status_v2[instance]
+    encode_battery_status_v2(_stand_in(message), state, instance)
+    return message
 
 
 @micropython.viper
-def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, instance: int) -> int:
-    """BATTERY_STATUS_V2 (369), FR-00072.1."""
-    wire = ptr8(payload)
+def encode_battery_status_v2(link, state, instance: int):
+    """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 27:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 27:
+        return link.encode(build_battery_status_v2(state, instance))
+    words = ptr32(int(state.words_at))
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
     bit = 1
@@ -735,7 +809,7 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
         if value > 0 and value < 0x20000000:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
@@ -750,7 +824,7 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
         wire16[0] = 0
         wire16[1] = 32704
     else:
-        put_float(payload, 0, value, 1000)
+        put_float(int(wire), value, 1000)
 
     # current [A]: battery.current [cA] (FR-00072.4)
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
@@ -758,7 +832,7 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
         wire16[2] = 0
         wire16[3] = 32704
     else:
-        put_float(payload, 4, value, 100)
+        put_float(int(wire) + 4, value, 100)
 
     # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
     value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
@@ -766,7 +840,7 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
         wire16[4] = 0
         wire16[5] = 32704
     else:
-        put_float(payload, 8, value, 1000)
+        put_float(int(wire) + 8, value, 1000)
 
     # capacity_remaining [Ah]: battery.left [mAh] (FR-00072.4)
     value = (battery[_BATTERY_LEFT_MAH] ^ sign) - sign
@@ -776,7 +850,7 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
     else:
         if value < 0:
             value = 0
-        put_float(payload, 12, value, 1000)
+        put_float(int(wire) + 12, value, 1000)
 
     # state_of_charge [%]: battery.remaining (FR-00072.4)
     value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
@@ -788,7 +862,7 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
             value = 0
         elif value > 100:
             value = 100
-        put_float(payload, 16, value, 1)
+        put_float(int(wire) + 16, value, 1)
 
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
@@ -837,8 +911,8 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
     # id: the battery's number (FR-00073.4)
     wire[26] = instance
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 113
     frame[10] = 1
     frame[11] = 0
@@ -854,8 +928,9 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -881,17 +956,29 @@ def write_battery_status_v2(value: int, table_at: int, payload, words: ptr32, in
     value = high[(value ^ 145) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(2)]
+
+
+def build_smart_battery_info(state, instance=0):
+    """Return SMART_BATTERY_INFO (370), FR-00076.1."""
+    message = _smart_battery_info[instance]
+    encode_smart_battery_info(_stand_in(message), state, instance)
+    return message
 
 
 @micropython.viper
-def write_smart_battery_info(
-    value: int, table_at: int, wire: ptr8, words: ptr32, instance: int, batt_capacity: int
-) -> int:
-    """SMART_BATTERY_INFO (370), FR-00076.1."""
+def encode_smart_battery_info(link, state, instance: int):
+    """Return the frame of SMART_BATTERY_INFO (370), FR-00076.1."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 109:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 109:
+        return link.encode(build_smart_battery_info(state, instance))
+    batt_capacity = int(state.parameters.batt_capacity)
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
 
@@ -970,8 +1057,8 @@ def write_smart_battery_info(
 
     # manufacture_date: unknown ([0]) (FR-00076.1)
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 114
     frame[10] = 1
     frame[11] = 0
@@ -987,8 +1074,9 @@ def write_smart_battery_info(
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -1014,20 +1102,37 @@ def write_smart_battery_info(
     value = high[(value ^ 75) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(2)]
+
+
+def build_battery_info(state, instance=0):
+    """Return BATTERY_INFO (372), FR-00076.2."""
+    message = _battery_info[instance]
+    encode_battery_info(_stand_in(message), state, instance)
+    return message
 
 
 @micropython.viper
-def write_battery_info(value: int, table_at: int, payload, words: ptr32, instance: int, batt_capacity: int) -> int:
-    """BATTERY_INFO (372), FR-00076.2."""
-    wire = ptr8(payload)
+def encode_battery_info(link, state, instance: int):
+    """Return the frame of BATTERY_INFO (372), FR-00076.2."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 140:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 140:
+        return link.encode(build_battery_info(state, instance))
+    batt_capacity = int(state.parameters.batt_capacity)
     wire16 = ptr16(wire)
     wire32 = ptr32(wire)
 
     # What nothing below writes is 0.
+    wire32[1] = 0
+    wire32[6] = 0
+    wire32[7] = 0
+    wire32[9] = 0
     place = 12
     while place < 35:
         wire32[place] = 0
@@ -1038,7 +1143,6 @@ def write_battery_info(value: int, table_at: int, payload, words: ptr32, instanc
     wire16[1] = 16467
 
     # charging_minimum_voltage: 3.0 V (FR-00076.2)
-    wire16[2] = 0
     wire16[3] = 16448
 
     # resting_minimum_voltage: 3.6 V (FR-00076.2)
@@ -1058,11 +1162,9 @@ def write_battery_info(value: int, table_at: int, payload, words: ptr32, instanc
     wire16[11] = 16689
 
     # discharge_maximum_current: 66 A (FR-00076.2)
-    wire16[12] = 0
     wire16[13] = 17028
 
     # discharge_maximum_burst_current: 132 A (FR-00076.2)
-    wire16[14] = 0
     wire16[15] = 17156
 
     # design_capacity [Ah]: BATT_CAPACITY [mAh] (FR-00076.2)
@@ -1071,10 +1173,9 @@ def write_battery_info(value: int, table_at: int, payload, words: ptr32, instanc
         value = 1
     elif value > 1000000:
         value = 1000000
-    put_float(payload, 32, value, 1000)
+    put_float(int(wire) + 32, value, 1000)
 
     # full_charge_capacity: unknown (NaN) (FR-00076.2)
-    wire16[18] = 0
     wire16[19] = 32704
 
     # cycle_count: unknown (UINT16_MAX) (FR-00076.2)
@@ -1109,8 +1210,8 @@ def write_battery_info(value: int, table_at: int, payload, words: ptr32, instanc
         wire[90 + place] = text[place]
         place += 1
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 116
     frame[10] = 1
     frame[11] = 0
@@ -1126,8 +1227,9 @@ def write_battery_info(value: int, table_at: int, payload, words: ptr32, instanc
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -1153,30 +1255,42 @@ def write_battery_info(value: int, table_at: int, payload, words: ptr32, instanc
     value = high[(value ^ 26) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
+    return views[length]
+
+
+_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(2)]
+
+
+def build_battery_cell_voltages(state, instance=0, page=0):
+    """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    message = _battery_cell_voltages[instance]
+    encode_battery_cell_voltages(_stand_in(message), state, instance, page)
+    return message
 
 
 @micropython.viper
-def write_battery_cell_voltages(value: int, table_at: int, wire: ptr8, words: ptr32, instance: int, page: int) -> int:
-    """BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+def encode_battery_cell_voltages(link, state, instance: int, page: int):
+    """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    at, views = link.room
+    room_at = int(at)
+    wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
-    if table_at and int(frame[0]) < 28:
-        return 0
+    if room_at & 1 == 0 and int(frame[0]) < 28:
+        return link.encode(build_battery_cell_voltages(state, instance, page))
+    words = ptr32(int(state.words_at))
     wire16 = ptr16(wire)
+    wire32 = ptr32(wire)
     bit = 1
     sign = bit << 31
     battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * instance))
 
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = value - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
-            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-            battery[_BATTERY_TREND_COUNT] = 0
-            battery[_BATTERY_TREND_NEWER] = 0
-            battery[_BATTERY_TREND_OLDER] = 0
-            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+    # What nothing below writes is 0.
+    wire32[1] = 0
+    wire32[2] = 0
+    wire32[3] = 0
+    wire32[4] = 0
+    wire32[5] = 0
+    wire32[6] = 0
 
     # id: the battery's number (FR-00073.4)
     wire16[0] = instance
@@ -1186,10 +1300,8 @@ def write_battery_cell_voltages(value: int, table_at: int, wire: ptr8, words: pt
 
     # voltages [mV]: battery.cells, a page of them (FR-00076.7)
     place = 0
-    while place < 12:
-        value = _UNKNOWN
-        if place + page * 12 < 3:
-            value = (battery[_BATTERY_CELLS_MV + place + page * 12] ^ sign) - sign
+    while place < 12 and place + page * 12 < 3:
+        value = (battery[_BATTERY_CELLS_MV + place + page * 12] ^ sign) - sign
         if value < 1:
             value = 0 if value == _UNKNOWN else 1  # unknown, or too small
         elif value > 65535:
@@ -1197,8 +1309,8 @@ def write_battery_cell_voltages(value: int, table_at: int, wire: ptr8, words: pt
         wire16[2 + place] = value
         place += 1
 
-    if table_at == 0:
-        return 0
+    if room_at & 1:
+        return None
     frame[9] = 99
     frame[10] = 212
     frame[11] = 0
@@ -1214,8 +1326,9 @@ def write_battery_cell_voltages(value: int, table_at: int, wire: ptr8, words: pt
         length = 1
     frame[3] = length
     # The byte of the length stands at an odd address, everything after it begins at an even one.
-    table = ptr16(table_at)
-    high = ptr16(table_at + 512)
+    words = ptr32(int(frame) - 8)
+    table = ptr16(words[0] | words[1] << 32)
+    high = ptr16(int(table) + 512)
     value = high[length ^ 0xFF] ^ 0xFF
     data = ptr16(int(frame) + 4)
     left = (length + 8) >> 3
@@ -1241,51 +1354,4 @@ def write_battery_cell_voltages(value: int, table_at: int, wire: ptr8, words: pt
     value = high[(value ^ 8) & 0xFF] ^ (value >> 8)
     last[0] = value
     last[1] = value >> 8
-    return length
-
-
-@micropython.viper
-def _address(data: ptr8) -> int:
-    return int(data)
-
-
-TABLE_AT = _address(TABLE)  # it stays right: MicroPython moves nothing
-
-
-def encoder(write, build):
-    """Return encode(link, state), which makes the frame of a message: what it has around it is faster than globals."""
-    table_at = TABLE_AT
-
-    @micropython.native
-    def encode(link, state):
-        length = write(ticks_ms(), table_at, link.room, state.words)
-        if length:
-            return link.views[length]
-        return link.encode(build(state))
-
-    return encode
-
-
-def each_encoder(write, build):
-    """Return encode(link, state, instance), the same for messages of which each instance has one."""
-    table_at = TABLE_AT
-
-    @micropython.native
-    def encode(link, state, instance=0):
-        length = write(ticks_ms(), table_at, link.room, state.words, instance)
-        if length:
-            return link.views[length]
-        return _whole(link, write, state, instance)
-
-    _BUILDERS.append((write, build))  # a closure of more than five cells and arguments would take heap at each call
-    return encode
-
-
-_BUILDERS = []
-
-
-def _whole(link, write, state, instance):
-    for builder in _BUILDERS:
-        if builder[0] is write:
-            return link.encode(builder[1](state, instance))
-    return None
+    return views[length]

@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames.py: do not edit.
-# Inputs: 9b0d0c68fbc0ef1e
+# Inputs: c41e239d7e1fd8ca
 """Making and reading frames, in the fastest form that this interpreter runs.
 
 CPython has no module `micropython` (ImportError) or a mock of it (AttributeError), a port without native code cannot
@@ -7,8 +7,8 @@ compile viper (SyntaxError) and refuses a compiled frames_viper.mpy (ValueError)
 """
 
 try:
-    from frames_viper import decoder, encoder, taker
+    from frames_viper import address, decoder, encoder, taker
 except (AttributeError, ImportError, SyntaxError, ValueError):
-    from frames_plain import decoder, encoder, taker
+    from frames_plain import address, decoder, encoder, taker
 
-__all__ = ("decoder", "encoder", "taker")
+__all__ = ("address", "decoder", "encoder", "taker")

@@ -1,8 +1,11 @@
 # Generated from templates/codec/sender.py: do not edit.
-# Inputs: c93187a5c47fedd7
+# Inputs: 61e32376e968f853
 """Making frames and writing them to a stream. Nothing here allocates once a sender exists."""
 
-from frames import encoder
+from struct import pack_into
+
+from checksum import TABLE
+from frames import address, encoder
 
 LONGEST_PAYLOAD = 255
 
@@ -32,19 +35,22 @@ class Sender:
         header = 10 if version == 2 else 6
         extra = header + (15 if signing else 2)
         # The frame begins at the third byte, so that its payload is aligned; before it stands the longest payload.
-        self._frame = frame = bytearray(2 + extra + longest + 15)
+        # In front of it stands where the table of the checksum is, for who makes the frame of a payload itself.
+        buffer = bytearray(8 + 2 + extra + longest + 15)
+        pack_into("<Q", buffer, 0, address(TABLE))
+        self._frame = frame = memoryview(buffer)[8:]
         self._sequence_at = 6 if version == 2 else 4
         frame[0] = longest
         frame[2] = 0xFD if version == 2 else 0xFE
         frame[4] = 1 if signing else 0
         frame[self._sequence_at + 1] = system_id
         frame[self._sequence_at + 2] = component_id
-        whole = memoryview(frame)
-        self.views = tuple([whole[2 : 2 + extra + length] for length in range(longest + 1)])  # a list keeps more room
-        # Who makes the frame of a payload itself writes it here and finds the frame in `views`, by its length. The
-        # buffer of a link that sends MAVLink 1, or signs, is not for that: this one says so, by holding nothing.
-        self.room = memoryview(frame if version == 2 and not signing else bytes(13))[12:]
-        encode = encoder(frame, self.views)
+        views = tuple([frame[2 : 2 + extra + length] for length in range(longest + 1)])  # a list keeps more room
+        # Who makes it finds here where the payload goes, and the frame by its length. The buffer of a link that sends
+        # MAVLink 1, or signs, is not for that: there is one that holds nothing.
+        self._none = None if version == 2 and not signing else bytes(1)
+        self.room = (address(self._none or frame) + 12, views)
+        encode = encoder(frame, views)
         self.encode = _signed(encode, signing) if signing else encode
 
     @property

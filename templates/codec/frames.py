@@ -5,8 +5,8 @@ compile viper (SyntaxError) and refuses a compiled frames_viper.mpy (ValueError)
 """
 
 try:
-    from frames_viper import decoder, encoder, taker
+    from frames_viper import address, decoder, encoder, taker
 except (AttributeError, ImportError, SyntaxError, ValueError):
-    from frames_plain import decoder, encoder, taker
+    from frames_plain import address, decoder, encoder, taker
 
-__all__ = ("decoder", "encoder", "taker")
+__all__ = ("address", "decoder", "encoder", "taker")

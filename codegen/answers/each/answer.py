@@ -146,18 +146,22 @@ class EachAnswer(KindOfAnswer):
 
     def _each(self, code: PayloadCode) -> list[str]:
         covers, last = self.covers, self.covers.first + self.covers.count
-        start = f"page * {covers.count}" if self.is_paged else str(self.first)
-        source = "place" if start == "0" and covers.first == 0 else f"place + {start}"
-        if covers.first:
-            source = f"place + {self.first - covers.first}" if not self.is_paged else f"{source} - {covers.first}"
+        count, most = code.count(self.source), max(self.source.elements or (0,))
+        shift = self.first - covers.first
+        if self.is_paged:
+            source = f"place + page * {covers.count}{f' - {covers.first}' if covers.first else ''}"
+        else:
+            source = f"place + {shift}" if shift > 0 else f"place - {-shift}" if shift else "place"
+        bounds = [f"{source} < {count}"] if self.is_paged or not count.isdigit() else []
+        end = last if bounds else min(last, most - shift)
+        place = "place < " + str(end)
+        element = [f"value = {code.read(self.source, source)}"]
+        element += [*fitted(self.scaling, self.unknown), *code.store_at(covers, "place", "value"), "place += 1"]
         return [
             f"place = {covers.first}",
-            f"while place < {last}:",
-            f"    value = {UNKNOWN}",
-            f"    if {source} < {code.count(self.source)}:",
-            f"        value = {code.read(self.source, source)}",
-            *indented([*fitted(self.scaling, self.unknown), *code.store_at(covers, "place", "value")]),
-            "    place += 1",
+            f"while {' and '.join([place, *bounds])}:",
+            *indented(element),
+            *(code.rest(covers, self.unknown) if bounds or end < last else []),
         ]
 
     def words(self) -> Words:

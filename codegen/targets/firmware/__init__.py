@@ -41,7 +41,7 @@ def render_firmware(system: System) -> dict[str, str]:
         "parameters.py": (parameter_views(system), [parameters], []),
         "state.py": (view, [state, board, parameters], []),
         "streams.py": (streams_view(system), [project, streams, parameters, *tables], []),
-        "telemetry.py": (telemetry_view(system, plain, layout), written, wires),
+        "telemetry.py": (telemetry_view(system), written, wires),
         "telemetry_plain.py": (plain, written, wires),
     }
     if view.is_measured:

@@ -1,34 +1,41 @@
 """Views of the functions that go from the words of the state to a message: in machine code, and in plain Python."""
 
-from collections.abc import Iterable
 from textwrap import wrap
 
 from codegen.frozen import dataclass
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
 from codegen.model.vehicle import Component
+from codegen.targets.firmware.choice import choosing
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.payload_machine import MachineCode
 from codegen.targets.firmware.payload_plain import PlainCode
 from codegen.targets.firmware.reading import expires, expiry
 from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import import_lines, in_brackets
-from codegen.targets.naming import writer_name
+from codegen.targets.naming import builder_name, class_names, encoder_name, message_about
 
 
 @dataclass(frozen=True, slots=True)
 class FunctionView:
-    """One message: the head of its function and the statements, and what its frame needs.
+    """One message: what builds it, what makes its frame, the statements of its function, and what its frame needs.
 
-    ``takes_object``: the payload is given as an object. ``last_word`` is the
-    place of its last four bytes.
+    ``about`` are the instance and the page, as far as it has them; ``arguments`` are those of the builder behind the
+    state. ``write`` is the builder's call of the function with the statements, and ``head`` the head of that one.
+    ``last_word`` is the place of its last four bytes.
     """
 
-    name: str
     message: str
     citation: str
+    class_name: str
+    store: str
+    builder: str
+    encoder: str
+    instances: int
+    is_for_each: bool
+    about: str
+    arguments: str
     head: str
-    takes_object: bool
-    values: tuple[str, ...]
+    write: str
     parameters: tuple[str, ...]
     lines: tuple[str, ...]
     id_bytes: tuple[int, int, int]
@@ -48,17 +55,10 @@ class FunctionsView:
     puts_floats: bool
 
 
-def chosen(message: PopulatedMessage) -> tuple[Representation, ...]:
+def _chosen(message: PopulatedMessage) -> tuple[Representation, ...]:
     """The components of several instances for which it is chosen at each call which one the message is about."""
     choices = message.represents.values()
     return tuple(choice for choice in choices if choice.policy is not Policy.FIRST and choice.component.instances > 1)
-
-
-def _values(message: PopulatedMessage, parameters: Iterable[str]) -> tuple[str, ...]:
-    """The arguments behind the words: the instance, what is chosen, the page, and the parameters by attribute."""
-    each = ["instance"] if message.component else []
-    page = ["page"] if message.population.pages else []
-    return (*each, *(f"{choice.component.name}_instance" for choice in chosen(message)), *page, *parameters)
 
 
 def functions_view(system: System, layout: Layout, *, machine_code: bool) -> FunctionsView:
@@ -67,9 +67,10 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
     uses: set[str] = set()
     texts: dict[str, str] = {}
     functions = []
+    classes = class_names(wire.name for wire in system.wires)
     for message in system.messages:
         code: SpelledCode = (MachineCode if machine_code else PlainCode)(layout, message.name.lower())
-        functions.append(_function(message, system, code))
+        functions.append(_function(message, classes[message.name], system, code))
         uses |= code.uses
         texts |= code.texts
         for component, names in code.words.items():
@@ -90,10 +91,10 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
 
 
 def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
-    modules = {"micropython"} if machine_code else set()
+    modules = {"messages"} | ({"micropython"} if machine_code else {"time"})
     names = {("micropython", "const")}
-    if machine_code:
-        names |= {("time", "ticks_ms"), ("checksum", "TABLE")}
+    if "clock" in uses:
+        names.add(("time", "ticks_ms"))
     if "chip" in uses:
         modules.add("machine")
         names.add(("binascii", "hexlify"))
@@ -104,26 +105,32 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
     return import_lines(modules, names)
 
 
-def _function(message: PopulatedMessage, system: System, code: SpelledCode) -> FunctionView:
+def _function(message: PopulatedMessage, class_name: str, system: System, code: SpelledCode) -> FunctionView:
     body: list[str] = []
     for answer in message.answers:
         body += ["", *answer.statements(code)]
-    expired = [component for component in _read(message, system) if expires(component)]
+    expired = _expiring(message, system)
+    choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
     age = "value" if len(expired) == 1 else "age"  # the time is needed no more: boards have room for few variables
-    before = [line for component in expired for line in ["", *expiry(component, code, "value", age)]]
+    before = [line for component in expired for line in ["", *expiry(component, code, code.now(), age)]]
     cleared = code.cleared(message.wire.length)
-    lines = [*_prologue(message, code), *(["", *cleared] if cleared else []), *before, *body]
+    lines = [*_prologue(message, code), *choices, *(["", *cleared] if cleared else []), *before, *body]
     while lines and not lines[0]:
         lines.pop(0)
-    wire = message.wire
-    values = _values(message, code.parameters)
+    wire, told = message.wire, message_about(message)
     return FunctionView(
-        name=writer_name(message),
         message=f"{message.name} ({wire.id})",
         citation=str(message.citation),
-        head=in_brackets(f"def {writer_name(message)}", code.arguments(values), f"{code.returned}:"),
-        takes_object="object" in code.uses,
-        values=values,
+        class_name=class_name,
+        store=f"_{message.name.lower()}",
+        builder=builder_name(message),
+        encoder=encoder_name(message),
+        instances=message.instances,
+        is_for_each=message.component is not None,
+        about="".join(f", {value}" for value in told),
+        arguments="".join(f", {value}=0" for value in told),
+        head=in_brackets(*code.head(told), ":"),
+        write=in_brackets(*code.call(told), ""),
         parameters=tuple(code.parameters),
         lines=tuple(part for line in lines for part in _printed(line)),
         id_bytes=(wire.id & 0xFF, wire.id >> 8 & 0xFF, wire.id >> 16),
@@ -142,26 +149,28 @@ def _printed(line: str) -> list[str]:
     return wrap(text, 116, initial_indent="", subsequent_indent=f"{indent}#   ", drop_whitespace=True)
 
 
-def _read(message: PopulatedMessage, system: System) -> list[Component]:
-    """The components of which the message reads something, in the order of the state."""
-    names = {quantity.component for answer in message.answers for quantity in answer.quantities}
-    return [component for component in system.components.values() if component.name in names]
+def _expiring(message: PopulatedMessage, system: System) -> list[Component]:
+    """The components of which the message tells something that can become too old, in the order of the state."""
+    names = set()
+    for quantity in (quantity for answer in message.answers for quantity in answer.quantities):
+        followed = system.components[quantity.component].quantities.get(quantity.derivation.follows or "", quantity)
+        if followed.derivation.comes_of_readings:
+            names.add(quantity.component)
+    return [component for component in system.components.values() if component.name in names and expires(component)]
 
 
 def _prologue(message: PopulatedMessage, code: SpelledCode) -> list[str]:
     """The variables that the statements need: where each component's words begin, and where they write."""
-    lines = []
-    for name, block in code.layout.blocks.items():
-        if name in code.words:
-            lines.append(code.reach(name, _instance(block.component, message)))
-    return [*code.pointers(), *filter(None, lines)]
+    is_chosen = {choice.component.name for choice in _chosen(message)}
+    lines = [
+        code.reach(name, _instance(block.component, message))
+        for name, block in code.layout.blocks.items()
+        if name in code.words and name not in is_chosen
+    ]
+    return [*code.sources(), *code.pointers(), *filter(None, lines)]
 
 
 def _instance(component: Component, message: PopulatedMessage) -> str:
-    """The instance of a component that a message reads, if there are several."""
-    if component.instances == 1:
-        return ""
-    if message.component is not None and message.component.name == component.name:
-        return "instance"
-    is_chosen = any(choice.component.name == component.name for choice in chosen(message))
-    return f"{component.name}_instance" if is_chosen else ""
+    """The instance of a component that a message reads, if it is one of several and not always the first."""
+    is_own = message.component is not None and message.component.name == component.name
+    return "instance" if is_own and component.instances > 1 else ""

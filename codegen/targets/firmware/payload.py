@@ -1,7 +1,6 @@
 """What both spellings of a message's function have in common: in machine code, and in plain Python."""
 
 import struct
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from codegen.model.answer import Elements
@@ -141,18 +140,25 @@ class SpelledCode(PayloadCode):
         """Copy so many bytes of a constant into the field."""
         raise NotImplementedError
 
-    @property
-    def returned(self) -> str:
-        """How the head of a function says what it returns."""
-        return ""
+    def now(self) -> str:
+        """The time in ms: an expression."""
+        raise NotImplementedError
 
-    def arguments(self, values: Iterable[str]) -> str:
-        """The arguments of the function of a message; behind the words there are ``values``, whole numbers."""
+    def head(self, about: tuple[str, ...]) -> tuple[str, str]:
+        """The head of the function, up to its arguments and these; ``about`` are the instance and the page."""
+        raise NotImplementedError
+
+    def call(self, about: tuple[str, ...]) -> tuple[str, str]:
+        """How the builder of the message calls the function, as ``head`` has it."""
         raise NotImplementedError
 
     def reach(self, component: str, instance: str) -> str:
         """The statement that says where the words of a component's instance begin."""
         raise NotImplementedError
+
+    def sources(self) -> list[str]:
+        """The statements that take from the state what the function is not given."""
+        return []
 
     def pointers(self) -> list[str]:
         """The statements that make the variables which spelling has turned out to need."""

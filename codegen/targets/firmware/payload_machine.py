@@ -26,9 +26,9 @@ class MachineCode(SpelledCode):
     def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
         """In one piece where the place is a multiple of the size; the smaller Cortex-M insist on that.
 
-        A 0 that is known at build time and fills no piece is left to what is cleared.
+        A 0 that is known at build time is left to what is cleared, which is fewer and larger pieces.
         """
-        if value == 0 and offset % size:
+        if value == 0 and (always or offset % size) and self.written.isdisjoint(range(offset, offset + size)):
             return []
         if always:
             self.written |= set(range(offset, offset + size))
@@ -100,21 +100,39 @@ class MachineCode(SpelledCode):
         lines = [f"at = {start} + {size} * {place}"]
         return [*lines, *(f"wire[at{f' + {n}' if n else ''}] = {byte_of(value, n)}" for n in range(size))]
 
+    def rest(self, covers: Elements, value: int) -> list[str]:
+        """Zeros are what is cleared."""
+        if value == 0:
+            self.written -= self.bytes_of(covers)
+            return []
+        return super().rest(covers, value)
+
     def buffer(self, offset: int) -> str:
-        """The payload as an object: functions take no pointers of others."""
-        self.uses.add("object")
-        return f"payload, {offset}"
+        """The address."""
+        self.uses.add("wire")
+        return f"int(wire) + {offset}" if offset else "int(wire)"
 
-    def arguments(self, values: Iterable[str]) -> str:
-        """With their types; the first two stay in registers."""
-        payload = "payload" if "object" in self.uses else "wire: ptr8"
-        numbers = (f"{value}: int" for value in values)
-        return ", ".join(("value: int", "table_at: int", payload, "words: ptr32", *numbers))
+    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
+        """On the side, from where it is copied: the function for it takes an object."""
+        self.uses.add("make_float")
+        self.written |= self.bytes_of(covers)
+        self.texts["_FLOAT"] = "bytearray(8)"
+        code = f'"<{covers.field.type.code}"'
+        made = f"make_float({code}, _FLOAT, 0, value, {numerator}, {divisor})"
+        return [made, *self.copied(covers, "_FLOAT", covers.field.type.size)]
 
-    @property
-    def returned(self) -> str:
-        """Its type."""
-        return " -> int"
+    def now(self) -> str:
+        """Asked for where it is needed."""
+        self.uses.add("clock")
+        return "int(ticks_ms())"
+
+    def head(self, about: tuple[str, ...]) -> tuple[str, str]:
+        """The same function makes frames and payloads: what builds a message stands in for the link."""
+        return f"def encode_{self.message}", ", ".join(("link", "state", *(f"{value}: int" for value in about)))
+
+    def call(self, about: tuple[str, ...]) -> tuple[str, str]:
+        """With the message in place of a link."""
+        return f"    encode_{self.message}", ", ".join(("_stand_in(message)", "state", *about))
 
     def reach(self, component: str, instance: str) -> str:
         """A pointer."""
@@ -125,8 +143,13 @@ class MachineCode(SpelledCode):
             else f"{component} = ptr32(int(words) + 4 * {base})"
         )
 
+    def sources(self) -> list[str]:
+        """The words of the state and the parameters."""
+        words = ["words = ptr32(int(state.words_at))"] if self.words else []
+        return words + [f"{name} = int(state.parameters.{name})" for name in self.parameters]
+
     def pointers(self) -> list[str]:
-        """To the payload as numbers of 8, 16 and 32 bits, and the bit of the sign."""
+        """To the payload as numbers of 16 and 32 bits, and the bit of the sign."""
         lines = [f"wire{bits} = ptr{bits}(wire)" for bits in (16, 32) if f"wire{bits}" in self.uses]
         if "sign" in self.uses:
             lines += ["bit = 1", "sign = bit << 31"]
@@ -173,9 +196,3 @@ def _runs(numbers: Iterable[int]) -> list[tuple[int, int]]:
         else:
             runs.append((number, number))
     return runs
-
-
-class MachineReading(MachineCode):
-    """Viper, in functions that are given the words of one instance."""
-
-    __slots__ = ()

@@ -1,7 +1,5 @@
 """The spelling of a message's function in plain Python, for ports without machine code."""
 
-from collections.abc import Iterable
-
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
 from codegen.model.vehicle import Quantity
@@ -63,9 +61,19 @@ class PlainCode(SpelledCode):
         """The payload."""
         return f"wire, {offset}"
 
-    def arguments(self, values: Iterable[str]) -> str:
-        """Without types; what machine code is given for frames is a variable for loops here."""
-        return ", ".join(("value", "place", "wire", "words", *values))
+    def now(self) -> str:
+        """What ``value`` is at first."""
+        return "value"
+
+    def head(self, about: tuple[str, ...]) -> tuple[str, str]:
+        """The payload and the words; what is found in ``place`` is a variable for loops."""
+        return f"def write_{self.message}", ", ".join(("value", "place", "wire", "words", *about, *self.parameters))
+
+    def call(self, about: tuple[str, ...]) -> tuple[str, str]:
+        """With the time, and with the parameters that the message reads."""
+        parameters = (f"state.parameters.{name}" for name in self.parameters)
+        given = ("time.ticks_ms()", "0", "message.wire", "state.words", *about, *parameters)
+        return f"    write_{self.message}", ", ".join(given)
 
     def reach(self, component: str, instance: str) -> str:
         """A number; none where the component is the only one."""

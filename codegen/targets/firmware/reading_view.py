@@ -5,7 +5,7 @@ from codegen.model.payload_code import indented
 from codegen.model.system import System
 from codegen.model.vehicle import Component
 from codegen.targets.firmware.payload import SpelledCode
-from codegen.targets.firmware.payload_machine import MachineReading
+from codegen.targets.firmware.payload_machine import MachineCode
 from codegen.targets.firmware.payload_plain import PlainReading
 from codegen.targets.firmware.reading import WAITING, changed, expires, expiry, known, taken
 from codegen.targets.firmware.words import ConstantView, Layout, measured_of
@@ -54,7 +54,7 @@ def readings_view(system: System, layout: Layout, *, machine_code: bool) -> Read
         measured = measured_of(component)
         if measured is None:
             continue
-        code: SpelledCode = (MachineReading if machine_code else PlainReading)(layout, component.name)
+        code: SpelledCode = (MachineCode if machine_code else PlainReading)(layout, component.name)
         old = expiry(component, code, "now_ms", "age") if expires(component) else []
         old_pointers = code.pointers()
         name, enabled, block = component.name, component.enabled, layout.blocks[component.name]

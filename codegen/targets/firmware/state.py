@@ -123,6 +123,7 @@ def state_view(system: System, layout: Layout) -> StateView:
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
     names |= {("words", word) for word in words}
+    names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
     constants = [

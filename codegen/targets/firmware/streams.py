@@ -9,7 +9,7 @@ from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, Stream
 from codegen.targets.firmware.words import Layout, word_layout
-from codegen.targets.naming import encoder_name, parameter_attribute
+from codegen.targets.naming import encoder_name, message_about, parameter_attribute
 
 
 @dataclass(frozen=True, slots=True)
@@ -350,9 +350,8 @@ def _sent(message: PopulatedMessage, system: System) -> SentView:
         of_each = "[instance]" if component.instances > 1 else ""
         enabled = f"state.{component.name}{of_each}.{component.enabled.name}"
         is_measured = [f"if {_word(component, component.enabled)}:"]
-    arguments = ["state"] + ["instance"] * (message.instances > 1)
-    if message.pages > 1:
-        arguments.append("page" if message.instances > 1 else "page=page")
+    counts = {"instance": message.instances, "page": message.pages}
+    arguments = ["state", *(name if counts[name] > 1 else "0" for name in message_about(message))]
     return SentView(
         id=message.wire.id,
         name=message.name,
@@ -375,9 +374,10 @@ def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]
         *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
         *([f"for page in range({message.pages}):"] if message.pages > 1 else []),
     ]
-    about = f"_{component.name}" if component and (is_measured or message.instances > 1) else ""
+    about = f"_{component.name}" if component else ""
+    page = f"_{message.pages}_pages" if message.pages > 1 else "_page" if message.population.pages else ""
     return WayView(
-        suffix=f"{about}{f'_{message.pages}_pages' if message.pages > 1 else ''}",
+        suffix=about + page,
         sending=_nested(*each, send),
         announcing=_nested(*is_measured, send),
         instances=message.instances > 1,

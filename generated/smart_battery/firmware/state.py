@@ -10,6 +10,7 @@ None or NaN makes it unknown.
 import time
 from array import array
 
+from frames import address
 from guard import Guard
 from micropython import const
 from parameters import Parameters
@@ -167,6 +168,7 @@ class SystemState:
     def __init__(self, parameters=None, log=print):
         self.parameters = parameters or Parameters()
         self.words = array("i", [UNKNOWN] * _SIZE)
+        self.words_at = address(self.words)
         self._log = log
         self._guard = Guard()
         self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 1)

@@ -50,7 +50,12 @@ def _send(encode, state, link):
 
 def _send_battery(encode, state, link):
     if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
-        link.send_frame(encode(link, state))
+        link.send_frame(encode(link, state, 0))
+
+
+def _send_battery_page(encode, state, link):
+    if state.words[_BATTERY_MONITORED]:  # what is not measured is not reported
+        link.send_frame(encode(link, state, 0, 0))
 
 
 # What makes the frames of each message, and what sends them.
@@ -72,13 +77,13 @@ _SENDERS = (
     _send_battery,
     _send,
     _send,
-    _send_battery,
+    _send_battery_page,
 )
 
 
 def _announce_battery(encode, state, link, _instance, _page):
     if state.words[_BATTERY_MONITORED]:
-        link.send_frame(encode(link, state))
+        link.send_frame(encode(link, state, 0))
 
 
 # What is sent at once, a frame each: the place of the message, what sends it, the number of the instance, the page.

@@ -15,9 +15,11 @@ Locals are few, and what machine code is told in `place` is a variable for loops
 larger functions on the heap at every call.
 """
 
+import time
 from binascii import hexlify
 
 import machine
+import messages
 from floats_plain import put_float
 from micropython import const
 
@@ -43,8 +45,23 @@ _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
 
+_heartbeat = messages.Heartbeat(unknown=False)
+
+
+def build_heartbeat(state):
+    """Return HEARTBEAT (0), FR-00074.1."""
+    message = _heartbeat
+    write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
+    return message
+
+
+def encode_heartbeat(link, state):
+    """Return the frame of HEARTBEAT (0), FR-00074.1."""
+    return link.encode(build_heartbeat(state))
+
+
 def write_heartbeat(value, place, wire, words):
-    """HEARTBEAT (0), FR-00074.1."""
+    """Write the payload of HEARTBEAT (0), FR-00074.1."""
     # custom_mode: 0 (FR-00074.1)
     wire[0] = 0
     wire[1] = 0
@@ -67,8 +84,23 @@ def write_heartbeat(value, place, wire, words):
     wire[8] = 3
 
 
+_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(1)]
+
+
+def build_battery_status(state, instance=0):
+    """Return BATTERY_STATUS (147), FR-00068.1."""
+    message = _battery_status[instance]
+    write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
+    return message
+
+
+def encode_battery_status(link, state, instance):
+    """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
+    return link.encode(build_battery_status(state, instance))
+
+
 def write_battery_status(value, place, wire, words, instance):
-    """BATTERY_STATUS (147), FR-00068.1."""
+    """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
         value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
@@ -113,16 +145,18 @@ def write_battery_status(value, place, wire, words, instance):
         place += 1
     if place == 3:
         place = 0
-        while place < 10:
-            value = _UNKNOWN
-            if place < 3:
-                value = words[_BATTERY + _BATTERY_CELLS_MV + place]
+        while place < 3:
+            value = words[_BATTERY + _BATTERY_CELLS_MV + place]
             if value < 0:
                 value = 65535 if value == _UNKNOWN else 0  # unknown, or too small
             elif value > 65534:
                 value = 65534
             wire[2 * place + 10] = value & 0xFF
             wire[2 * place + 11] = value >> 8 & 0xFF
+            place += 1
+        while place < 10:
+            wire[2 * place + 10] = 255
+            wire[2 * place + 11] = 255
             place += 1
     else:
         value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
@@ -231,8 +265,23 @@ def write_battery_status(value, place, wire, words, instance):
         wire[50] |= 0x20
 
 
+_autopilot_version = messages.AutopilotVersion(unknown=False)
+
+
+def build_autopilot_version(state):
+    """Return AUTOPILOT_VERSION (148), FR-00070.2."""
+    message = _autopilot_version
+    write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
+    return message
+
+
+def encode_autopilot_version(link, state):
+    """Return the frame of AUTOPILOT_VERSION (148), FR-00070.2."""
+    return link.encode(build_autopilot_version(state))
+
+
 def write_autopilot_version(value, place, wire, words):
-    """AUTOPILOT_VERSION (148), FR-00070.2."""
+    """Write the payload of AUTOPILOT_VERSION (148), FR-00070.2."""
     # capabilities: MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT + MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST +
     #   MAV_PROTOCOL_CAPABILITY_MAVLINK2 + MAV_PROTOCOL_CAPABILITY_COMMAND_INT (FR-00070.2)
     wire[0] = 10
@@ -323,8 +372,23 @@ def write_autopilot_version(value, place, wire, words):
         place += 1
 
 
+_protocol_version = messages.ProtocolVersion(unknown=False)
+
+
+def build_protocol_version(state):
+    """Return PROTOCOL_VERSION (300), FR-00070.2."""
+    message = _protocol_version
+    write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
+    return message
+
+
+def encode_protocol_version(link, state):
+    """Return the frame of PROTOCOL_VERSION (300), FR-00070.2."""
+    return link.encode(build_protocol_version(state))
+
+
 def write_protocol_version(value, place, wire, words):
-    """PROTOCOL_VERSION (300), FR-00070.2."""
+    """Write the payload of PROTOCOL_VERSION (300), FR-00070.2."""
     # version: 200 (FR-00070.2)
     wire[0] = 200
     wire[1] = 0
@@ -358,8 +422,23 @@ def write_protocol_version(value, place, wire, words):
     wire[21] = 0
 
 
+_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(1)]
+
+
+def build_battery_status_v2(state, instance=0):
+    """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
+    message = _battery_status_v2[instance]
+    write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
+    return message
+
+
+def encode_battery_status_v2(link, state, instance):
+    """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
+    return link.encode(build_battery_status_v2(state, instance))
+
+
 def write_battery_status_v2(value, place, wire, words, instance):
-    """BATTERY_STATUS_V2 (369), FR-00072.1."""
+    """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
         value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
@@ -474,8 +553,23 @@ def write_battery_status_v2(value, place, wire, words, instance):
     wire[26] = value & 0xFF
 
 
+_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(1)]
+
+
+def build_smart_battery_info(state, instance=0):
+    """Return SMART_BATTERY_INFO (370), FR-00074.4."""
+    message = _smart_battery_info[instance]
+    write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
+    return message
+
+
+def encode_smart_battery_info(link, state, instance):
+    """Return the frame of SMART_BATTERY_INFO (370), FR-00074.4."""
+    return link.encode(build_smart_battery_info(state, instance))
+
+
 def write_smart_battery_info(value, place, wire, words, instance, batt_capacity):
-    """SMART_BATTERY_INFO (370), FR-00074.4."""
+    """Write the payload of SMART_BATTERY_INFO (370), FR-00074.4."""
     # capacity_full_specification [mAh]: BATT_CAPACITY (FR-00074.4)
     value = batt_capacity
     if value < 0:
@@ -557,8 +651,23 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
     # manufacture_date: unknown ([0]) (FR-00074.4)
 
 
+_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(1)]
+
+
+def build_battery_info(state, instance=0):
+    """Return BATTERY_INFO (372), FR-00074.4."""
+    message = _battery_info[instance]
+    write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
+    return message
+
+
+def encode_battery_info(link, state, instance):
+    """Return the frame of BATTERY_INFO (372), FR-00074.4."""
+    return link.encode(build_battery_info(state, instance))
+
+
 def write_battery_info(value, place, wire, words, instance, batt_capacity):
-    """BATTERY_INFO (372), FR-00074.4."""
+    """Write the payload of BATTERY_INFO (372), FR-00074.4."""
     # discharge_minimum_voltage: 3.3 V (FR-00074.4)
     wire[0] = 51
     wire[1] = 51
@@ -660,15 +769,23 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
         place += 1
 
 
-def write_battery_cell_voltages(value, place, wire, words, instance, page):
-    """BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
-    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
-            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
-            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(1)]
 
+
+def build_battery_cell_voltages(state, instance=0, page=0):
+    """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    message = _battery_cell_voltages[instance]
+    write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
+    return message
+
+
+def encode_battery_cell_voltages(link, state, instance, page):
+    """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    return link.encode(build_battery_cell_voltages(state, instance, page))
+
+
+def write_battery_cell_voltages(value, place, wire, words, instance, page):
+    """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     # id: BATT_ID, counted on (FR-00073.4)
     value = words[_BATTERY + _BATTERY_NUMBER]
     wire[0] = value & 0xFF
@@ -680,10 +797,8 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
 
     # voltages [mV]: battery.cells, a page of them (FR-00076.7)
     place = 0
-    while place < 12:
-        value = _UNKNOWN
-        if place + page * 12 < 3:
-            value = words[_BATTERY + _BATTERY_CELLS_MV + place + page * 12]
+    while place < 12 and place + page * 12 < 3:
+        value = words[_BATTERY + _BATTERY_CELLS_MV + place + page * 12]
         if value < 1:
             value = 0 if value == _UNKNOWN else 1  # unknown, or too small
         elif value > 65535:
@@ -691,24 +806,7 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
         wire[2 * place + 4] = value & 0xFF
         wire[2 * place + 5] = value >> 8 & 0xFF
         place += 1
-
-
-TABLE_AT = 0  # the functions make payloads only
-
-
-def encoder(_write, build):
-    """Return encode(link, state), which makes the frame of a message."""
-
-    def encode(link, state):
-        return link.encode(build(state))
-
-    return encode
-
-
-def each_encoder(_write, build):
-    """Return encode(link, state, instance), the same for messages of which each instance has one."""
-
-    def encode(link, state, instance=0):
-        return link.encode(build(state, instance))
-
-    return encode
+    while place < 12:
+        wire[2 * place + 4] = 0
+        wire[2 * place + 5] = 0
+        place += 1

@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: aab582a20f4e5aa8
+# Inputs: ed8878e57c581613
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -43,23 +43,22 @@ def component_of(state, name, instances, instance):
 
 
 def state_of(case, instances):
-    """Return a fresh state as a case has it, and the instance and the page that its message is about."""
+    """Return a fresh state as a case has it."""
     state = SystemState(log=silent)
     for name, attribute, value, *instance in case["set"]:
         component = component_of(state, name, instances, instance[0] if instance else 0)
         setattr(component, attribute, _FLOATS[value] if isinstance(value, str) else value)
-    if "page" in case:
-        return state, (case["instance"], case["page"])
-    return state, (case["instance"],) if case["instance"] else ()
+    return state
 
 
-def frames_of(case, instances, links):
+def frames_of(case, instances, count, links):
     """Return the frames of a case as hexadecimal text, one per link; None where the message does not go over it.
 
-    Each is made in both ways, straight from the state and of the message that is built; where these differ, both are
-    told.
+    `count` is 2 where a message is about a page of an instance, 1 where it is about an instance, else 0. Each frame
+    is made in both ways, straight from the state and of the message that is built; where these differ, both are told.
     """
-    state, about = state_of(case, instances)
+    state = state_of(case, instances)
+    about = (case["instance"], case.get("page", 0))[:count]
     name = case["message"].lower()
     message = getattr(telemetry, "build_" + name)(state, *about)
     encode = getattr(telemetry, "encode_" + name)
@@ -69,8 +68,9 @@ def frames_of(case, instances, links):
         if fits:
             link.sequence = 0
             if link.version == 2:
-                for at in range(len(link.room)):
-                    link.room[at] = 0xFF  # as the frames before may have left it
+                longest = link.room[1][-1]
+                for at in range(10, len(longest)):
+                    longest[at] = 0xFF  # as the frames before may have left it
             frame = bytes(encode(link, state, *about)).hex()
             link.send(message)
             assert link.sequence == 1
@@ -99,8 +99,11 @@ def run(cases):
     """Return the results of all cases by name."""
     links = [Link(Wire(), streams.SYSTEM_ID, streams.COMPONENT_ID, version) for version in (2, 1)]
     instances = cases["instances"]
+    about = cases["about"]
     return {
-        "frames": {case["name"]: frames_of(case, instances, links) for case in cases["messages"]},
+        "frames": {
+            case["name"]: frames_of(case, instances, about.get(case["message"], 0), links) for case in cases["messages"]
+        },
         "conversions": {case["name"]: convert(case, instances) for case in cases["conversions"]},
     }
 
