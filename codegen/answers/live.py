@@ -162,7 +162,7 @@ class LiveAnswer(KindOfAnswer):
             write = code.make_float(self.covers, factor.numerator, factor.denominator)
         else:
             product = f"value * {factor.numerator}" if factor.numerator != 1 else "value"
-            write = code.put_float(self.covers, product, factor.denominator)
+            write = code.put_float(self.covers, product, factor.denominator, self.unknown)
         lines = [*fitted(self._in_steps, None), *write]
         if self.unknown is None:
             return lines

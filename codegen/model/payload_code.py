@@ -72,8 +72,8 @@ class PayloadCode(ABC):
         """
 
     @abstractmethod
-    def put_float(self, covers: "Elements", value: str, divisor: int) -> list[str]:
-        """Write value / divisor into a float of 32 bits by whole numbers."""
+    def put_float(self, covers: "Elements", value: str, divisor: int, unknown: float | None) -> list[str]:
+        """Write value / divisor into a float of 32 bits by whole numbers; ``unknown`` is what is stored otherwise."""
 
     @abstractmethod
     def make_float(self, covers: "Elements", numerator: int, divisor: int) -> list[str]:

@@ -5,6 +5,7 @@ What is right is worked out here with fractions, by the definition of the format
 
 import importlib.util
 import json
+import os
 import random
 import re
 import struct
@@ -71,6 +72,8 @@ def nearest(value: Fraction) -> bytes:
 
 def put(module: ModuleType, value: int, divisor: int) -> bytes:
     """What is written, in the middle of other bytes."""
+    if hasattr(module, "put_floats"):
+        return machine_put(module, value, divisor)
     wire = bytearray(b"\xa5" * 9)
     module.put_float(memoryview(wire), 3, value, divisor)
     assert wire[:3] + wire[7:] == b"\xa5" * 5
@@ -145,30 +148,42 @@ for _name in ("add", "sub", "mul", "floordiv", "mod", "lshift", "rshift", "and",
 _kept_small("__neg__")
 
 
-class Bytes:
-    """Memory as machine code writes it: the lowest byte of whatever it is given."""
+def machine_put(module: ModuleType, value: int, divisor: int) -> bytes:
+    """What the form for machine code makes of the middle one of three words."""
+    memory = bytearray(b"\xa5" * 4) + struct.pack("<i", value) + b"\xa5" * 4
+    module.__dict__["memory"] = memory
+    module.put_floats(0, named((1, int(divisor))))
+    assert memory[:4] + memory[8:] == b"\xa5" * 8
+    return bytes(memory[4:8])
 
-    def __init__(self, memory: memoryview) -> None:
-        self.memory = memory
 
-    def __setitem__(self, place: int, value: int) -> None:
-        self.memory[place] = value & 0xFF
+def named(*floats: tuple[int, int]) -> bytes:
+    """How put_floats() is told which words are floats: the place and the divisor of each."""
+    return struct.pack(f"<{len(floats) + 1}I", *(place | divisor << 6 for place, divisor in floats), 0)
 
 
 @pytest.fixture(scope="module")
 def viper() -> ModuleType:
     """The form for machine code as Python, because a PC computes with 64 bits what a board has 32 for."""
     text = (TEMPLATES / "floats_viper.py").read_text(encoding="utf-8")
-    for old, new in (
-        ("import micropython\n", ""),
-        ("@micropython.viper\n", ""),
-        (": ptr8", ""),
-        ("ptr8(int(wire) + offset)", "Bytes(wire[offset:])"),
+    for old, new, count in (
+        ("import micropython\n", "", 1),
+        ("@micropython.viper\n", "", 1),
+        (": ptr8", "", 1),
+        ("        word = ptr32(at + 4 * (floats[0] & 63))\n", "        place = at + 4 * (floats[0] & 63)\n", 1),
+        ("(word[0] ^ sign) - sign", 'Small(unpack_from("<i", memory, place)[0])', 1),
+        ("            half = ptr16(word)\n", "", 1),
+        ("half[0] = value", 'pack_into("<H", memory, place, value & 0xFFFF)', 1),
+        ("half[1] = top", 'pack_into("<H", memory, place + 2, top', 1),
+        ("(value >> 16)\n", "(value >> 16))\n", 1),
+        ("divisor = floats[0]", "divisor = Small(floats[0]", 2),
+        ("floats[3] << 18\n", "floats[3] << 18)\n", 2),
+        ("floats = ptr8(int(floats) + 4)", "floats = floats[4:]", 1),
     ):
-        assert text.count(old) == 1, old
+        assert text.count(old) == count, old
         text = text.replace(old, new)
     module = ModuleType("floats_viper")
-    module.__dict__["Bytes"] = Bytes
+    module.__dict__.update(Small=Small, pack_into=struct.pack_into, unpack_from=struct.unpack_from)
     exec(text, module.__dict__)  # noqa: S102  the project's own file
     return module
 
@@ -186,24 +201,35 @@ def test_no_large_integer_comes_about(plain: ModuleType, viper: ModuleType, divi
 
 
 SCRIPT = """
-import json, sys
-from floats_plain import put_float as plain
-from floats_viper import put_float as viper
+import json, struct, sys
+from floats_plain import put_float
+from floats_viper import put_floats
+from frames import address
 from micropython import mem_total
 
 with open(sys.argv[1]) as file:
-    cases = json.load(file)
-wire = memoryview(bytearray(9))
-for form in (plain, viper):
-    for value, divisor, expected in cases:
-        form(wire, 3, value, divisor)
-        assert bytes(wire[3:7]).hex() == expected, (form, value, divisor, expected)
-        assert wire[2] == wire[7] == 0
+    cases = [(value, divisor, expected, bytes(named)) for value, divisor, expected, named in json.load(file)]
+wire = memoryview(bytearray(12))
+at = address(wire)
+for value, divisor, expected, named in cases:
+    put_float(wire, 3, value, divisor)
+    assert bytes(wire[3:7]).hex() == expected, ("plain", value, divisor, expected)
+    assert wire[2] == wire[7] == 0
+    wire[3:7] = bytes(4)
+    struct.pack_into("<i", wire, 4, value)
+    put_floats(at, named)
+    assert bytes(wire[4:8]).hex() == expected, ("viper", value, divisor, expected, bytes(wire[4:8]).hex())
+    assert wire[3] == wire[8] == 0
+    wire[4:8] = bytes(4)
+for stays in ("0000c07f", "ffff7f7f", "000080bf", "0000807f"):
+    wire[4:8] = bytes(int(stays[at : at + 2], 16) for at in range(0, 8, 2))
+    put_floats(at, cases[0][3])
+    assert bytes(wire[4:8]).hex() == stays
 
 def run():
     for case in cases:
-        plain(wire, 3, case[0], case[1])
-        viper(wire, 3, case[0], case[1])
+        put_float(wire, 4, case[0], case[1])
+        put_floats(at, case[3])
 
 run()
 before = mem_total()
@@ -228,13 +254,14 @@ def test_both_forms_under_micropython(tmp_path: Path) -> None:
         )
         cases += [(value, divisor)] if value <= SMALL_INT_MAX else []
         cases.append((chance.randint(-SMALL_INT_MAX, SMALL_INT_MAX) >> chance.randint(0, 29), divisor))
-    listed = [(value, divisor, nearest(Fraction(value, divisor)).hex()) for value, divisor in cases]
+    listed = [
+        (value, divisor, nearest(Fraction(value, divisor)).hex(), list(named((1, divisor)))) for value, divisor in cases
+    ]
     (tmp_path / "cases.json").write_text(json.dumps(listed), encoding="utf-8")
     (tmp_path / "script.py").write_text(SCRIPT, encoding="utf-8")
-    command = [tool("micropython"), "-X", "heapsize=8m", str(tmp_path / "script.py"), str(tmp_path / "cases.json")]
-    done = subprocess.run(
-        command, env={"MICROPYPATH": str(TEMPLATES)}, capture_output=True, text=True, check=False, timeout=60
-    )
+    command = [tool("micropython"), "-X", "heapsize=32m", str(tmp_path / "script.py"), str(tmp_path / "cases.json")]
+    path = os.pathsep.join([str(TEMPLATES), str(TEMPLATES.parent / "codec")])
+    done = subprocess.run(command, env={"MICROPYPATH": path}, capture_output=True, text=True, check=False, timeout=60)
     assert (done.returncode, done.stdout) == (0, "0\n"), done.stdout + done.stderr
 
 

@@ -61,19 +61,16 @@ def counted():
     return mem_total() - before, more - used
 
 allocated, more = counted()
-is_plain = telemetry.write_battery_info is __import__("telemetry_plain").write_battery_info
+is_plain = telemetry.build_battery_info is __import__("telemetry_plain").build_battery_info
 print(is_plain, allocated, more, link.sequence, link.tx_errors)
 """
 
 
-@pytest.mark.parametrize("form", ["viper", "plain", "bytecode"])
+@pytest.mark.parametrize("form", ["viper", "plain"])
 def test_new_messages_allocate_nothing(form: str, tmp_path: Path) -> None:
-    """Unknown, limits and numbers of more than 24 bits, each battery; machine code, plain frames, bytecode."""
+    """Unknown, limits and numbers of more than 24 bits, each battery; in machine code and in plain Python."""
     hidden = ("__pycache__",) if form == "viper" else ("__pycache__", "*_viper.py")
     shutil.copytree(GENERATED / "firmware", tmp_path / "firmware", ignore=shutil.ignore_patterns(*hidden))
-    if form == "bytecode":
-        builders = tmp_path / "firmware" / "telemetry.py"
-        builders.write_text(builders.read_text().replace("@micropython.native\n", ""))
     (tmp_path / "script.py").write_text(SCRIPT)
     path = os.pathsep.join([str(tmp_path / "firmware"), str(GENERATED / "mocks")])
     command = [str(Path(sys.executable).with_name("micropython")), str(tmp_path / "script.py")]

@@ -129,6 +129,7 @@ class EachAnswer(KindOfAnswer):
             return [*head, f"# there are {most}: all unknown", *code.fill(covers, self.unknown)]
         if self.room is None:
             return [*head, *self._each(code)]
+        each = self._each(code)
         others = fallback.spilled(code) if fallback else code.fill(covers, self.unknown)
         count = code.count(self.source)
         known = f"{code.read(self.source, 'place')} != {UNKNOWN}"
@@ -139,7 +140,7 @@ class EachAnswer(KindOfAnswer):
             f"while place < {count} and {known}:",
             "    place += 1",
             f"if {fits}:",
-            *indented(self._each(code)),
+            *indented(each),
             "else:",
             *indented(others),
         ]

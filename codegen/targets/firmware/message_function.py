@@ -99,7 +99,7 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
         modules.add("machine")
         names.add(("binascii", "hexlify"))
     if "put_float" in uses:
-        names.add(("floats_viper" if machine_code else "floats_plain", "put_float"))
+        names.add(("floats_viper", "put_floats") if machine_code else ("floats_plain", "put_float"))
     if "make_float" in uses:
         names.add(("conversion", "make_float"))
     return import_lines(modules, names)
@@ -114,7 +114,7 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
     age = "value" if len(expired) == 1 else "age"  # the time is needed no more: boards have room for few variables
     before = [line for component in expired for line in ["", *expiry(component, code, code.now(), age)]]
     cleared = code.cleared(message.wire.length)
-    lines = [*_prologue(message, code), *choices, *(["", *cleared] if cleared else []), *before, *body]
+    lines = [*_prologue(message, code), *choices, *(["", *cleared] if cleared else []), *before, *body, *code.ending()]
     while lines and not lines[0]:
         lines.pop(0)
     wire, told = message.wire, message_about(message)

@@ -22,6 +22,7 @@ class SpelledCode(PayloadCode):
     parameters: dict[str, Parameter] = field(default_factory=dict)
     texts: dict[str, str] = field(default_factory=dict)
     written: set[int] = field(default_factory=set)
+    floats: list[tuple[int, int]] = field(default_factory=list)
 
     def word(self, component: str, name: str, element: str = "") -> str:
         """A word of a component, as it stands in the array."""
@@ -95,23 +96,6 @@ class SpelledCode(PayloadCode):
         """Write a whole number of so many bytes at an offset of the payload."""
         raise NotImplementedError
 
-    def put_float(self, covers: Elements, value: str, divisor: int) -> list[str]:
-        """By the function for it."""
-        self.uses.add("put_float")
-        self.written |= self.bytes_of(covers)
-        return [f"put_float({self.buffer(covers.offset)}, {value}, {divisor})"]
-
-    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
-        """By the function for it."""
-        self.uses.add("make_float")
-        self.written |= self.bytes_of(covers)
-        code = f'"<{covers.field.type.code}"'
-        return [f"make_float({code}, {self.buffer(covers.offset)}, value, {numerator}, {divisor})"]
-
-    def buffer(self, offset: int) -> str:
-        """The arguments by which a function is told where to write: an object and a place in it."""
-        raise NotImplementedError
-
     def bytes_of(self, covers: Elements) -> set[int]:
         """The offsets of the bytes that are covered."""
         return set(range(covers.offset, covers.offset + covers.count * covers.field.type.size))
@@ -124,7 +108,7 @@ class SpelledCode(PayloadCode):
             return []
         name = f"_{self.message}_{covers.field.name}".upper()
         padded = [text.encode("ascii") + bytes(length - len(text)) for text in values]
-        literals = [f'b"{"".join(map(_escaped, data))}"' for data in padded]
+        literals = [f'b"{"".join(map(escaped, data))}"' for data in padded]
         self.texts[name] = literals[0] if len(literals) == 1 else f"({', '.join(literals)})"
         return self.copied(covers, name if len(literals) == 1 else f"{name}[instance]", length)
 
@@ -164,6 +148,10 @@ class SpelledCode(PayloadCode):
         """The statements that make the variables which spelling has turned out to need."""
         return []
 
+    def ending(self) -> list[str]:
+        """What is left to do once all fields are written."""
+        return []
+
     def cleared(self, length: int) -> list[str]:  # noqa: ARG002  in plain Python nobody else writes the payload
         """Zeros into the bytes of the payload that nothing writes at each call."""
         return []
@@ -173,7 +161,8 @@ class SpelledCode(PayloadCode):
         return f"{block.base_constant} + {block.size_constant} * {instance}" if instance else block.base_constant
 
 
-def _escaped(byte: int) -> str:
+def escaped(byte: int) -> str:
+    """A byte in a literal of bytes."""
     text = chr(byte)
     return text if text.isprintable() and text not in '"\\' and byte < 128 else f"\\x{byte:02x}"
 

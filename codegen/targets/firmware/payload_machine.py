@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, byte_of
+from codegen.targets.firmware.payload import SpelledCode, byte_of, escaped
+from codegen.targets.imports import in_brackets
 
 
 class MachineCode(SpelledCode):
@@ -107,19 +108,48 @@ class MachineCode(SpelledCode):
             return []
         return super().rest(covers, value)
 
-    def buffer(self, offset: int) -> str:
-        """The address."""
-        self.uses.add("wire")
-        return f"int(wire) + {offset}" if offset else "int(wire)"
+    def put_float(self, covers: Elements, value: str, divisor: int, unknown: float | None) -> list[str]:
+        """As a whole number at first: one call makes floats of all of them at the end, since calls are dear.
+
+        A float that is not aligned, or one beside an ``unknown`` that reads as such a number, is made on the side.
+        """
+        bits = 0 if unknown is None else struct.unpack("<i", struct.pack("<f", unknown))[0]
+        if covers.offset % 4 or 0 < abs(bits) < 1 << 30 or bits == -1 << 31:
+            self._use_side()
+            made = ["side = ptr32(_FLOAT)", f"side[0] = {value}", *self._floats("int(side)", [(0, divisor)])]
+            return [*made, *self._copied_from_side(covers)]
+        self.floats.append((covers.offset, divisor))
+        return self.put(covers.offset, 4, value)
+
+    def ending(self) -> list[str]:
+        """Floats of the whole numbers."""
+        if not self.floats:
+            return []
+        shown = ", ".join(f"that at {at} / {divisor}" for at, divisor in self.floats)
+        return ["", f"# As floats, each whole number divided: {shown}.", *self._floats("int(wire)", self.floats)]
+
+    def _floats(self, at: str, floats: list[tuple[int, int]]) -> list[str]:
+        self.uses.add("put_float")
+        data = struct.pack(f"<{len(floats) + 1}I", *(offset // 4 | divisor << 6 for offset, divisor in floats), 0)
+        literal = "".join(map(escaped, data))
+        return in_brackets("    put_floats", f'{at}, b"{literal}"', "").removeprefix("    ").split("\n    ")
+
+    def _use_side(self) -> None:
+        self.texts["_FLOAT"] = "bytearray(8)"
+
+    def _copied_from_side(self, covers: Elements) -> list[str]:
+        self.written |= self.bytes_of(covers)
+        return self.copied(covers, "_FLOAT", covers.field.type.size)
 
     def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
-        """On the side, from where it is copied: the function for it takes an object."""
+        """On the side, too: the function for it takes an object."""
         self.uses.add("make_float")
-        self.written |= self.bytes_of(covers)
-        self.texts["_FLOAT"] = "bytearray(8)"
+        self._use_side()
         code = f'"<{covers.field.type.code}"'
-        made = f"make_float({code}, _FLOAT, 0, value, {numerator}, {divisor})"
-        return [made, *self.copied(covers, "_FLOAT", covers.field.type.size)]
+        return [
+            f"make_float({code}, _FLOAT, 0, value, {numerator}, {divisor})",
+            *self._copied_from_side(covers),
+        ]
 
     def now(self) -> str:
         """Asked for where it is needed."""

@@ -57,9 +57,15 @@ class PlainCode(SpelledCode):
         ]
         return [f"wire[{place}] |= {part:#x}" for place, part in places if part]
 
-    def buffer(self, offset: int) -> str:
-        """The payload."""
-        return f"wire, {offset}"
+    def put_float(self, covers: Elements, value: str, divisor: int, unknown: float | None) -> list[str]:  # noqa: ARG002
+        """By the function for it."""
+        self.uses.add("put_float")
+        return [f"put_float(wire, {covers.offset}, {value}, {divisor})"]
+
+    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
+        """By the function for it."""
+        self.uses.add("make_float")
+        return [f'make_float("<{covers.field.type.code}", wire, {covers.offset}, value, {numerator}, {divisor})']
 
     def now(self) -> str:
         """What ``value`` is at first."""

@@ -27,7 +27,7 @@ from time import ticks_ms
 import machine
 import messages
 import micropython
-from floats_viper import put_float
+from floats_viper import put_floats
 from micropython import const
 
 _UNKNOWN = const(-0x3FFFFFFF - 1)
@@ -50,6 +50,8 @@ _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
+
+
 class _Stand:
     """Stands in for a link where a message is built: the room of that is 1 more than where its payload begins."""
 
@@ -608,7 +610,7 @@ def encode_battery_status_v2(link, state, instance: int):
         wire16[0] = 0
         wire16[1] = 32704
     else:
-        put_float(int(wire), value, 1000)
+        wire32[0] = value
 
     # current [A]: battery.current [cA] (FR-00072.4)
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
@@ -616,7 +618,7 @@ def encode_battery_status_v2(link, state, instance: int):
         wire16[2] = 0
         wire16[3] = 32704
     else:
-        put_float(int(wire) + 4, value, 100)
+        wire32[1] = value
 
     # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
     value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
@@ -624,7 +626,7 @@ def encode_battery_status_v2(link, state, instance: int):
         wire16[4] = 0
         wire16[5] = 32704
     else:
-        put_float(int(wire) + 8, value, 1000)
+        wire32[2] = value
 
     # capacity_remaining [Ah]: battery.left [mAh] (FR-00072.4)
     value = (battery[_BATTERY_LEFT_MAH] ^ sign) - sign
@@ -634,7 +636,7 @@ def encode_battery_status_v2(link, state, instance: int):
     else:
         if value < 0:
             value = 0
-        put_float(int(wire) + 12, value, 1000)
+        wire32[3] = value
 
     # state_of_charge [%]: battery.remaining (FR-00072.4)
     value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
@@ -646,7 +648,7 @@ def encode_battery_status_v2(link, state, instance: int):
             value = 0
         elif value > 100:
             value = 100
-        put_float(int(wire) + 16, value, 1)
+        wire32[4] = value
 
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
@@ -694,6 +696,12 @@ def encode_battery_status_v2(link, state, instance: int):
     # id: BATT_ID, counted on (FR-00073.4)
     value = battery[_BATTERY_NUMBER]
     wire[26] = value
+
+    # As floats, each whole number divided: that at 0 / 1000, that at 4 / 100, that at 8 / 1000, that at 12 / 1000,
+    #   that at 16 / 1.
+    put_floats(
+        int(wire), b"\x00\xfa\x00\x00\x01\x19\x00\x00\x02\xfa\x00\x00\x03\xfa\x00\x00D\x00\x00\x00\x00\x00\x00\x00"
+    )
 
     if room_at & 1:
         return None
@@ -967,7 +975,7 @@ def encode_battery_info(link, state, instance: int):
         value = 1
     elif value > 1000000:
         value = 1000000
-    put_float(int(wire) + 32, value, 1000)
+    wire32[8] = value
 
     # full_charge_capacity: unknown (NaN) (FR-00074.4)
     wire16[19] = 32704
@@ -1009,6 +1017,9 @@ def encode_battery_info(link, state, instance: int):
     while place < 17:
         wire[90 + place] = text[place]
         place += 1
+
+    # As floats, each whole number divided: that at 32 / 1000.
+    put_floats(int(wire), b"\x08\xfa\x00\x00\x00\x00\x00\x00")
 
     if room_at & 1:
         return None
