@@ -960,6 +960,17 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     battery = _BATTERY + _BATTERY_SIZE * instance
 
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        value = value - words[battery + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
+            words[battery + _BATTERY_TREND_COUNT] = 0
+            words[battery + _BATTERY_TREND_NEWER] = 0
+            words[battery + _BATTERY_TREND_OLDER] = 0
+            words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
     # id: the battery's number (FR-00073.4)
     wire[0] = instance & 0xFF
     wire[1] = instance >> 8 & 0xFF

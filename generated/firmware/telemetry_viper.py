@@ -1303,6 +1303,17 @@ def encode_battery_cell_voltages(link, state, instance: int, page: int):
     wire32[5] = 0
     wire32[6] = 0
 
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
     # id: the battery's number (FR-00073.4)
     wire16[0] = instance
 

@@ -29,13 +29,18 @@ def project(folder: Path) -> tuple[Trace, dict[str, str]]:
 
 
 def names_of(text: str) -> set[str]:
-    """What a module defines: functions, classes, constants, and of classes methods and the attributes of self."""
+    """What a module defines: functions, classes, constants, and of classes methods and the attributes of self.
+
+    Also what it passes on from others, as its ``__all__`` says.
+    """
     found = set()
     for node in ast.parse(text).body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             found.add(node.name)
         if isinstance(node, ast.Assign):
             found |= {target.id for target in node.targets if isinstance(target, ast.Name)}
+            if ast.unparse(node.targets[0]) == "__all__":
+                found |= set(ast.literal_eval(node.value))
         if isinstance(node, ast.ClassDef):  # views of the state's words
             views = [each for each in node.body if isinstance(each, ast.Assign)]
             found |= {

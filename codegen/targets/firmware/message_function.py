@@ -150,12 +150,8 @@ def _printed(line: str) -> list[str]:
 
 
 def _expiring(message: PopulatedMessage, system: System) -> list[Component]:
-    """The components of which the message tells something that can become too old, in the order of the state."""
-    names = set()
-    for quantity in (quantity for answer in message.answers for quantity in answer.quantities):
-        followed = system.components[quantity.component].quantities.get(quantity.derivation.follows or "", quantity)
-        if followed.derivation.comes_of_readings:
-            names.add(quantity.component)
+    """The components of which the message reads something, and a reading can become too old, in the state's order."""
+    names = {quantity.component for answer in message.answers for quantity in answer.quantities}
     return [component for component in system.components.values() if component.name in names and expires(component)]
 
 

@@ -786,6 +786,13 @@ def encode_battery_cell_voltages(link, state, instance, page):
 
 def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
+        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
+            words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
     # id: BATT_ID, counted on (FR-00073.4)
     value = words[_BATTERY + _BATTERY_NUMBER]
     wire[0] = value & 0xFF

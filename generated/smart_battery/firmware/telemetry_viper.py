@@ -1103,6 +1103,13 @@ def encode_battery_cell_voltages(link, state, instance: int, page: int):
     wire32[5] = 0
     wire32[6] = 0
 
+    # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
+    if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
+        if value > 0 and value < 0x20000000:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
     # id: BATT_ID, counted on (FR-00073.4)
     value = battery[_BATTERY_NUMBER]
     wire16[0] = value
