@@ -1,80 +1,16 @@
 """View of streams.py: which messages go out at which rate."""
 
-from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Component, Quantity, Stream
-from codegen.targets.firmware.words import Layout, word_layout
-from codegen.targets.naming import encoder_name, message_about, parameter_attribute
-
-
-@dataclass(frozen=True, slots=True)
-class SentView:
-    """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true.
-
-    ``way`` is what sends all instances and pages of what ``encoder`` makes, or one. ``never`` is for the generation
-    that was not chosen for good.
-    """
-
-    id: int
-    name: str
-    encoder: str
-    way: "WayView"
-    instances: int
-    pages: int
-    component: str | None
-    never: bool
-    enabled: str | None
-
-
-@dataclass(frozen=True, slots=True)
-class WayView:
-    """How messages are sent that are alike in it: ``sending`` are the statements that send all instances and pages.
-
-    ``announcing`` are those for one. ``suffix`` is what the names of both functions end in, ``instances`` and ``pages``
-    say whether the second one takes them.
-    """
-
-    suffix: str
-    sending: str
-    announcing: str
-    instances: bool
-    pages: bool
-
-
-@dataclass(frozen=True, slots=True)
-class WatchView:
-    """A quantity whose change announces messages, with their places; ``place`` is where its last value is kept.
-
-    Of several instances ``place`` and ``instance`` are expressions of the loop over them, to which ``indent`` belongs.
-    """
-
-    path: str
-    instances: int
-    expression: str
-    indent: str
-    place: str
-    instance: str
-    messages: tuple[tuple[int, str], ...]
-    citation: str
-
-
-@dataclass(frozen=True, slots=True)
-class AnnouncementView:
-    """What is sent at once: literals of the frames, (message, what sends it, instance, page), and ways to send one.
-
-    The first ``on_connection`` of the frames are for who appears on the link.
-    """
-
-    frames: tuple[str, ...]
-    on_connection: int
-    ways: tuple[WayView, ...]
-    watches: tuple[WatchView, ...]
-    seen: tuple[str, ...]
+from codegen.model.vehicle import Stream
+from codegen.targets.firmware.announcements import AnnouncementView, announcements
+from codegen.targets.firmware.sending import SentView, WayView, read_places, sent_view, ways
+from codegen.targets.firmware.words import word_layout
+from codegen.targets.naming import parameter_attribute
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +111,7 @@ def streams_view(system: System) -> StreamsView:
         streams=streams,
         periods=_periods(streams),
         messages=messages,
-        ways=_ways(messages),
+        ways=ways(messages),
         parameters=tuple(f"parameters.{name}" for name in parameters),
         ids=_tuple([message.id for message in messages]),
         stream_of=_tuple(places),
@@ -186,9 +122,9 @@ def streams_view(system: System) -> StreamsView:
         chosen=_chosen(system),
         choosing=_choosing_lines(system),
         or_not_chosen=" or not self._is_chosen(index)" if system.generations else "",
-        announced=_announcements(messages, system),
+        announced=announcements(messages, system),
         has_program=system.program is not None,
-        places=_places(system.messages, word_layout(system)),
+        places=read_places(system.messages, word_layout(system)),
     )
 
 
@@ -254,56 +190,8 @@ def _choosing_lines(system: System) -> tuple[str, ...]:
     return ("parameters = self._state.parameters", *comments) if comments else ()
 
 
-def _announcements(messages: tuple[SentView, ...], system: System) -> AnnouncementView | None:
-    populated = {message.name: message for message in system.messages}
-    announced = [(place, view) for place, view in enumerate(messages) if populated[view.name].is_announced]
-    if not announced:
-        return None
-    announced.sort(key=lambda found: not populated[found[1].name].on_connection)
-    frames = [
-        (populated[view.name].on_connection, f"({place}, _announce{view.way.suffix}, {instance}, {page})")
-        for place, view in announced
-        for instance in range(view.instances)
-        for page in range(view.pages)
-    ]
-    watches, seen = _watches(announced, populated, system)
-    return AnnouncementView(
-        frames=tuple(text for _, text in frames),
-        on_connection=sum(is_first for is_first, _ in frames),
-        ways=_ways(view for _, view in announced),
-        watches=watches,
-        seen=seen,
-    )
-
-
-def _watches(
-    announced: list[tuple[int, SentView]], populated: Mapping[str, PopulatedMessage], system: System
-) -> tuple[tuple[WatchView, ...], tuple[str, ...]]:
-    """The watched quantities, and what each of their instances is at the start."""
-    watches: list[WatchView] = []
-    seen: list[str] = []
-    changes = {
-        quantity.path: quantity for _, view in announced if (quantity := populated[view.name].on_change) is not None
-    }
-    for path, quantity in changes.items():
-        component = system.components[quantity.component]
-        several, first = component.instances > 1, len(seen)
-        messages = [(place, view.name) for place, view in announced if populated[view.name].on_change is quantity]
-        watches.append(
-            WatchView(
-                path=path,
-                instances=component.instances,
-                expression=_word(component, quantity),
-                indent="    " if several else "",
-                place=f"{f'{first} + ' if first else ''}instance" if several else str(first),
-                instance="instance" if several else "0",
-                messages=tuple(messages),
-                citation=str(populated[messages[0][1]].citation),
-            )
-        )
-        word = _word(component, quantity)
-        seen += [word.replace("[instance]", f"[{instance}]") for instance in range(component.instances)]
-    return tuple(watches), tuple(seen)
+def _sent(message: PopulatedMessage, system: System) -> SentView:
+    return sent_view(message, never=_generation_bits(message.name, system) == 0)
 
 
 def _tuple(values: list[int] | list[int | None]) -> str:
@@ -341,82 +229,3 @@ def _stream(index: int, stream: Stream, system: System) -> StreamView:
         fastest_hz=max(1, int(stream.fastest)),
         messages=tuple(_sent(message, system) for message in system.messages if message.stream is stream),
     )
-
-
-def _sent(message: PopulatedMessage, system: System) -> SentView:
-    component = message.component
-    enabled, is_measured = None, []
-    if component is not None and component.enabled is not None:
-        of_each = "[instance]" if component.instances > 1 else ""
-        enabled = f"state.{component.name}{of_each}.{component.enabled.name}"
-        is_measured = [f"if {_word(component, component.enabled)}:"]
-    counts = {"instance": message.instances, "page": message.pages}
-    arguments = ["state", *(name if counts[name] > 1 else "0" for name in message_about(message))]
-    return SentView(
-        id=message.wire.id,
-        name=message.name,
-        encoder=encoder_name(message),
-        way=_way(message, arguments, is_measured),
-        instances=message.instances,
-        pages=message.pages,
-        component=component.name if component else None,
-        never=_generation_bits(message.name, system) == 0,
-        enabled=enabled,
-    )
-
-
-def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]) -> WayView:
-    """How a message is sent; what it is called follows from all that it depends on."""
-    component = message.component
-    send = f"link.send_frame(encode({', '.join(['link', *arguments])}))"
-    each = [
-        *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
-        *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
-        *([f"for page in range({message.pages}):"] if message.pages > 1 else []),
-    ]
-    about = f"_{component.name}" if component else ""
-    page = f"_{message.pages}_pages" if message.pages > 1 else "_page" if message.population.pages else ""
-    return WayView(
-        suffix=about + page,
-        sending=_nested(*each, send),
-        announcing=_nested(*is_measured, send),
-        instances=message.instances > 1,
-        pages=message.pages > 1,
-    )
-
-
-def _ways(messages: Iterable[SentView]) -> tuple[WayView, ...]:
-    """The ways of messages, each once, in their order."""
-    return tuple(dict.fromkeys(message.way for message in messages))
-
-
-def _place(component: Component, quantity: Quantity) -> str:
-    """The constant with the places of a quantity's words: a tuple by instance, or the only one's number."""
-    return f"_{component.name}_{quantity.attribute}".upper()
-
-
-def _word(component: Component, quantity: Quantity) -> str:
-    """What the state keeps of a quantity, of several instances that of ``instance``."""
-    place = _place(component, quantity)
-    return f"state.words[{place}[instance]]" if component.instances > 1 else f"state.words[{place}]"
-
-
-def _places(messages: Iterable[PopulatedMessage], layout: Layout) -> tuple[str, ...]:
-    """The constants with the places of the words that are read: whether an instance is measured, what is watched."""
-    lines: dict[str, str] = {}
-    for message in messages:
-        owner = layout.blocks[message.component.name].component if message.component else None
-        watched = message.on_change
-        read = [(owner, owner.enabled)] if owner and owner.enabled else []
-        if watched is not None:
-            read.append((layout.blocks[watched.component].component, watched))
-        for component, quantity in read:
-            found = layout.places(component.name, quantity.attribute)
-            name = _place(component, quantity)
-            lines[name] = f"{name} = {found if len(found) > 1 else found[0]}"
-    return tuple(lines.values())
-
-
-def _nested(*statements: str) -> str:
-    """The body of a function in which each statement is the body of the one before it."""
-    return "\n".join(f"{'    ' * depth}{statement}" for depth, statement in enumerate(statements, 1))

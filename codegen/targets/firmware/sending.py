@@ -1,0 +1,123 @@
+"""Views of how a message is sent: about which instances and pages, and what is asked of the state before."""
+
+from collections.abc import Iterable
+
+from codegen.frozen import dataclass
+from codegen.model.system import PopulatedMessage
+from codegen.model.vehicle import Component, Quantity
+from codegen.targets.firmware.words import Layout
+from codegen.targets.naming import encoder_name, message_about
+
+
+@dataclass(frozen=True, slots=True)
+class SentView:
+    """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true.
+
+    ``way`` is what sends all instances and pages of what ``encoder`` makes, or one. ``never`` is for the generation
+    that was not chosen for good.
+    """
+
+    id: int
+    name: str
+    encoder: str
+    way: "WayView"
+    instances: int
+    pages: int
+    component: str | None
+    never: bool
+    enabled: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class WayView:
+    """How messages are sent that are alike in it: ``sending`` are the statements that send all instances and pages.
+
+    ``announcing`` are those for one. ``suffix`` is what the names of both functions end in, ``instances`` and ``pages``
+    say whether the second one takes them.
+    """
+
+    suffix: str
+    sending: str
+    announcing: str
+    instances: bool
+    pages: bool
+
+
+def sent_view(message: PopulatedMessage, *, never: bool) -> SentView:
+    """The view of a message; ``never`` as it has it."""
+    component = message.component
+    enabled, is_measured = None, []
+    if component is not None and component.enabled is not None:
+        of_each = "[instance]" if component.instances > 1 else ""
+        enabled = f"state.{component.name}{of_each}.{component.enabled.name}"
+        is_measured = [f"if {word(component, component.enabled)}:"]
+    counts = {"instance": message.instances, "page": message.pages}
+    arguments = ["state", *(name if counts[name] > 1 else "0" for name in message_about(message))]
+    return SentView(
+        id=message.wire.id,
+        name=message.name,
+        encoder=encoder_name(message),
+        way=_way(message, arguments, is_measured),
+        instances=message.instances,
+        pages=message.pages,
+        component=component.name if component else None,
+        never=never,
+        enabled=enabled,
+    )
+
+
+def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]) -> WayView:
+    """How a message is sent; what it is called follows from all that it depends on."""
+    component = message.component
+    send = f"link.send_frame(encode({', '.join(['link', *arguments])}))"
+    each = [
+        *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
+        *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
+        *([f"for page in range({message.pages}):"] if message.pages > 1 else []),
+    ]
+    about = f"_{component.name}" if component else ""
+    page = f"_{message.pages}_pages" if message.pages > 1 else "_page" if message.population.pages else ""
+    return WayView(
+        suffix=about + page,
+        sending=_nested(*each, send),
+        announcing=_nested(*is_measured, send),
+        instances=message.instances > 1,
+        pages=message.pages > 1,
+    )
+
+
+def ways(messages: Iterable[SentView]) -> tuple[WayView, ...]:
+    """The ways of messages, each once, in their order."""
+    return tuple(dict.fromkeys(message.way for message in messages))
+
+
+def _place(component: Component, quantity: Quantity) -> str:
+    """The constant with the places of a quantity's words: a tuple by instance, or the only one's number."""
+    return f"_{component.name}_{quantity.attribute}".upper()
+
+
+def word(component: Component, quantity: Quantity) -> str:
+    """What the state keeps of a quantity, of several instances that of ``instance``."""
+    place = _place(component, quantity)
+    return f"state.words[{place}[instance]]" if component.instances > 1 else f"state.words[{place}]"
+
+
+def read_places(messages: Iterable[PopulatedMessage], layout: Layout) -> tuple[str, ...]:
+    """The constants with the places of the words that are read: whether an instance is measured, what is watched."""
+    lines: dict[str, str] = {}
+    for message in messages:
+        owner = layout.blocks[message.component.name].component if message.component else None
+        watched = message.on_change
+        read = [(owner, owner.enabled)] if owner and owner.enabled else []
+        if watched is not None:
+            read.append((layout.blocks[watched.component].component, watched))
+        for component, quantity in read:
+            found = layout.places(component.name, quantity.attribute)
+            name = _place(component, quantity)
+            lines[name] = f"{name} = {found if len(found) > 1 else found[0]}"
+    return tuple(lines.values())
+
+
+def _nested(*statements: str) -> str:
+    """The body of a function in which each statement is the body of the one before it."""
+    return "\n".join(f"{'    ' * depth}{statement}" for depth, statement in enumerate(statements, 1))
