@@ -70,6 +70,13 @@ def encode_battery_status(rounds):
         encode(message)
 
 
+def encode_the_first(rounds):
+    """Make the frame of the state, with the instance left out."""
+    encode = telemetry.encode_battery_status
+    for _ in range(rounds):
+        encode(link, state)
+
+
 def set_voltage(rounds):
     """Set a quantity in the unit of people."""
     for _ in range(rounds):
@@ -77,12 +84,15 @@ def set_voltage(rounds):
 
 
 def frame_of(name, *about):
-    """Return the workload that makes the frame of a message, by its instance and page, and tells its full length."""
+    """Return the workload that makes the frame of a message, by its instance and page, and tells its full length.
+
+    It calls what the streams call.
+    """
     build = getattr(telemetry, "build_" + name)
     length = 12 + build(state).LENGTH
 
     def make_frames(rounds):
-        encode = getattr(telemetry, "encode_" + name)
+        encode = getattr(telemetry, name + "_frame" if about else "encode_" + name)
         if len(about) == 2:
             for _ in range(rounds):
                 encode(link, state, 0, 0)
@@ -110,6 +120,7 @@ counting.count(
     stand_in=ask_the_stand_in,
     reading=read_the_board,
     build=build_battery_status,
+    encode_the_first=encode_the_first,
     encode=encode_battery_status,
     battery_status=frame_of("battery_status", 0),
     sys_status=frame_of("sys_status"),

@@ -40,7 +40,7 @@ def sample():
 
 def frames(first, count):
     """Make `count` frames; the charge counts on from `first`. Return the last frame."""
-    encode = telemetry.encode_battery_status
+    encode = telemetry.battery_status_frame
     frame = None
     for consumed in range(first, first + count):
         battery.consumed_mah = consumed

@@ -46,6 +46,14 @@ def encoder_name(message: "PopulatedMessage") -> str:
     return f"encode_{message.name.lower()}"
 
 
+def frame_name(message: "PopulatedMessage") -> str:
+    """BATTERY_STATUS -> battery_status_frame, the encoder that has to be told all; of one without instances the same.
+
+    Machine code has no default arguments: a call that may leave some out goes through one more function.
+    """
+    return f"{message.name.lower()}_frame" if message_about(message) else encoder_name(message)
+
+
 def writer_name(message: "PopulatedMessage") -> str:
     """BATTERY_STATUS -> write_battery_status, the function from the words of the state to the payload."""
     return f"write_{message.name.lower()}"

@@ -63,13 +63,13 @@ def _send_battery_page(encode, state, link):
 _ENCODERS = (
     telemetry.encode_heartbeat,
     telemetry.encode_sys_status,
-    telemetry.encode_battery_status,
-    telemetry.encode_battery_status_v2,
-    telemetry.encode_smart_battery_info,
-    telemetry.encode_battery_info,
+    telemetry.battery_status_frame,
+    telemetry.battery_status_v2_frame,
+    telemetry.smart_battery_info_frame,
+    telemetry.battery_info_frame,
     telemetry.encode_autopilot_version,
     telemetry.encode_protocol_version,
-    telemetry.encode_battery_cell_voltages,
+    telemetry.battery_cell_voltages_frame,
 )
 _SENDERS = (
     _send,

@@ -8,12 +8,17 @@
 """Messages of the telemetry: for each what builds it, and what makes its frame for a link.
 
 A builder returns the same message object at each call: send or encode it before the next one. An encoder goes from the
-state to the whole frame at once; that is valid until the link's next one. Neither allocates. Which instance and which
-page a message is about, counted from 0, an encoder has to be told; a builder takes the first one otherwise.
+state to the whole frame at once; that is valid until the link's next one. Neither allocates. Both take the first
+instance and the first page where they are not told another one, counted from 0. What is called `..._frame` is an
+encoder that has to be told: machine code has no default arguments, and the streams can do without the call between.
 """
 
 try:
     from telemetry_viper import (
+        battery_cell_voltages_frame,
+        battery_info_frame,
+        battery_status_frame,
+        battery_status_v2_frame,
         build_autopilot_version,
         build_battery_cell_voltages,
         build_battery_info,
@@ -32,9 +37,14 @@ try:
         encode_protocol_version,
         encode_smart_battery_info,
         encode_sys_status,
+        smart_battery_info_frame,
     )
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from telemetry_plain import (
+        battery_cell_voltages_frame,
+        battery_info_frame,
+        battery_status_frame,
+        battery_status_v2_frame,
         build_autopilot_version,
         build_battery_cell_voltages,
         build_battery_info,
@@ -53,9 +63,14 @@ except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
         encode_protocol_version,
         encode_smart_battery_info,
         encode_sys_status,
+        smart_battery_info_frame,
     )
 
 __all__ = (
+    "battery_cell_voltages_frame",
+    "battery_info_frame",
+    "battery_status_frame",
+    "battery_status_v2_frame",
     "build_autopilot_version",
     "build_battery_cell_voltages",
     "build_battery_info",
@@ -74,4 +89,5 @@ __all__ = (
     "encode_protocol_version",
     "encode_smart_battery_info",
     "encode_sys_status",
+    "smart_battery_info_frame",
 )

@@ -374,12 +374,12 @@ _battery_status = [messages.BatteryStatus(unknown=False) for _ in range(2)]
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
     message = _battery_status[instance]
-    encode_battery_status(_stand_in(message), state, instance)
+    battery_status_frame(_stand_in(message), state, instance)
     return message
 
 
 @micropython.viper
-def encode_battery_status(link, state, instance: int):
+def battery_status_frame(link, state, instance: int):
     """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
     at, views = link.room
     room_at = int(at)
@@ -578,6 +578,12 @@ def encode_battery_status(link, state, instance: int):
     last[0] = value
     last[1] = value >> 8
     return views[length]
+
+
+@micropython.native
+def encode_battery_status(link, state, instance=0):
+    """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
+    return battery_status_frame(link, state, instance)
 
 
 _autopilot_version = messages.AutopilotVersion(unknown=False)
@@ -786,12 +792,12 @@ _battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(2)]
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
     message = _battery_status_v2[instance]
-    encode_battery_status_v2(_stand_in(message), state, instance)
+    battery_status_v2_frame(_stand_in(message), state, instance)
     return message
 
 
 @micropython.viper
-def encode_battery_status_v2(link, state, instance: int):
+def battery_status_v2_frame(link, state, instance: int):
     """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
     at, views = link.room
     room_at = int(at)
@@ -967,18 +973,24 @@ def encode_battery_status_v2(link, state, instance: int):
     return views[length]
 
 
+@micropython.native
+def encode_battery_status_v2(link, state, instance=0):
+    """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
+    return battery_status_v2_frame(link, state, instance)
+
+
 _smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(2)]
 
 
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
     message = _smart_battery_info[instance]
-    encode_smart_battery_info(_stand_in(message), state, instance)
+    smart_battery_info_frame(_stand_in(message), state, instance)
     return message
 
 
 @micropython.viper
-def encode_smart_battery_info(link, state, instance: int):
+def smart_battery_info_frame(link, state, instance: int):
     """Return the frame of SMART_BATTERY_INFO (370), FR-00076.1."""
     at, views = link.room
     room_at = int(at)
@@ -1113,18 +1125,24 @@ def encode_smart_battery_info(link, state, instance: int):
     return views[length]
 
 
+@micropython.native
+def encode_smart_battery_info(link, state, instance=0):
+    """Return the frame of SMART_BATTERY_INFO (370), FR-00076.1."""
+    return smart_battery_info_frame(link, state, instance)
+
+
 _battery_info = [messages.BatteryInfo(unknown=False) for _ in range(2)]
 
 
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
     message = _battery_info[instance]
-    encode_battery_info(_stand_in(message), state, instance)
+    battery_info_frame(_stand_in(message), state, instance)
     return message
 
 
 @micropython.viper
-def encode_battery_info(link, state, instance: int):
+def battery_info_frame(link, state, instance: int):
     """Return the frame of BATTERY_INFO (372), FR-00076.2."""
     at, views = link.room
     room_at = int(at)
@@ -1269,18 +1287,24 @@ def encode_battery_info(link, state, instance: int):
     return views[length]
 
 
+@micropython.native
+def encode_battery_info(link, state, instance=0):
+    """Return the frame of BATTERY_INFO (372), FR-00076.2."""
+    return battery_info_frame(link, state, instance)
+
+
 _battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(2)]
 
 
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     message = _battery_cell_voltages[instance]
-    encode_battery_cell_voltages(_stand_in(message), state, instance, page)
+    battery_cell_voltages_frame(_stand_in(message), state, instance, page)
     return message
 
 
 @micropython.viper
-def encode_battery_cell_voltages(link, state, instance: int, page: int):
+def battery_cell_voltages_frame(link, state, instance: int, page: int):
     """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     at, views = link.room
     room_at = int(at)
@@ -1377,3 +1401,9 @@ def encode_battery_cell_voltages(link, state, instance: int, page: int):
     last[0] = value
     last[1] = value >> 8
     return views[length]
+
+
+@micropython.native
+def encode_battery_cell_voltages(link, state, instance=0, page=0):
+    """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
+    return battery_cell_voltages_frame(link, state, instance, page)

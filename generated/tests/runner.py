@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: ed8878e57c581613
+# Inputs: b446651da796e600
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -59,6 +59,7 @@ def frames_of(case, instances, count, links):
     """
     state = state_of(case, instances)
     about = (case["instance"], case.get("page", 0))[:count]
+    about = about if any(about) else ()  # the first one needs not be named
     name = case["message"].lower()
     message = getattr(telemetry, "build_" + name)(state, *about)
     encode = getattr(telemetry, "encode_" + name)

@@ -57,6 +57,7 @@ def frames_of(case, instances, count, links):
     """
     state = state_of(case, instances)
     about = (case["instance"], case.get("page", 0))[:count]
+    about = about if any(about) else ()  # the first one needs not be named
     name = case["message"].lower()
     message = getattr(telemetry, "build_" + name)(state, *about)
     encode = getattr(telemetry, "encode_" + name)

@@ -12,12 +12,14 @@ from codegen.targets.firmware.payload_plain import PlainCode
 from codegen.targets.firmware.reading import expires, expiry
 from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import import_lines, in_brackets
-from codegen.targets.naming import builder_name, class_names, encoder_name, message_about
+from codegen.targets.naming import builder_name, class_names, encoder_name, frame_name, message_about
 
 
 @dataclass(frozen=True, slots=True)
 class FunctionView:
     """One message: what builds it, what makes its frame, the statements of its function, and what its frame needs.
+
+    ``encoder`` takes the first instance and page where it is told none, ``frame`` is the function that has to be told.
 
     ``about`` are the instance and the page, as far as it has them; ``arguments`` are those of the builder behind the
     state. ``write`` is the builder's call of the function with the statements, and ``head`` the head of that one.
@@ -30,6 +32,7 @@ class FunctionView:
     store: str
     builder: str
     encoder: str
+    frame: str
     instances: int
     is_for_each: bool
     about: str
@@ -125,6 +128,7 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         store=f"_{message.name.lower()}",
         builder=builder_name(message),
         encoder=encoder_name(message),
+        frame=frame_name(message),
         instances=message.instances,
         is_for_each=message.component is not None,
         about="".join(f", {value}" for value in told),

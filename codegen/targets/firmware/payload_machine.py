@@ -158,11 +158,14 @@ class MachineCode(SpelledCode):
 
     def head(self, about: tuple[str, ...]) -> tuple[str, str]:
         """The same function makes frames and payloads: what builds a message stands in for the link."""
-        return f"def encode_{self.message}", ", ".join(("link", "state", *(f"{value}: int" for value in about)))
+        return f"def {self._name(about)}", ", ".join(("link", "state", *(f"{value}: int" for value in about)))
 
     def call(self, about: tuple[str, ...]) -> tuple[str, str]:
         """With the message in place of a link."""
-        return f"    encode_{self.message}", ", ".join(("_stand_in(message)", "state", *about))
+        return f"    {self._name(about)}", ", ".join(("_stand_in(message)", "state", *about))
+
+    def _name(self, about: tuple[str, ...]) -> str:
+        return f"{self.message}_frame" if about else f"encode_{self.message}"
 
     def reach(self, component: str, instance: str) -> str:
         """A pointer."""

@@ -6,7 +6,7 @@ from codegen.frozen import dataclass
 from codegen.model.system import PopulatedMessage
 from codegen.model.vehicle import Component, Quantity
 from codegen.targets.firmware.words import Layout
-from codegen.targets.naming import encoder_name, message_about
+from codegen.targets.naming import frame_name, message_about
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ def sent_view(message: PopulatedMessage, *, never: bool) -> SentView:
     return SentView(
         id=message.wire.id,
         name=message.name,
-        encoder=encoder_name(message),
+        encoder=frame_name(message),
         way=_way(message, arguments, is_measured),
         instances=message.instances,
         pages=message.pages,

@@ -94,9 +94,12 @@ def build_battery_status(state, instance=0):
     return message
 
 
-def encode_battery_status(link, state, instance):
+def encode_battery_status(link, state, instance=0):
     """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
     return link.encode(build_battery_status(state, instance))
+
+
+battery_status_frame = encode_battery_status
 
 
 def write_battery_status(value, place, wire, words, instance):
@@ -432,9 +435,12 @@ def build_battery_status_v2(state, instance=0):
     return message
 
 
-def encode_battery_status_v2(link, state, instance):
+def encode_battery_status_v2(link, state, instance=0):
     """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
     return link.encode(build_battery_status_v2(state, instance))
+
+
+battery_status_v2_frame = encode_battery_status_v2
 
 
 def write_battery_status_v2(value, place, wire, words, instance):
@@ -563,9 +569,12 @@ def build_smart_battery_info(state, instance=0):
     return message
 
 
-def encode_smart_battery_info(link, state, instance):
+def encode_smart_battery_info(link, state, instance=0):
     """Return the frame of SMART_BATTERY_INFO (370), FR-00074.4."""
     return link.encode(build_smart_battery_info(state, instance))
+
+
+smart_battery_info_frame = encode_smart_battery_info
 
 
 def write_smart_battery_info(value, place, wire, words, instance, batt_capacity):
@@ -661,9 +670,12 @@ def build_battery_info(state, instance=0):
     return message
 
 
-def encode_battery_info(link, state, instance):
+def encode_battery_info(link, state, instance=0):
     """Return the frame of BATTERY_INFO (372), FR-00074.4."""
     return link.encode(build_battery_info(state, instance))
+
+
+battery_info_frame = encode_battery_info
 
 
 def write_battery_info(value, place, wire, words, instance, batt_capacity):
@@ -779,9 +791,12 @@ def build_battery_cell_voltages(state, instance=0, page=0):
     return message
 
 
-def encode_battery_cell_voltages(link, state, instance, page):
+def encode_battery_cell_voltages(link, state, instance=0, page=0):
     """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     return link.encode(build_battery_cell_voltages(state, instance, page))
+
+
+battery_cell_voltages_frame = encode_battery_cell_voltages
 
 
 def write_battery_cell_voltages(value, place, wire, words, instance, page):
