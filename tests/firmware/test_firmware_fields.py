@@ -123,6 +123,29 @@ def test_update_writes_several_fields(message: SimpleNamespace) -> None:
         message.update(cells=(1, 2))
 
 
+def test_update_that_is_refused_changes_nothing(message: SimpleNamespace) -> None:
+    """Whatever comes before the value that is refused, and the first elements of its array, stay as they were."""
+    live = type(message)(live=("id", "cells[0]"))
+    for sample in (message, live):
+        sample.update(id=9, cells=[7, 8, None], text="on", level=1.5)
+        before = bytes(sample.wire), list(sample.live)
+        for refused in (
+            {"id": 1, "text": "off", "cells": [1, 2, 65536]},
+            {"id": 1, "cells": [1, None, 2.5]},
+            {"cells": [1, None, 3], "text": "too long"},
+            {"id": 1, "cells": None, "level": "high"},
+        ):
+            with pytest.raises(ValueError, match=r"SAMPLE\.(cells cannot carry|text takes|level cannot carry)"):
+                sample.update(**refused)
+            assert (bytes(sample.wire), list(sample.live)) == before
+        with pytest.raises(KeyError, match="voltage"):
+            sample.update(id=1, voltage=1)
+        with pytest.raises(ValueError, match=r"SAMPLE\.cells cannot carry 65536"):
+            sample.set("cells", [1, None, 65536])
+        assert (bytes(sample.wire), list(sample.live)) == before
+    assert list(live.live) == [9, 7]
+
+
 def test_message_shows_its_fields(message: SimpleNamespace) -> None:
     """Whoever prints a message sees what the fields say, not what is on the wire."""
     message.update(id=9, text="on", level=1.5)

@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: a34a98a35ff3efd6
+# Inputs: 59c22e9f682ebf9e
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -13,14 +13,17 @@ from struct import pack_into, unpack_from
 from message import keep
 
 _INFINITY = float("inf")
-_len, _list, _type = len, list, type  # found here, they are found sooner than among the built-in names
+_bytes, _len, _type = bytes, len, type  # found here, they are found sooner than among the built-in names
 _LAYOUTS = {}
 _FORGOTTEN = {}  # payloads of messages that know nothing
-_LIMITS = {code: (-(1 << bits - 1), (1 << bits - 1) - 1) for code, bits in (("b", 8), ("h", 16), ("i", 32), ("q", 64))}
-_LIMITS.update({code: (0, (1 << bits) - 1) for code, bits in (("B", 8), ("H", 16), ("I", 32), ("Q", 64))})
-# What is between is carried for sure; struct has to be asked about what is beyond.
-_LIMITS.update({"f": (-3.4028234e38, 3.4028234e38), "d": (-1.7976931e308, 1.7976931e308)})
-_LIMITS["s"] = (None, None)
+_WHOLE = (("b", 8), ("h", 16), ("i", 32), ("q", 64))
+# Of each code what a number of it is for struct, its bytes, and the limits of what is carried for sure, None for text;
+# what is beyond those of floats struct has to be asked about.
+_NUMBERS = {code: ("<" + code, bits // 8, -(1 << bits - 1), (1 << bits - 1) - 1) for code, bits in _WHOLE}
+_NUMBERS.update({code.upper(): ("<" + code.upper(), bits // 8, 0, (1 << bits) - 1) for code, bits in _WHOLE})
+_NUMBERS["f"] = ("<f", 4, -3.4028234e38, 3.4028234e38)
+_NUMBERS["d"] = ("<d", 8, -1.7976931e308, 1.7976931e308)
+_NUMBERS["s"] = (None, 1, None, None)
 # What image says of live values, as size of a place and code; a uint32 is read as an int32.
 _KINDS = ((4, "<i"), (2, "<H"), (2, "<h"), (1, None))
 _OTHERS = {1: "<B", 2: "<H", 4: "<i", 9: "<b", 10: "<h", 12: "<i"}
@@ -29,9 +32,10 @@ _OTHERS = {1: "<B", 2: "<H", 4: "<i", 9: "<b", 10: "<h", 12: "<i"}
 def layout(cls):
     """Return {name: (form, offset, count, sentinels, lowest, highest)} of a class, made at its first use.
 
-    `form` is for struct. Count 0 is a scalar. Sentinels has one value or None for each element and is empty without
-    any; one None more than elements means that the first speaks for the whole array. An int or float, as the limits
-    are, from lowest to highest is carried for sure; of text they are None.
+    `form` is for struct. Count 0 is a scalar. Sentinels is empty without any; of an array it is bytes, the array with
+    every element unknown, where one value speaks for any, else a tuple: a value or None for each element, or, by one
+    None more, a value of the first for the whole array. An int or float, as the limits are, from lowest to highest is
+    carried for sure; of text they are None.
     """
     if cls not in _LAYOUTS:
         _LAYOUTS[cls] = _laid_out(cls.FIELDS)
@@ -53,9 +57,11 @@ def _laid_out(fields):
         form, _, unknown = form.partition("=")
         code = form[-1]
         count = int(form[:-1] or 0) or (1 if code == "s" else 0)
-        found[name] = ("<" + form, offset, count, _sentinels(unknown, count, code in "fd")) + _LIMITS[code]
-        offset += struct.calcsize("<" + form)
-    return found
+        scalar, size, low, high = _NUMBERS[code]
+        sentinels = _sentinels(unknown, form, count)
+        found[name] = ("<" + form if count else scalar, offset, count, sentinels, low, high)
+        offset += size * (count or 1)
+    return dict(**found)  # what are keywords is found sooner, and takes less memory
 
 
 def names(message):
@@ -73,13 +79,18 @@ def get(message, name):
     field = (message._layout or lay_out(message))[name]
     if message._live:
         _each_live(message, field, _put)
-    return known(message.wire, field)
+    if field[2]:
+        return known(message.wire, field)
+    value = unpack_from(field[0], message.wire, field[1])[0]
+    if field[3] and (value == field[3][0] or (value != value and is_unknown(value, field[3][0]))):  # noqa: PLR0124  NaN
+        return None
+    return value
 
 
 def attribute(message, name):
     """Return a field, as an attribute: AttributeError, there is no such field."""
     try:
-        return message.get(name)
+        return get(message, name)
     except KeyError:
         raise AttributeError(name) from None
 
@@ -94,35 +105,39 @@ def raw(message, name):
 
 def set(message, name, field, value):  # noqa: A001  what a message calls it too
     """Write a field; Message.set() describes it."""
-    if field[2] and _type(value) is _list and _len(value) == field[2] and _are_whole(value, field[4], field[5]):
-        pack_into(field[0], message.wire, field[1], *value)
-    else:
-        _write(message, name, field, value)
+    before = _bytes(message.wire)
+    try:
+        write(message.wire, field, value)
+    except Exception as error:
+        message.wire[:] = before
+        raise _named(message, name, error) from None
 
 
 def update(message, values):
-    """Write several fields: what Message.set() does, without a call for each and what it would look up again."""
+    """Write several fields, all of them or none: what Message.set() does, without a call for each."""
     layout = message._layout or lay_out(message)
     wire = message.wire
-    live = message._live
-    kind_of = type
-    for name in values:  # items() would make a tuple of each
-        value = values[name]
-        field = layout[name]
-        low = field[4]
-        if kind_of(value) is kind_of(low) and not field[2] and low <= value <= field[5]:
-            pack_into(field[0], wire, field[1], value)
-        else:
-            set(message, name, field, value)
-        if live:
-            take_live(message, field)
-
-
-def _write(message, name, field, value):
+    before = _bytes(wire)
+    kind_of = _type
     try:
-        write(message.wire, field, value)
-    except ValueError as error:
-        raise ValueError(f"{message.NAME}.{name} {error}") from None
+        for name in values:  # items() would make a tuple of each
+            value = values[name]
+            form, offset, count, _, low, high = layout[name]
+            if kind_of(value) is kind_of(low) and not count and low <= value <= high:
+                pack_into(form, wire, offset, value)
+            else:
+                write(wire, layout[name], value)
+    except Exception as error:
+        wire[:] = before
+        raise _named(message, name, error) from None
+    if message._live:
+        for name in values:
+            take_live(message, layout[name])
+
+
+def _named(message, name, error):
+    """Return the error that tells which field cannot carry its value."""
+    return ValueError(f"{message.NAME}.{name} {error}") if isinstance(error, ValueError) else error
 
 
 def forget(message):
@@ -155,15 +170,14 @@ def read(payload, field):
 
 
 def known(payload, field):
-    """Return what read() does, with None for what is unknown."""
+    """Return what read() does of an array or of text, with None for what is unknown."""
     value = read(payload, field)
     sentinels = field[3]
     if not sentinels or field[4] is None:
         return value
-    count = field[2]
-    if not count:
-        return None if is_unknown(value, sentinels[0]) else value
-    if len(sentinels) > count:
+    if _type(sentinels) is _bytes:
+        sentinels = unpack_from(field[0], sentinels)
+    elif len(sentinels) > field[2]:
         return None if is_unknown(value[0], sentinels[0]) else value
     pairs = zip(value, sentinels)  # noqa: B905  MicroPython has no strict
     return tuple([None if a == b or (a != a and is_unknown(a, b)) else a for a, b in pairs])  # noqa: PLR0124  NaN
@@ -172,14 +186,14 @@ def known(payload, field):
 def write(payload, field, value):
     """Write a number, as many numbers as the array has, or ASCII text or bytes, filled up with NUL; None is unknown.
 
-    ValueError: the field cannot carry the value; the payload stays as it was.
+    ValueError: the field cannot carry the value; some elements of an array may be written all the same.
     """
     if value is None:
         value = _unknown(field)
     if field[4] is None:
         payload[field[1] : field[1] + field[2]] = _characters(value, field[2])
     elif field[2]:
-        pack_into(field[0], payload, field[1], *_elements(field, value))
+        _put_elements(payload, field, value)
     else:
         _demand(field, value)
         pack_into(field[0], payload, field[1], value)
@@ -187,40 +201,50 @@ def write(payload, field, value):
 
 def _unknown(field):
     """Return the value of a field that means unknown."""
-    _, _, count, sentinels, low, _ = field
+    form, _, count, sentinels, low, _ = field
     if not sentinels:
         raise ValueError("has no value for unknown")
+    if _type(sentinels) is _bytes:
+        return sentinels if low is None else unpack_from(form, sentinels)
     values = [sentinel or 0 for sentinel in sentinels[: count or 1]]
     return bytes(values) if low is None else values if count else values[0]
 
 
-def _elements(field, value):
-    """Return the numbers that go into an array."""
+def _put_elements(payload, field, values):  # noqa: C901  a call takes as long as two elements
+    form, at, count, sentinels, low, high = field
     try:
-        values = list(value)
+        length = _len(values)
+    except TypeError:
+        values = _elements(values)
+        length = _len(values)
+    if length != count:
+        raise ValueError(f"takes {count} values, not {length}")
+    kind_of = _type
+    if sentinels and None in values:
+        if kind_of(sentinels) is _bytes:
+            payload[at : at + _len(sentinels)] = sentinels
+            form, length, _, _ = _NUMBERS[form[-1]]
+            for value in values:
+                if value is not None:
+                    if kind_of(value) is not kind_of(low) or not low <= value <= high:
+                        _demand(field, value)
+                    pack_into(form, payload, at, value)
+                at += length
+            return
+        if _len(sentinels) == count:
+            pairs = zip(values, sentinels)  # noqa: B905  as above
+            values = [sentinel if element is None else element for element, sentinel in pairs]
+    for value in values:
+        if kind_of(value) is not kind_of(low) or not low <= value <= high:
+            _demand(field, value)
+    pack_into(form, payload, at, *values)
+
+
+def _elements(value):
+    try:
+        return list(value)
     except TypeError:
         raise ValueError(f"is an array and cannot be {value!r}") from None
-    _, _, count, sentinels, _, _ = field
-    if len(values) != count:
-        raise ValueError(f"takes {count} values, not {len(values)}")
-    if len(sentinels) == count and None in values:
-        pairs = zip(values, sentinels)  # noqa: B905  as above
-        values = [sentinel if element is None else element for element, sentinel in pairs]
-    for element in values:
-        _demand(field, element)
-    return values
-
-
-def _are_whole(values, low, span):
-    """Tell whether all are whole numbers that a type carries, from `low` to `span`; less `low`, that is all ones."""
-    try:
-        span -= low
-        for value in values:
-            if (value - low) & span != value - low:
-                return False
-    except TypeError:  # something else than a whole number
-        return False
-    return True
 
 
 def _demand(field, value):
@@ -293,16 +317,18 @@ def _take(message, code, offset, index):
     message._live[index] = unpack_from(code, message.wire, offset)[0]
 
 
-def _sentinels(text, count, is_float):
+def _sentinels(text, form, count):
     if not text:
         return ()
-    number = float if is_float else int
+    number = float if form[-1] in "fd" else int
     if text[-1] == ":":
         return (number(text[:-1]),) + (None,) * count
     if "," in text:
         values = [number(part) if part else None for part in text.split(",")]
         return tuple(values + [None] * (count - len(values)))
-    return (number(text),) * (count or 1)
+    if form[-1] == "s":
+        return bytes([number(text)] * count)
+    return struct.pack("<" + form, *[number(text)] * count) if count else (number(text),)
 
 
 def is_unknown(value, sentinel):
@@ -332,7 +358,7 @@ def _carries_integer(code, value):
     # MicroPython's struct wraps what is too large, and its bool is no kind of int.
     if not isinstance(value, (int, bool)):
         return False
-    low, high = _LIMITS[code]
+    low, high = _NUMBERS[code][2:]
     return low <= value <= high
 
 

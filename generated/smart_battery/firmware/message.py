@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 4d40167db239037d
+# Inputs: 151069a5a537a52a
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -53,7 +53,7 @@ class Message:
             _read_fields().forget(self)
 
     def __getattr__(self, name):
-        return _read_fields().attribute(self, name)
+        return (_fields or _read_fields()).attribute(self, name)
 
     def __setattr__(self, name, value):
         try:
@@ -89,7 +89,7 @@ class Message:
         A number, a tuple for an array, None for each unknown element in it. Characters come as text up to the first
         NUL, as bytes if they are not ASCII, and never as None. KeyError: there is no such field.
         """
-        return _read_fields().get(self, name)
+        return (_fields or _read_fields()).get(self, name)
 
     def raw(self, name):
         """Return a field as get() does, but as it stands on the wire even if that means unknown."""
@@ -111,8 +111,8 @@ class Message:
             _fields.take_live(self, field)
 
     def update(self, **values):
-        """Write several fields, one after the other, see set(); return the message itself."""
-        _read_fields().update(self, values)
+        """Write several fields, see set(), all of them or, if one is refused, none; return the message itself."""
+        (_fields or _read_fields()).update(self, values)
         return self
 
 
