@@ -1,5 +1,9 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
+<<<<<<< HEAD
 # Inputs: 0c7adead8b877309
+=======
+# Inputs: 9c54757302d2f5dc
+>>>>>>> 4dde2a7 (encode() names nothing of its module, which took as long as 15 bytes of the checksum; addresses are taken as the numbers they are)
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length
@@ -41,7 +45,7 @@ def encoder(frame, views):
     """
 
     def encode(message):
-        return views[_write_frame(frame, message._image, message._live)]
+        return views[_write_frame(frame, message._image, message.live)]
 
     return encode
 
@@ -75,7 +79,7 @@ def decoder(receiver):
             if message is None or receiver._state[14]:
                 message = receiver._admitted(message)
             if message is not None:
-                if _read_frame(receiver._buffer, receiver._state, message._image, message._live):
+                if _read_frame(receiver._buffer, receiver._state, message._image, message.live):
                     return message
                 receiver._look_within()
         return None

@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 151069a5a537a52a
+# Inputs: e311dcc326b06d77
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -46,9 +46,7 @@ class Message:
         image[9:start] = places
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
-        live = array("i", [0] * count) if count else _NOTHING_LIVE
-        keep(self, "_live", live)
-        keep(self, "live", live)
+        keep(self, "live", array("i", [0] * count) if count else _NOTHING_LIVE)
         if unknown:
             _read_fields().forget(self)
 
@@ -107,7 +105,7 @@ class Message:
             pack_into(field[0], self.wire, field[1], value)
         else:
             _fields.set(self, name, field, value)
-        if self._live:
+        if self.live:
             _fields.take_live(self, field)
 
     def update(self, **values):

@@ -75,7 +75,7 @@ def text(message):
 def get(message, name):
     """Return a field, None for what is unknown; Message.get() describes it."""
     field = (message._layout or lay_out(message))[name]
-    if message._live:
+    if message.live:
         _each_live(message, field, _put)
     if field[2]:
         return known(message.wire, field)
@@ -96,7 +96,7 @@ def attribute(message, name):
 def raw(message, name):
     """Return a field as it stands on the wire."""
     field = (message._layout or lay_out(message))[name]
-    if message._live:
+    if message.live:
         _each_live(message, field, _put)
     return read(message.wire, field)
 
@@ -128,7 +128,7 @@ def update(message, values):
     except Exception as error:
         wire[:] = before
         raise _named(message, name, error) from None
-    if message._live:
+    if message.live:
         for name in values:
             take_live(message, layout[name])
 
@@ -151,7 +151,7 @@ def forget(message):
             write(payload, fields[name], value)
         _FORGOTTEN[cls] = bytes(payload)
     message.wire[:] = _FORGOTTEN[cls]
-    if message._live:
+    if message.live:
         for field in fields.values():
             take_live(message, field)
 
@@ -308,11 +308,11 @@ def _each_live(message, field, do):
 
 def _put(message, code, offset, index):
     bits = 8 * struct.calcsize(code)
-    pack_into(code.upper(), message.wire, offset, message._live[index] & ((1 << bits) - 1))
+    pack_into(code.upper(), message.wire, offset, message.live[index] & ((1 << bits) - 1))
 
 
 def _take(message, code, offset, index):
-    message._live[index] = unpack_from(code, message.wire, offset)[0]
+    message.live[index] = unpack_from(code, message.wire, offset)[0]
 
 
 def _sentinels(text, form, count):

@@ -39,7 +39,7 @@ def encoder(frame, views):
     """
 
     def encode(message):
-        return views[_write_frame(frame, message._image, message._live)]
+        return views[_write_frame(frame, message._image, message.live)]
 
     return encode
 
@@ -73,7 +73,7 @@ def decoder(receiver):
             if message is None or receiver._state[14]:
                 message = receiver._admitted(message)
             if message is not None:
-                if _read_frame(receiver._buffer, receiver._state, message._image, message._live):
+                if _read_frame(receiver._buffer, receiver._state, message._image, message.live):
                     return message
                 receiver._look_within()
         return None

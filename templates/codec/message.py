@@ -44,9 +44,7 @@ class Message:
         image[9:start] = places
         keep(self, "_image", image)
         keep(self, "wire", memoryview(image)[start : start + length])
-        live = array("i", [0] * count) if count else _NOTHING_LIVE
-        keep(self, "_live", live)
-        keep(self, "live", live)
+        keep(self, "live", array("i", [0] * count) if count else _NOTHING_LIVE)
         if unknown:
             _read_fields().forget(self)
 
@@ -105,7 +103,7 @@ class Message:
             pack_into(field[0], self.wire, field[1], value)
         else:
             _fields.set(self, name, field, value)
-        if self._live:
+        if self.live:
             _fields.take_live(self, field)
 
     def update(self, **values):

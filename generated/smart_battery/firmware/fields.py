@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 59c22e9f682ebf9e
+# Inputs: 3c778a85d064940a
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -77,7 +77,7 @@ def text(message):
 def get(message, name):
     """Return a field, None for what is unknown; Message.get() describes it."""
     field = (message._layout or lay_out(message))[name]
-    if message._live:
+    if message.live:
         _each_live(message, field, _put)
     if field[2]:
         return known(message.wire, field)
@@ -98,7 +98,7 @@ def attribute(message, name):
 def raw(message, name):
     """Return a field as it stands on the wire."""
     field = (message._layout or lay_out(message))[name]
-    if message._live:
+    if message.live:
         _each_live(message, field, _put)
     return read(message.wire, field)
 
@@ -130,7 +130,7 @@ def update(message, values):
     except Exception as error:
         wire[:] = before
         raise _named(message, name, error) from None
-    if message._live:
+    if message.live:
         for name in values:
             take_live(message, layout[name])
 
@@ -153,7 +153,7 @@ def forget(message):
             write(payload, fields[name], value)
         _FORGOTTEN[cls] = bytes(payload)
     message.wire[:] = _FORGOTTEN[cls]
-    if message._live:
+    if message.live:
         for field in fields.values():
             take_live(message, field)
 
@@ -310,11 +310,11 @@ def _each_live(message, field, do):
 
 def _put(message, code, offset, index):
     bits = 8 * struct.calcsize(code)
-    pack_into(code.upper(), message.wire, offset, message._live[index] & ((1 << bits) - 1))
+    pack_into(code.upper(), message.wire, offset, message.live[index] & ((1 << bits) - 1))
 
 
 def _take(message, code, offset, index):
-    message._live[index] = unpack_from(code, message.wire, offset)[0]
+    message.live[index] = unpack_from(code, message.wire, offset)[0]
 
 
 def _sentinels(text, form, count):
