@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 3c778a85d064940a
+# Inputs: cd5e9fd15da0bbd7
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -14,6 +14,7 @@ from message import keep
 
 _INFINITY = float("inf")
 _bytes, _len, _type = bytes, len, type  # found here, they are found sooner than among the built-in names
+_OWN = ("wire", "live")  # what a message keeps as attributes, and shows
 _LAYOUTS = {}
 _FORGOTTEN = {}  # payloads of messages that know nothing
 _WHOLE = (("b", 8), ("h", 16), ("i", 32), ("q", 64))
@@ -74,9 +75,30 @@ def text(message):
     return message.NAME + "(" + ", ".join(f"{name}={message.get(name)!r}" for name in names(message)) + ")"
 
 
+def missing(message, name):
+    """Return the error that a message has no such field."""
+    nearest = min([(_distance(name, known), known) for known in names(message)] or [(9, "")])
+    hint = f"; did you mean {nearest[1]}?" if nearest[0] <= (len(name) // 4 or 1) else ""
+    return KeyError(f"{message.NAME} has no field {name}{hint}")
+
+
+def _distance(one, other):
+    """Return how many letters have to be changed, put in or left out to get from one name to the other."""
+    row = list(range(len(other) + 1))
+    for letter in one:
+        before = row
+        row = [before[0] + 1]
+        for at in range(len(other)):
+            row.append(min(before[at] + (letter != other[at]), before[at + 1] + 1, row[at] + 1))
+    return row[-1]
+
+
 def get(message, name):
     """Return a field, None for what is unknown; Message.get() describes it."""
-    field = (message._layout or lay_out(message))[name]
+    field = message._layout or lay_out(message)
+    if name not in field:
+        raise missing(message, name)
+    field = field[name]
     if message.live:
         _each_live(message, field, _put)
     if field[2]:
@@ -89,15 +111,34 @@ def get(message, name):
 
 def attribute(message, name):
     """Return a field, as an attribute: AttributeError, there is no such field."""
-    try:
-        return get(message, name)
-    except KeyError:
-        raise AttributeError(name) from None
+    if name not in (message._layout or lay_out(message)):
+        name = _without_suffix(message, name, AttributeError)
+    return get(message, name)
+
+
+def assign(message, name, value):
+    """Write a field, as an attribute: AttributeError, there is no such field, or the name is that of something else."""
+    if name in _OWN or hasattr(_type(message), name):
+        hint = f": the field is {name}_" if name in names(message) else ""
+        raise AttributeError(f"{message.NAME}.{name} is no field{hint}")
+    if name not in (message._layout or lay_out(message)):
+        name = _without_suffix(message, name, AttributeError)
+    message.set(name, value)
+
+
+def _without_suffix(message, name, kind):
+    """Return the field that is written with "_" behind it; an error of a kind: there is none."""
+    if name[-1:] != "_" or name[:-1] not in layout(_type(message)):
+        raise kind(missing(message, name).args[0])
+    return name[:-1]
 
 
 def raw(message, name):
     """Return a field as it stands on the wire."""
-    field = (message._layout or lay_out(message))[name]
+    field = message._layout or lay_out(message)
+    if name not in field:
+        raise missing(message, name)
+    field = field[name]
     if message.live:
         _each_live(message, field, _put)
     return read(message.wire, field)
@@ -110,7 +151,7 @@ def set(message, name, field, value):  # noqa: A001  what a message calls it too
         write(message.wire, field, value)
     except Exception as error:
         message.wire[:] = before
-        raise _named(message, name, error) from None
+        raise _of_field(message, name, error) from None
 
 
 def update(message, values):
@@ -127,15 +168,25 @@ def update(message, values):
                 pack_into(form, wire, offset, value)
             else:
                 write(wire, layout[name], value)
+    except KeyError:
+        wire[:] = before
+        update(message, _renamed(message, name, values))
+        return
     except Exception as error:
         wire[:] = before
-        raise _named(message, name, error) from None
+        raise _of_field(message, name, error) from None
     if message.live:
         for name in values:
             take_live(message, layout[name])
 
 
-def _named(message, name, error):
+def _renamed(message, name, values):
+    """Return the values with one of them by the name of its field."""
+    field = _without_suffix(message, name, KeyError)
+    return {(field if key == name else key): value for key, value in values.items()}
+
+
+def _of_field(message, name, error):
     """Return the error that tells which field cannot carry its value."""
     return ValueError(f"{message.NAME}.{name} {error}") if isinstance(error, ValueError) else error
 
@@ -266,6 +317,8 @@ def places(message, names):
     count = 0
     for part in names:
         name, _, element = part.partition("[")
+        if name not in fields:
+            raise missing(message, name)
         form, offset, elements = fields[name][:3]
         code = form[-1]
         if code not in "BHIbhi":

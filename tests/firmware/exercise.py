@@ -205,6 +205,22 @@ def refusals(request):
     return results
 
 
+def attributes(request):
+    """Write a field as an attribute and by a keyword, and read it; what each has done, or the error."""
+    results = []
+    for field, attribute in request["cases"]:
+        message = message_class({"NAME": "SAMPLE", "LENGTH": 3, "FIELDS": "before:B " + field + ":H"})(unknown=False)
+        try:
+            setattr(message, attribute, 513)
+            found = [getattr(message, attribute), bytes(message.wire).hex()]
+            message.update(**{attribute: 770})
+            found += [message.get(field), bytes(message.wire).hex()]
+            results.append(found)
+        except AttributeError as error:
+            results.append([error.args[0], bytes(message.wire).hex()])
+    return results
+
+
 @in_each_form
 def live(request):
     """Encode messages with live values and receive them into others: raw fields, frames, what arrived."""
@@ -519,6 +535,7 @@ OPERATIONS = {
     "sent_frames": sent_frames,
     "decode": decode,
     "refusals": refusals,
+    "attributes": attributes,
     "live": live,
     "unknown": unknown,
     "sign": sign,

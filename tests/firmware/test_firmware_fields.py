@@ -1,10 +1,15 @@
 """Fields are read and written strictly, and alike on both interpreters."""
 
+import keyword
 import math
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from firmware_runs import Exercise
+
+from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 
 INTEGERS = {"b": (-128, 127), "B": (0, 255), "h": (-32768, 32767), "H": (0, 65535), "i": (-(2**31), 2**31 - 1)}
 INTEGERS |= {"I": (0, 2**32 - 1), "q": (-(2**63), 2**63 - 1), "Q": (0, 2**64 - 1)}
@@ -113,6 +118,51 @@ def test_unknown_names(message: SimpleNamespace) -> None:
             reach("voltage")
     with pytest.raises(ValueError, match=r"SAMPLE\.id cannot carry 256"):
         message.set("id", 256)
+
+
+def field_names() -> list[str]:
+    """The names of all fields of all messages of all dialects that pymavlink ships, and those that collide anyway."""
+    found = {"self", "wire", "ID", "NAME", "update", "live", "source_system", "get", "from", "class", "None"}
+    for dialect in shipped_dialect_names():
+        path = shipped_dialect_path(dialect)
+        assert path is not None
+        found |= set(re.findall(r'<field\b[^>]* name="(\w+)"', Path(path).read_text(encoding="utf-8")))
+    return sorted(found)
+
+
+def test_each_field_of_each_dialect_is_an_attribute(firmware: SimpleNamespace, exercise: Exercise) -> None:
+    """Under its name, or with "_" behind it where the name is something else, as docs/codec.md says."""
+    names = field_names()
+    own = {*dir(firmware.message.Message), "wire", "live"}
+    assert len(names) > 1000
+    cases = [(name, f"{name}_" if name in own or keyword.iskeyword(name) or name == "self" else name) for name in names]
+    assert exercise("attributes", cases=cases) == [[513, "000102", 770, "000203"]] * len(cases)
+    refused = sorted(own & set(names))
+    assert {"wire", "live", "ID", "update", "source_system"} <= set(refused)
+    told = exercise("attributes", cases=[(name, name) for name in refused])
+    assert [wire for _, wire in told] == ["000000"] * len(refused)
+    for name, (error, _) in zip(refused, told, strict=True):
+        # What is a property MicroPython refuses by itself, in words of its own.
+        assert error == f"SAMPLE.{name} is no field: the field is {name}_" or (
+            name == "source_system" and exercise.interpreter == "micropython" and name in error
+        )
+
+
+def test_what_is_no_field_is_told_with_the_nearest(message: SimpleNamespace) -> None:
+    """The error names the message and what was meant, if anything is near."""
+    writing = (lambda name: message.set(name, 1), lambda name: message.update(**{name: 1}))
+    for reach in (message.get, message.raw, *writing):
+        with pytest.raises(KeyError, match=r"SAMPLE has no field cels; did you mean cells\?"):
+            reach("cels")
+        with pytest.raises(KeyError, match=r"SAMPLE has no field nope'$"):
+            reach("nope")
+    with pytest.raises(KeyError, match=r"SAMPLE has no field cels; did you mean cells\?"):
+        type(message)(live=("cels[0]",))
+    for reach in (lambda name: getattr(message, name), lambda name: setattr(message, name, 1)):
+        with pytest.raises(AttributeError, match=r"^SAMPLE has no field levl; did you mean level\?$"):
+            reach("levl")
+        with pytest.raises(AttributeError, match=r"^SAMPLE has no field nope$"):
+            reach("nope")
 
 
 def test_update_writes_several_fields(message: SimpleNamespace) -> None:

@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: e311dcc326b06d77
+# Inputs: 4cae417178ba4ebd
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -14,7 +14,9 @@ _fields = None  # the module: names of fields take memory, it is read when the f
 class Message:
     """One message.
 
-    Attributes with the names of fields read and write them, as get() and set() do; there are no others to write. `wire`
+    Attributes with the names of fields read and write them, as get() and set() do; there are no others to write. What
+    is an attribute of each message, and what is a word of Python, has "_" behind it: `message.wire_` is a field `wire`.
+    So have the keywords of update(), where the field is `self` or a word of Python. `wire`
     is the payload, without truncation: all fields in wire order. `live` holds the values of the live fields, see
     __init__(). `source_...` tells where a received message comes from.
     """
@@ -54,10 +56,7 @@ class Message:
         return (_fields or _read_fields()).attribute(self, name)
 
     def __setattr__(self, name, value):
-        try:
-            self.set(name, value)
-        except KeyError:
-            raise AttributeError(name) from None
+        _read_fields().assign(self, name, value)
 
     def __repr__(self):
         return _read_fields().text(self)
@@ -99,7 +98,10 @@ class Message:
         None makes a field, or an element, unknown. ValueError: the field cannot carry the value, and keeps what it
         had. KeyError: there is no such field.
         """
-        field = (self._layout or _read_fields().lay_out(self))[name]
+        field = self._layout or _read_fields().lay_out(self)
+        if name not in field:
+            raise _fields.missing(self, name)
+        field = field[name]
         low = field[4]
         if _type(value) is _type(low) and not field[2] and low <= value <= field[5]:
             pack_into(field[0], self.wire, field[1], value)
