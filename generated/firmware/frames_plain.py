@@ -1,9 +1,5 @@
 # Generated from templates/codec/frames_plain.py: do not edit.
-<<<<<<< HEAD
-# Inputs: 0c7adead8b877309
-=======
-# Inputs: 9c54757302d2f5dc
->>>>>>> 4dde2a7 (encode() names nothing of its module, which took as long as 15 bytes of the checksum; addresses are taken as the numbers they are)
+# Inputs: f28c040ddd1f034c
 """Making and reading frames in plain Python: for CPython and for ports without native code.
 
 A message's image is what frames need of it, in one buffer: [0] id (3 bytes, little-endian), [3] CRC_EXTRA, [4] length

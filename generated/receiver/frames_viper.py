@@ -1,9 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-<<<<<<< HEAD
-# Inputs: b917fed7065e3c59
-=======
-# Inputs: 769de39569990b0a
->>>>>>> 4dde2a7 (encode() names nothing of its module, which took as long as 15 bytes of the checksum; addresses are taken as the numbers they are)
+# Inputs: 1d547edde6e3fe0d
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -35,19 +31,13 @@ def _refuse(words):
 
 
 def encoder(frame, views):
-<<<<<<< HEAD
-    """Return the function encode(message) of a link, as frames_plain.encoder does; the views hold the frame."""
-    frame_at = address(frame)
-    table_at = address(TABLE)
-=======
     """Return the function encode(message) of a link, as frames_plain.encoder does; the views hold the frame.
 
     It names nothing of this module: a function that does takes 240 instructions more at each call.
     """
-    frame_at = _address(frame)
-    table_at = _address(TABLE)
+    frame_at = address(frame)
+    table_at = address(TABLE)
     refuse = _refuse
->>>>>>> 4dde2a7 (encode() names nothing of its module, which took as long as 15 bytes of the checksum; addresses are taken as the numbers they are)
 
     @micropython.viper
     def encode(message):
