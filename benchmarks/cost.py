@@ -59,7 +59,10 @@ FRAME = 3000
 WORKLOADS = (
     Workload("battery_status", "BATTERY_STATUS, state to frame", "firmware", "battery_status", most=FRAME),
     Workload(
-        "encoder", "BATTERY_STATUS, by encode_battery_status(link, state): one call more", "firmware", "encode_the_first"
+        "encoder",
+        "BATTERY_STATUS, by encode_battery_status(link, state): one call more",
+        "firmware",
+        "encode_the_first",
     ),
     Workload("build", "BATTERY_STATUS, build the message only", "firmware", "build"),
     Workload("encode", "BATTERY_STATUS, encode the message only", "firmware", "encode"),
