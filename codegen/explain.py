@@ -6,6 +6,7 @@ from textwrap import fill
 
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.explained_corrections import correction_facts
 from codegen.model.account import FLAGS
 from codegen.model.dialect import WireMessage
 from codegen.model.system import Generations, PopulatedMessage, Representation, System
@@ -57,9 +58,10 @@ def _explain_part(topic: str, system: System) -> str | None:
     name, _, field = topic.partition(".")
     message = next((message for message in system.messages if message.name == name.upper()), None)
     if message is not None:
-        return _message(message, system) if not field else _field(message, field)
-    if topic.upper() in system.dialect.messages:
-        return _unpopulated(system.dialect.messages[topic.upper()])
+        return _message(message, system) if not field else _field(message, field, system)
+    if name.upper() in system.dialect.messages:
+        wire = system.dialect.messages[name.upper()]
+        return _unpopulated(wire) if not field else _unpopulated_field(wire, field, system)
     if name in system.requirements:
         return _requirement(topic, system)
     if topic in system.streams:
@@ -156,7 +158,7 @@ def _table(rows: Sequence[FieldRow]) -> list[str]:
     return lines
 
 
-def _field(message: PopulatedMessage, name: str) -> str | None:
+def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
     wire = message.wire.field(name.partition("[")[0])
     answers = [answer for answer in message.answers if name in (answer.covers.field.name, answer.covers.label)]
     if wire is None or not answers:
@@ -175,6 +177,7 @@ def _field(message: PopulatedMessage, name: str) -> str | None:
             ("conversion", row.conversion),
             ("limits", row.limits),
             ("unknown", f"{row.sentinel}  ({wire.sentinel.place.shown()})" if wire.sentinel else "no sentinel"),
+            *correction_facts(system.dialect, message.name, wire.name),
             ("criterion", _cited(answer.covers.citation)),
             ("answered at", row.place.shown()),
             ("declared at", wire.definition.place.shown()),
@@ -182,6 +185,25 @@ def _field(message: PopulatedMessage, name: str) -> str | None:
         ]
         parts += _facts(facts)
     return "\n".join(parts) + "\n"
+
+
+def _unpopulated_field(message: WireMessage, name: str, system: System) -> str | None:
+    """A field that no table populates: what the dialect states, corrections included."""
+    field = message.field(name)
+    if field is None:
+        return None
+    length = f"[{field.count}]" if field.is_array else ""
+    facts = [
+        ("offset", f"{field.offset}, {field.size} bytes"),
+        ("type", field.type.name + length),
+        ("unit", field.definition.units or ""),
+        ("enum", field.definition.enum or ""),
+        ("unknown", f"{field.sentinel.written}  ({field.sentinel.place.shown()})" if field.sentinel else "no sentinel"),
+        *correction_facts(system.dialect, message.name, name),
+        ("declared at", field.definition.place.shown()),
+    ]
+    parts = [f"{message.name}.{name}; no table populates it", fill(field.definition.description, 100), ""]
+    return "\n".join([*parts, *_facts(facts)]) + "\n"
 
 
 def _unpopulated(wire: WireMessage) -> str:

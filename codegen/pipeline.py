@@ -130,7 +130,7 @@ def scenarios_path(project_file: str) -> str:
 def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
     project = spec.project
-    inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections)
+    inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections, spec.refusals)
     dialect, digest = decoded_with_includes("project", inputs, lambda found: _decode_dialect(spec, found), report)
     return None if dialect is None else replace(dialect, digest=digest)
 

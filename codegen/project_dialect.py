@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from codegen.decode.dialect_files import decode_dialect_files, decode_overlay
 from codegen.decode.known_dialects import decode_known_file, taken_elsewhere
+from codegen.decode.shipped_corrections import shipped_corrections
 from codegen.diagnostics import Report, Rule
 from codegen.load.shipped import dialect_path
 from codegen.model.dialect import Dialect, KnownMessage
@@ -35,7 +36,8 @@ def decode_dialect(spec: Spec, report: Report) -> Dialect | None:
     if not files:
         return None
     name = os.path.splitext(os.path.basename(path))[0]
-    dialect = resolve_dialect(name, files, spec.corrections, report)
+    shipped = shipped_corrections(files, report)
+    dialect = resolve_dialect(name, files, spec.corrections, report, shipped, spec.refusals)
     added = (message.definition for message in dialect.added_messages())
     return replace(dialect, known=taken_elsewhere(added, dialect.files, listed_messages(spec, report)))
 

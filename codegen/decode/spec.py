@@ -30,6 +30,7 @@ from codegen.model.spec import (
     ParametersSpec,
     ProgramProject,
     Project,
+    Refusal,
     Requirement,
     Spec,
     StreamsSpec,
@@ -120,7 +121,7 @@ class _SpecReader:
         populations = self._populations(project)
         if self._program is not None:
             populations = self._chosen(populations, self._program)
-        corrections = self._corrections(project)
+        corrections, refusals = self._corrections(project)
         requirements = self._requirements()
         receiver = self._receiver()
         if project is not None:
@@ -145,6 +146,7 @@ class _SpecReader:
             requirements=requirements,
             files=dict(sorted(self._hashes.items())),
             receiver=receiver,
+            refusals=refusals,
         )
 
     def _main_project(self) -> Project | None:
@@ -233,15 +235,18 @@ class _SpecReader:
                 del self._hashes[table.place.file]
         return tuple(table for table in tables if table.message in own.messages)
 
-    def _corrections(self, project: Project | None) -> tuple[Correction, ...]:
+    def _corrections(self, project: Project | None) -> tuple[tuple[Correction, ...], tuple[Refusal, ...]]:
+        """The project's corrections, and which of codegen's own it refuses."""
         corrections: list[Correction] = []
+        refusals: list[Refusal] = []
         for index, name in enumerate(project.corrections if project else ()):
             assert project is not None
             decoded = self._record(self._path(name), CorrectionsSpec, project.at(f"corrections[{index}]"))
             for correction in decoded.corrections if decoded else ():
                 if self._is_used(correction, correction.overlay, project):
                     corrections.append(correction)
-        return tuple(corrections)
+            refusals += decoded.refuse if decoded else ()
+        return tuple(corrections), tuple(refusals)
 
     def _is_used(self, record: Written, overlay: str | None, project: Project | None) -> bool:
         """Whether the project has the overlay for which a record is written; one that is no file is reported."""

@@ -176,6 +176,11 @@ class Correction(Written):
     )
     message: str | None = described("Message to correct, or that holds the field.", default=None)
     field: str | None = described("Field to correct.", default=None)
+    fields: str | None = described(
+        "Several fields to correct alike, as a pattern: * stands for any text, ? for one character, [ab] for a or b; "
+        "chan*_raw. At least one field is of it.",
+        default=None,
+    )
     enum: str | None = described("Enum that holds the entry.", default=None)
     entry: str | None = described("Entry to correct.", default=None)
     set: Mapping[str, Verbatim] = described(
@@ -188,10 +193,45 @@ class Correction(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Refusal(Written):
+    """Corrections that come with codegen and are not to be applied."""
+
+    message: str = described("Message whose corrections are refused.")
+    fields: str = described("The fields, one by its name or several by a pattern: chan*_raw.", default="*")
+    reason: str = described("Why they do not hold here.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CorrectionsSpec(Written):
     """``dialects/*.yaml``: corrections that are applied to the dialect after its includes and overlays."""
 
-    corrections: tuple[Correction, ...] = described("The corrections, applied in this order.")
+    corrections: tuple[Correction, ...] = described("The corrections, applied in this order.", default=())
+    refuse: tuple[Refusal, ...] = described(
+        "Which of the corrections that come with codegen are not to be applied; codegen explain MESSAGE.field shows "
+        "them.",
+        default=(),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShippedCorrection(Written):
+    """What a dialect of pymavlink states about fields in words and not in an attribute."""
+
+    message: str = described("Message that holds the fields.")
+    fields: str = described("The field, or several as a pattern.")
+    set: Mapping[str, Verbatim] = described("invalid, units or multiplier, and the text that the attribute lacks.")
+    words: str = described("The words of the description, of the field or of the message, that state it.")
+    replaces: str | None = described(
+        "Text of the attribute that the words contradict; without it, an attribute that is there is left alone.",
+        default=None,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShippedCorrectionsSpec(Written):
+    """``codegen/corrections/*.yaml``: the corrections for the dialect of pymavlink that has the name of the file."""
+
+    corrections: tuple[ShippedCorrection, ...] = described("The corrections, at most one of an attribute of a field.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -246,6 +286,7 @@ class Spec:
     requirements: tuple[Requirement, ...]
     files: Mapping[str, str]
     receiver: ReceiverSpec | None = None
+    refusals: tuple[Refusal, ...] = ()
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

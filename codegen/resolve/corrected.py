@@ -7,7 +7,13 @@ from typing import TYPE_CHECKING, Any
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import UNKNOWN_UNIT
-from codegen.model.dialect import MAX_MESSAGE_ID, EnumDefinition, FieldDefinition, MessageDefinition
+from codegen.model.dialect import (
+    MAX_MESSAGE_ID,
+    EnumDefinition,
+    FieldCorrection,
+    FieldDefinition,
+    MessageDefinition,
+)
 from codegen.model.literals import boolean, bounded_number, entry_value, type_and_length
 from codegen.model.nearest_unit import nearest_unit
 from codegen.model.unit import Unit
@@ -45,13 +51,15 @@ OBSOLETE_CORRECTION = Rule(
 class Corrected:
     """Definitions while corrections are applied to them, and after that.
 
-    ``added`` names the messages of overlays; ``sentinel_places``: by message and field, where a new sentinel is stated.
+    ``added`` names the messages of overlays; ``sentinel_places``: by message and field, where a new sentinel is stated;
+    ``of_fields``: what the corrections changed in fields.
     """
 
     messages: dict[str, MessageDefinition]
     enums: dict[str, EnumDefinition]
     added: Set[str]
     sentinel_places: dict[tuple[str, str], Place] = field(default_factory=dict)
+    of_fields: list[FieldCorrection] = field(default_factory=list)
 
 
 def correct_message(correction: "Correction", result: Corrected, report: Report) -> None:
@@ -79,14 +87,38 @@ def correct_field(correction: "Correction", result: Corrected, report: Report) -
         return
     new = message.fields[index]
     for attribute, text in correction.set.items():
-        change = _field_change(correction, new, attribute, " ".join(text.split()), result, report)
+        written = " ".join(text.split())
+        change = _field_change(correction, new, attribute, written, result, report)
         if change is None:
             continue
+        result.of_fields.append(
+            FieldCorrection(
+                message=name,
+                field=new.name,
+                attribute=attribute,
+                text=written,
+                before=attribute_text(new, attribute),
+                grounds=" ".join(correction.reason.split()),
+                place=correction.place,
+                source=" ".join(correction.source.split()),
+            )
+        )
         new = new._replace(**change)
         if attribute == "invalid":
             result.sentinel_places[name, new.name] = correction.place
     fields = (*message.fields[:index], new, *message.fields[index + 1 :])
     result.messages[name] = replace(message, fields=fields)
+
+
+def correct_as_shipped(shipped: FieldCorrection, result: Corrected) -> None:
+    """Set the attribute that a correction states which comes with codegen, and which holds."""
+    message = result.messages[shipped.message]
+    key, read = _READ[shipped.attribute]
+    change = {key: read(shipped.text)}
+    fields = (each._replace(**change) if each.name == shipped.field else each for each in message.fields)
+    if shipped.attribute == "invalid":
+        result.sentinel_places[shipped.message, shipped.field] = shipped.place
+    result.messages[shipped.message] = replace(message, fields=tuple(fields))
 
 
 def correct_entry(correction: "Correction", result: Corrected, report: Report) -> None:
@@ -179,6 +211,21 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
     "type": ("type", _type),
 }
 """Attribute of the definition, and the function that reads its text (None: not a possible value), by XML attribute."""
+
+
+def attribute_text(field: FieldDefinition, attribute: str) -> str | None:
+    """What a definition states under an XML attribute, as text; None where it states nothing."""
+    if attribute == "type":
+        return field.type if field.length is None else f"{field.type}[{field.length}]"
+    value = getattr(field, _READ[attribute][0]) if attribute in _READ else None
+    if isinstance(value, bool):
+        return {"display": "bitmask"}.get(attribute, "true") if value else None
+    return value or None
+
+
+def is_stated(field: FieldDefinition, attribute: str, text: str) -> bool:
+    """Whether a definition states the text under the attribute already; the empty text is that there is none."""
+    return attribute in _READ and (attribute_text(field, attribute) or "") == " ".join(text.split())
 
 
 def _field_change(

@@ -4,22 +4,25 @@ from collections.abc import Mapping, Set
 from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, Rule
-from codegen.model.dialect import EnumDefinition, MessageDefinition
+from codegen.model.dialect import EnumDefinition, MessageDefinition, Standing
 from codegen.resolve.corrected import (
     CORRECTION_ATTRIBUTE,
     Corrected,
+    correct_as_shipped,
     correct_entry,
     correct_field,
     correct_message,
 )
+from codegen.resolve.patterns import expanded
+from codegen.resolve.shipped import shipped_corrections
 from codegen.source import Place
 
 if TYPE_CHECKING:
-    from codegen.model.spec import Correction
+    from codegen.model.spec import Correction, Refusal, ShippedCorrection
 
 CORRECTION_TARGET = Rule(
     "correction-target",
-    "A correction names a message, a message and a field of it, or an enum and an entry of it.",
+    "A correction names a message, a message and a field of it (or fields, a pattern), or an enum and an entry of it.",
 )
 CORRECTED_TWICE = Rule(
     "corrected-twice",
@@ -37,26 +40,36 @@ def apply_corrections(
     corrections: "tuple[Correction, ...]",
     report: Report,
     added: Set[str] = frozenset(),
+    shipped: "tuple[ShippedCorrection, ...]" = (),
+    refusals: "tuple[Refusal, ...]" = (),
 ) -> Corrected:
-    """``messages`` and ``enums`` with the corrections applied in their order.
+    """``messages`` and ``enums`` with the corrections applied in their order, those that come with codegen first.
 
     A correction with an error, or each single attribute that has one, is reported at its place and left out. The empty
     text removes an attribute. ``added`` are the messages of overlays: only of these the id and types can be corrected.
+    ``shipped`` come with codegen; ``refusals`` are those of the project.
     """
     result = Corrected(dict(messages), dict(enums), added)
-    _check_unique(corrections, report)
     for correction in corrections:
         _check_grounds(correction, report)
-        written = (correction.message, correction.field, correction.enum, correction.entry)
+    corrections = expanded(corrections, messages, report)
+    _check_unique(corrections, report)
+    own = {(each.message, each.field, attribute) for each in corrections for attribute in each.set}
+    for correction_of_field in shipped_corrections(messages, shipped, own, refusals, report):
+        result.of_fields.append(correction_of_field)
+        if correction_of_field.standing is Standing.APPLIED:
+            correct_as_shipped(correction_of_field, result)
+    for correction in corrections:
+        written = (correction.message, correction.field, correction.fields, correction.enum, correction.entry)
         match tuple(name is not None for name in written):
-            case (True, True, False, False):
+            case (True, True, False, False, False) | (True, False, True, False, False):
                 correct_field(correction, result, report)
-            case (True, False, False, False):
+            case (True, False, False, False, False):
                 correct_message(correction, result, report)
-            case (False, False, True, True):
+            case (False, False, False, True, True):
                 correct_entry(correction, result, report)
             case _:
-                hint = "write message, message and field, or enum and entry"
+                hint = "write message, message and field or fields, or enum and entry"
                 report.add(CORRECTION_TARGET, correction.place, "it is not clear what is to be corrected", hint)
     return result
 

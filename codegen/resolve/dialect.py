@@ -13,7 +13,7 @@ from codegen.resolve.messages import merged_messages, numbered_messages
 from codegen.resolve.wire import wire_message
 
 if TYPE_CHECKING:
-    from codegen.model.spec import Correction
+    from codegen.model.spec import Correction, Refusal, ShippedCorrection
 
 UNKNOWN_ENUM = Rule(
     "field-unknown-enum",
@@ -25,18 +25,25 @@ DEFAULT_VERSION = 2
 
 
 def resolve_dialect(
-    name: str, files: tuple[DialectFile, ...], corrections: "tuple[Correction, ...]", report: Report
+    name: str,
+    files: tuple[DialectFile, ...],
+    corrections: "tuple[Correction, ...]",
+    report: Report,
+    shipped: "tuple[ShippedCorrection, ...]" = (),
+    refusals: "tuple[Refusal, ...]" = (),
 ) -> Dialect:
     """The dialect that ``files`` make together: included files first, then the dialect's own, overlays last.
 
     Enums of the same name are merged; a message may be stated twice only alike. Corrections are applied before ids are
-    compared and the wire order and the sentinels are computed. A field whose enum is a bitmask is a bitmask, as if it
+    compared and the wire order and the sentinels are computed; ``shipped`` are those that come with codegen, and
+    ``refusals`` says which of them the project does not want. A field whose enum is a bitmask is a bitmask, as if it
     had ``display="bitmask"``. What is in error is reported at its place; the dialect holds what could be resolved.
     """
     files = tuple({file.path: file for file in files}.values())  # an overlay may include what the dialect includes
     enums = merge_enums(files, report)
     added = {message.name for file in files if file.is_overlay for message in file.messages}
-    corrected = apply_corrections(merged_messages(files, report), enums, corrections, report, added)
+    merged = merged_messages(files, report)
+    corrected = apply_corrections(merged, enums, corrections, report, added, shipped, refusals)
     messages = numbered_messages(corrected.messages, report)
     wired = [
         wire_message(_with_enums(message, corrected.enums, report), corrected.enums, corrected.sentinel_places, report)
@@ -49,6 +56,7 @@ def resolve_dialect(
         enums=corrected.enums,
         files=tuple(file.path for file in files),
         overlays=frozenset(file.path for file in files if file.is_overlay),
+        corrections=tuple(corrected.of_fields),
     )
 
 

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d18efb8fd54ee45d
+# Inputs: 759f6d6c7efa9a62
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

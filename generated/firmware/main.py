@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 4906d38cabca1793
+# Inputs: 4f04cf11bcb2ecdf
 """The program: what the board starts."""
 
 import asyncio

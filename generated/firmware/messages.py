@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, dialect common: do not edit.
-# Inputs: f9b59bd053742a43
+# Inputs: 4f76e3d133cac0f9
 """Messages as the dialect lays them out; what each field is stands with its class."""
 
 from message import Message
@@ -372,7 +372,7 @@ class ProtocolVersion(Message):
 class ParamError(Message):
     """PARAM_ERROR.
 
-    param_index: int16
+    param_index: int16, unknown: -1
     target_system: uint8
     target_component: uint8
     param_id: char[16]
@@ -384,7 +384,7 @@ class ParamError(Message):
     CRC_EXTRA = 209
     BASE_LENGTH = 21
     LENGTH = 21
-    FIELDS = "param_index:h target_system:B target_component:B param_id:16s error:B"
+    FIELDS = "param_index:h=-1 target_system:B target_component:B param_id:16s error:B"
 
 
 class BatteryStatusV2(Message):
@@ -414,22 +414,22 @@ class BatteryStatusV2(Message):
 class SmartBatteryInfo(Message):
     """SMART_BATTERY_INFO.
 
-    capacity_full_specification: int32, mAh
+    capacity_full_specification: int32, mAh, unknown: -1
     capacity_full: int32, mAh, unknown: -1
     cycle_count: uint16, unknown: 65535
-    weight: uint16, g
-    discharge_minimum_voltage: uint16, mV
-    charging_minimum_voltage: uint16, mV
-    resting_minimum_voltage: uint16, mV
+    weight: uint16, g, unknown: 0
+    discharge_minimum_voltage: uint16, mV, unknown: 65535
+    charging_minimum_voltage: uint16, mV, unknown: 65535
+    resting_minimum_voltage: uint16, mV, unknown: 65535
     id: uint8
     battery_function: uint8, MAV_BATTERY_FUNCTION
     type: uint8, MAV_BATTERY_TYPE
     serial_number: char[16], unknown: empty text
-    device_name: char[50]
-    charging_maximum_voltage: uint16, mV, extension
-    cells_in_series: uint8, extension
-    discharge_maximum_current: uint32, mA, extension
-    discharge_maximum_burst_current: uint32, mA, extension
+    device_name: char[50], unknown: empty text
+    charging_maximum_voltage: uint16, mV, unknown: 0, extension
+    cells_in_series: uint8, unknown: 0, extension
+    discharge_maximum_current: uint32, mA, unknown: 0, extension
+    discharge_maximum_burst_current: uint32, mA, unknown: 0, extension
     manufacture_date: char[11], unknown: empty text, extension
     """
 
@@ -439,10 +439,11 @@ class SmartBatteryInfo(Message):
     BASE_LENGTH = 87
     LENGTH = 109
     FIELDS = (
-        "capacity_full_specification:i capacity_full:i=-1 cycle_count:H=65535 weight:H "
-        "discharge_minimum_voltage:H charging_minimum_voltage:H resting_minimum_voltage:H id:B battery_function:B "
-        "type:B serial_number:16s=0 device_name:50s charging_maximum_voltage:H cells_in_series:B "
-        "discharge_maximum_current:I discharge_maximum_burst_current:I manufacture_date:11s=0"
+        "capacity_full_specification:i=-1 capacity_full:i=-1 cycle_count:H=65535 weight:H=0 "
+        "discharge_minimum_voltage:H=65535 charging_minimum_voltage:H=65535 resting_minimum_voltage:H=65535 id:B "
+        "battery_function:B type:B serial_number:16s=0 device_name:50s=0 charging_maximum_voltage:H=0 "
+        "cells_in_series:B=0 discharge_maximum_current:I=0 discharge_maximum_burst_current:I=0 "
+        "manufacture_date:11s=0"
     )
 
 

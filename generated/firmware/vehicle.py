@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d18efb8fd54ee45d
+# Inputs: 759f6d6c7efa9a62
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,15 +1,14 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_cell_voltages_rfc_0018.xml,
 #   specs/dialects/battery_info_upstream.xml, specs/dialects/battery_upstream.xml,
-#   specs/dialects/corrections.yaml, specs/dialects/corrections_rfc_0018.yaml,
-#   specs/dialects/protocol_version.xml, specs/dialects/upstream.xml,
-#   specs/messages/autopilot_version.yaml, specs/messages/battery_cell_voltages.yaml,
-#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/battery_status_v2.yaml, specs/messages/battery_status_v2_rfc_0018.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
-#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
-#   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: ec6b11a1100f77ff
+#   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
+#   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/battery_status_v2_rfc_0018.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
+#   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: a15e8c5e2e06cd46
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.

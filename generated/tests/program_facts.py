@@ -1,15 +1,14 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/dialects/battery_cell_voltages_rfc_0018.xml,
 #   specs/dialects/battery_info_upstream.xml, specs/dialects/battery_upstream.xml,
-#   specs/dialects/corrections.yaml, specs/dialects/corrections_rfc_0018.yaml,
-#   specs/dialects/protocol_version.xml, specs/dialects/upstream.xml,
-#   specs/messages/autopilot_version.yaml, specs/messages/battery_cell_voltages.yaml,
-#   specs/messages/battery_info.yaml, specs/messages/battery_status.yaml,
-#   specs/messages/battery_status_v2.yaml, specs/messages/battery_status_v2_rfc_0018.yaml,
-#   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
-#   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
-#   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
-#   specs/vehicle.yaml: do not edit.
-# Inputs: b110c5f724ccd49a
+#   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
+#   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
+#   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
+#   specs/messages/battery_status_v2_rfc_0018.yaml, specs/messages/heartbeat.yaml,
+#   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
+#   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
+#   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
+# Inputs: 8cee2a93390cc808
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

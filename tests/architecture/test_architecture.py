@@ -73,7 +73,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "depfile": set(),
     "stamp": {"emit", "output_files", "tool"},
     "sim": {"render", "model", *GROUND},
-    "explain": {"catalogue", "targets", "model", *GROUND},
+    "explained_corrections": {"load", "model", *GROUND},
+    "explain": {"catalogue", "explained_corrections", "targets", "model", *GROUND},
     "cli": {
         *("pipeline", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
         *("project_files", "trace", "findings", "waivers"),

@@ -48,7 +48,7 @@ def check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
         text = re.sub(r"(?m)^overlays:(\n  - .*)+", f"overlays: [{', '.join((*overlays, OTHER))}]", project.read_text())
         if not is_corrected:
             (specs / REPAIRS).unlink(missing_ok=True)
-            text = text.replace(f", {REPAIRS}", "")
+            text = text.replace(f"corrections: [{REPAIRS}]\n", "")
         project.write_text(text)
         for name, (old, new) in edits.items():
             path = next(path for ending in (".yaml", ".xml") for path in specs.glob(f"**/{name}{ending}"))

@@ -240,11 +240,11 @@ CASES = [
     Case("bad-component", "state.yaml", "  vehicle:\n", "  §update_battery:\n", is_alone=False),
     Case(
         "corrected-twice",
-        "dialects/corrections.yaml",
+        "dialects/corrections_rfc_0018.yaml",
         "corrections:\n",
-        "corrections:\n  §- {message: BATTERY_STATUS, field: time_remaining, set: {invalid: 7}, reason: r, source: s}\n".replace(
-            "§", ""
-        ),
+        "corrections:\n"
+        "  - {message: BATTERY_STATUS, fields: time_*, set: {invalid: 7}, reason: r, source: s}\n"
+        "  - {message: BATTERY_STATUS, field: time_remaining, set: {invalid: 8}, reason: r, source: s}\n",
     ),
     Case("unknown-dialect", "codegen.yaml", "dialect: common", "dialect: §comon", "did you mean common", 2),
     # links

@@ -43,7 +43,7 @@ EDITS = {
     "specs/requirements/FR-00068-battery-status-telemetry.md": ("| BATTERY_STATUS telemetry", "| BATTERY_STATUS"),
     "specs/dialects/battery_upstream.xml": ("FLAGS_CELL_BALANCING", "FLAGS_BALANCING"),
     "specs/dialects/upstream.xml": ("<messages>", "<!-- shifted -->\n<messages>"),
-    "specs/dialects/corrections.yaml": ("reason: ", "reason: Again, "),
+    "specs/dialects/corrections_rfc_0018.yaml": ("reason: The draft", "reason: Again, the draft"),
     "specs/smart_battery/parameters.yaml": ("doc: ", "doc: Again, "),
     "specs/smart_battery/messages/heartbeat.yaml": ("message: HEARTBEAT", "# shifted\nmessage: HEARTBEAT"),
 }

@@ -1,23 +1,17 @@
 """Corrections change attributes of the dialect, its wire only where an overlay adds it, and all have their grounds."""
 
 from collections.abc import Callable
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-import yaml
 
-from codegen.decode.dialect_files import decode_dialect_files
-from codegen.diagnostics import Report, Severity
-from codegen.load.shipped import shipped_dialect_path
+from codegen.diagnostics import Severity
 from codegen.model.dialect import SentinelForm
 from codegen.model.spec import Correction
-from codegen.resolve.dialect import resolve_dialect
 from codegen.source import Place
 
 Read = Callable[..., SimpleNamespace]
 
-CORRECTIONS = Path(__file__).parents[2] / "specs" / "dialects" / "corrections.yaml"
 HERE = Place("/corrections.yaml", 12, 5)
 XML = """<mavlink>
 <enums>
@@ -235,19 +229,3 @@ def test_findings_point_at_the_key_where_its_place_is_known(read: Read) -> None:
         ("correction-unknown", 13),
         ("correction-attribute", 14),
     ]
-
-
-def test_the_projects_corrections() -> None:
-    """They give BATTERY_STATUS the sentinels that pymavlink's XML states only in words, and none is obsolete."""
-    written = yaml.safe_load(CORRECTIONS.read_text(encoding="utf-8"))["corrections"]
-    corrections = tuple(correction(**keys) for keys in written)
-    report = Report()
-    path = shipped_dialect_path("common")
-    assert path is not None
-    dialect = resolve_dialect("common", decode_dialect_files(path, report), corrections, report)
-    assert list(report) == []
-    message = dialect.messages["BATTERY_STATUS"]
-    sentinels = {field.name: field.sentinel for field in message.fields}
-    assert sentinels["time_remaining"].values == (0,)
-    assert (sentinels["voltages_ext"].form, sentinels["voltages_ext"].values) == (SentinelForm.EACH, (0, 0, 0, 0))
-    assert message.crc_extra == 154

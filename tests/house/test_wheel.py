@@ -49,9 +49,16 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize(
-    ("source", "packed"), [("templates", "codegen/templates"), ("generated/schemas", "codegen/schema_files")]
+    ("source", "packed"),
+    [
+        ("templates", "codegen/templates"),
+        ("generated/schemas", "codegen/schema_files"),
+        ("codegen/corrections", "codegen/corrections"),
+    ],
 )
-def test_wheel_holds_every_template_and_schema(wheel: Path, tmp_path: Path, source: str, packed: str) -> None:
+def test_wheel_holds_every_template_schema_and_correction(
+    wheel: Path, tmp_path: Path, source: str, packed: str
+) -> None:
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(tmp_path)
     expected = tree(ROOT / source)

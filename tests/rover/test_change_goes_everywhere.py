@@ -46,9 +46,10 @@ CHANGES = [
         ("battery.voltage", "7 failed readings"),
     ),
     (
-        "dialects/corrections.yaml",
-        'invalid: "0"',
-        'invalid: "-1"',
+        "dialects/corrections_rfc_0018.yaml",
+        "corrections:\n",
+        "corrections:\n"
+        '  - {message: BATTERY_STATUS, field: time_remaining, set: {invalid: "-1"}, reason: r, source: s}\n',
         {"firmware/messages.py", *PAYLOADS, "tests/cases.json", "docs/telemetry.md"},
         ("BATTERY_STATUS.time_remaining", "= -1"),
     ),

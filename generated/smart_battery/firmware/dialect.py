@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: faec74ed531ecd11
+# Inputs: 6678c150d2079362
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_GET_MESSAGE_INTERVAL = 510

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: faec74ed531ecd11
+# Inputs: 6678c150d2079362
 """The program: what the board starts."""
 
 import asyncio
