@@ -196,7 +196,7 @@ def _unpopulated_field(message: WireMessage, name: str, system: System) -> str |
     facts = [
         ("offset", f"{field.offset}, {field.size} bytes"),
         ("type", field.type.name + length),
-        ("unit", field.definition.units or ""),
+        ("unit", field.unit_text),
         ("enum", field.definition.enum or ""),
         ("unknown", f"{field.sentinel.written}  ({field.sentinel.place.shown()})" if field.sentinel else "no sentinel"),
         *correction_facts(system.dialect, message.name, name),
@@ -215,7 +215,7 @@ def _unpopulated(wire: WireMessage) -> str:
     ]
     for field in wire.fields:
         length = f"[{field.count}]" if field.is_array else ""
-        unit = field.definition.units or ""
+        unit = field.unit_text
         sentinel = f"unknown {field.sentinel.written}" if field.sentinel else ""
         facts = (
             f"{field.offset:>4} {field.size:>4}  {field.name:<32} {field.type.name + length:<14} {unit:<8} {sentinel}"

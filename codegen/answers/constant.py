@@ -4,12 +4,13 @@ import math
 from fractions import Fraction
 
 from codegen.answers.fitting import field_unit
+from codegen.answers.limits import dialect_bounds
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount, read_real
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind, WireField
 from codegen.model.known import Value
-from codegen.model.unit import NUMBER, Unit
+from codegen.model.unit import NUMBER, Unit, decimal
 from codegen.source import Place
 
 CONSTANT_RANGE = Rule("constant-out-of-range", "A constant is beyond what the field can carry; it would wrap.")
@@ -46,37 +47,50 @@ def read_constant(covers: Elements, written: str | Fraction, key: str, report: R
     number = _number(written, unit, field, place, report)
     if number is None:
         return None
-    if not fits(covers, number, key, str(written), report):
+    if not fits(covers, number, key, _shown(written), report):
         return None
     if not _agrees_with_sentinel(covers, number, isinstance(written, str), key, report):
         return None
+    if isinstance(written, Fraction) and field.multiplier != 1:
+        return number, _shown(written)
     return number, written if isinstance(written, str) else f"{number}"
 
 
 def _number(written: str | Fraction, unit: Unit, field: WireField, place: Place, report: Report) -> int | float | None:
-    """A number in the unit of the field, or an amount; whole for an integer field, else the nearest float."""
+    """What is on the wire for a number in the units of the field, or an amount; whole, or the nearest float."""
     if not field.type.is_integer:
-        return float(written) if isinstance(written, Fraction) else read_real(written, unit, place, report)
-    value = written if isinstance(written, Fraction) else read_amount(written, unit, place, report)
+        if isinstance(written, Fraction):
+            return float(written / field.multiplier)
+        return read_real(written, unit, place, report)
+    value = written / field.multiplier if isinstance(written, Fraction) else read_amount(written, unit, place, report)
     if value is None:
         return None
     if value.denominator != 1:
-        report.add(BAD_CONSTANT, place, f"{float(value)} is not a whole number of {unit.name or 'steps'}")
+        shown = float(value * field.multiplier)
+        report.add(BAD_CONSTANT, place, f"{shown} is not a whole number of {field.unit_text or 'steps'}")
         return None
     return int(value)
 
 
+def _shown(written: str | Fraction) -> str:
+    return written if isinstance(written, str) else decimal(written)
+
+
 def fits(covers: Elements, value: int | float, key: str, written: str, report: Report) -> bool:
-    """Whether the wire type of the field holds ``value``; a finding if not."""
-    wire_type = covers.field.type
-    low, high = (wire_type.minimum, wire_type.maximum) if wire_type.is_integer else (-math.inf, math.inf)
-    if low <= value <= high:
+    """Whether the field holds ``value`` by its type, minValue and maxValue; a finding if not."""
+    field = covers.field
+    of_type = (field.type.minimum, field.type.maximum) if field.type.is_integer else (-math.inf, math.inf)
+    stated = dialect_bounds(field)
+    low = max(number for number in (of_type[0], stated.low) if number is not None)
+    high = min(number for number in (of_type[1], stated.high) if number is not None)
+    sentinels = field.sentinel.values[covers.first : covers.first + covers.count] if field.sentinel else ()
+    if low <= value <= high or value in sentinels:  # a sentinel has a finding of its own
         return True
     report.add(
         CONSTANT_RANGE,
         covers.written.at(key),
-        f"{written} is {value}, but {covers.field.name} ({wire_type.name}) carries {low} to {high}",
-        related=[(covers.field.definition.place, f"{covers.field.name} is declared here")],
+        f"{written} is {value}, but {field.name} ({field.type.name}) carries {low} to {high}",
+        related=[(field.definition.place, f"{field.name} is declared here")],
     )
     return False
 

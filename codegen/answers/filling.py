@@ -12,7 +12,7 @@ from codegen.model.vehicle import SMALL_INT_MAX, Parameter, Quantity
 
 def comment(covers: Elements, words: str) -> str:
     """``# voltages [mV]: battery.voltage (FR-00068.3)``: field, unit, source and criterion."""
-    units = covers.field.definition.units
+    units = covers.field.unit_text
     target = f"{covers.label} [{units}]" if units else covers.label
     return f"# {target}: {words} ({covers.citation})"
 
@@ -20,7 +20,7 @@ def comment(covers: Elements, words: str) -> str:
 def origin(covers: Elements, source: Quantity | Parameter) -> str:
     """The path of a source, with the unit that it is kept in, where the field has another one."""
     kept = source.stored.name if isinstance(source, Quantity) else source.unit.name
-    return f"{source.path} [{kept}]" if kept and kept != covers.field.definition.units else source.path
+    return f"{source.path} [{kept}]" if kept and kept != covers.field.unit_text else source.path
 
 
 def read(code: PayloadCode, source: Quantity | Parameter) -> str:

@@ -5,7 +5,8 @@ from codegen.diagnostics import Report, Rule
 from codegen.measure import unknown_field_unit
 from codegen.model.answer import Elements
 from codegen.model.dialect import EnumDefinition, WireField
-from codegen.model.unit import NUMBER, Unit
+from codegen.model.unit import Unit
+from codegen.model.wire_unit import wire_unit
 
 NO_SENTINEL = Rule(
     "no-sentinel",
@@ -30,9 +31,8 @@ def field_enum(covers: Elements, key: str, scope: Scope) -> EnumDefinition | Non
 
 
 def field_unit(field: WireField, report: Report) -> Unit | None:
-    """The unit of a field; the multiplier attribute of the dialect is not supported by tables."""
-    name = field.definition.units
-    unit = NUMBER if name is None else Unit.parse(name)
+    """The unit that the numbers of a field on the wire are in, the dialect's multiplier included."""
+    unit = wire_unit(field)
     if unit is None:
         report.extend([unknown_field_unit(field)])
     return unit

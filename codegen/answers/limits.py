@@ -8,6 +8,7 @@ from codegen.frozen import dataclass
 from codegen.measure import read_number
 from codegen.model.answer import Elements
 from codegen.model.dialect import WireField
+from codegen.model.literals import exact_number
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.scaling import Scaling
 from codegen.model.unit import Unit
@@ -55,15 +56,9 @@ def written_bounds(answer: FieldAnswer, unit: Unit, factor: Fraction, report: Re
 
 
 def dialect_bounds(field: WireField) -> Bounds:
-    """``minValue`` and ``maxValue`` of the dialect; text that is not a number is no bound."""
-    return Bounds(_number(field.definition.minimum), _number(field.definition.maximum))
-
-
-def _number(text: str | None) -> Fraction | None:
-    try:
-        return None if text is None else Fraction(text)
-    except (ValueError, ZeroDivisionError):
-        return None
+    """``minValue`` and ``maxValue`` of the dialect, numbers on the wire; text that is not a number is no bound."""
+    low, high = field.definition.minimum, field.definition.maximum
+    return Bounds(None if low is None else exact_number(low), None if high is None else exact_number(high))
 
 
 def scaling_of(

@@ -31,7 +31,7 @@ def conversion_words(covers: Elements, source: Quantity | Parameter, scaling: Sc
     kept = unit_kept(source)
     if scaling.factor == 1:
         return f"kept in {kept}" if kept else ""
-    unit = covers.field.definition.units or ""
+    unit = covers.field.unit_text
     return f"{kept} * {decimal(scaling.factor)} = {unit}, {_ROUNDING[scaling.rounding]}"
 
 
@@ -54,7 +54,7 @@ def fitting(
 
     Source: the dialect's units, limits and sentinels.
     """
-    unit = covers.field.definition.units or ""
+    unit = covers.field.unit_text
     if scaling.factor != 1:
         yield Step("unit", conversion, (), ())
     details = []
@@ -73,7 +73,7 @@ def fitting(
 
 def conversion_trait(covers: Elements, source: Quantity | Parameter, scaling: Scaling) -> Trait:
     """Unit, factor and rounding."""
-    unit = covers.field.definition.units or ""
+    unit = covers.field.unit_text
     factor = "" if scaling.factor == 1 else f" * {decimal(scaling.factor)}"
     rounding = "" if scaling.rounding is Rounding.NEAREST else f", rounded {scaling.rounding.value.replace('_', ' ')}"
     text = f"{unit_kept(source) or 'value'}{factor}{f' = {unit}' if unit else ''}{rounding}"

@@ -10,6 +10,7 @@ from codegen.load.prose import Passage
 from codegen.model.dialect import WireField
 from codegen.model.literals import LIMITS
 from codegen.model.unit import Unit, decimal, ratio
+from codegen.model.wire_unit import wire_unit
 
 RULE = Rule(
     "claim-limit",
@@ -115,7 +116,7 @@ def _impossible(reading: Reading, passage: Passage, found: "re.Match[str]") -> I
 
 def _in_own_unit(field: WireField, unit: Unit) -> Fraction | None:
     """How many of the field's units make one of ``unit``; None across dimensions."""
-    own = Unit.parse(field.definition.units)
+    own = wire_unit(field) if field.definition.units else None
     return None if own is None else ratio(unit, own)
 
 

@@ -134,6 +134,8 @@ def _field(element: XmlElement, is_extension: bool, read: ElementReader) -> Fiel
         maximum=attributes.get("maxValue"),
         invalid=attributes.get("invalid"),
         print_format=attributes.get("print_format"),
+        increment=attributes.get("increment"),
+        default=attributes.get("default"),
         description=one_line(element.text) or read.description(element),
     )
 

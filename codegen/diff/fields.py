@@ -219,7 +219,7 @@ def _cause(change: Change) -> str:
 def _described(field: WireField) -> str:
     definition = field.definition
     words = [
-        definition.units or "",
+        field.unit_text,
         f"enum {definition.enum}" if definition.enum else "",
         f"unknown {field.sentinel.written}" if field.sentinel else "",
     ]

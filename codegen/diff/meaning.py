@@ -9,6 +9,7 @@ from codegen.diff import wire_rules as rules
 from codegen.diff.change import BOTH, Change, ChangeRule, Victim, changed
 from codegen.diff.pairing import Pair
 from codegen.model.dialect import FieldDefinition, Sentinel, WireField
+from codegen.model.literals import exact_number
 from codegen.model.unit import Unit, conversion, decimal, map_words, ratio
 from codegen.source import Place
 
@@ -21,6 +22,8 @@ _SAME_NUMBER = "the same value is the same number as before"
 
 _TEXTS: tuple[tuple[str, ChangeRule], ...] = (
     ("enum", rules.FIELD_ENUM),
+    ("increment", rules.FIELD_INCREMENT),
+    ("default", rules.FIELD_DEFAULT),
     ("print_format", rules.PRINT_FORMAT),
     ("description", rules.DESCRIPTION),
 )
@@ -156,10 +159,8 @@ def _sentinel(field: WireField) -> str | None:
 
 def _number(text: str | None) -> Fraction | str | None:
     """The number that a text stands for, so that 0.01 is 1E-2; the text itself where it is none."""
-    try:
-        return None if text is None else Fraction(text.strip())
-    except (ValueError, ZeroDivisionError):
-        return text
+    number = None if text is None else exact_number(text)
+    return text if number is None else number
 
 
 def _range(definition: FieldDefinition) -> str | None:

@@ -179,6 +179,14 @@ FIELD_RANGE = _meaning(
     "field-range-changed",
     "The smallest or largest value of a field has changed; who is of the other version may refuse or limit it.",
 )
+FIELD_INCREMENT = _meaning(
+    "field-increment-changed",
+    "The step that values of a field keep to has changed; who is of the other version may refuse what is between.",
+)
+FIELD_DEFAULT = _meaning(
+    "field-default-changed",
+    "The value that a field has where nobody sets it has changed.",
+)
 ENUM_BITMASK = _meaning(
     "enum-bitmask-changed",
     "The entries of an enum are bits where they were numbers, or the reverse.",

@@ -97,7 +97,8 @@ def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Source
 
 def _constant(number: Fraction, head: str, place: Place, target: Target, sources: Sources, report: Report) -> Reading:
     wire_type, units = target.field.type, target.field.definition.units
-    if wire_type.is_integer and not (number.denominator == 1 and wire_type.minimum <= number <= wire_type.maximum):
+    steps = number / target.field.multiplier
+    if wire_type.is_integer and not (steps.denominator == 1 and wire_type.minimum <= steps <= wire_type.maximum):
         message = f"{head} is nothing that {target.name} can carry ({wire_type.name})"
         hint = f"whole numbers from {wire_type.minimum} to {wire_type.maximum}"
         report.add(DOCUMENT_RANGE, place, message, hint, [_declared(target)])

@@ -7,9 +7,10 @@ from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.importing.expression import Product
 from codegen.load.markdown_table import Cell
 from codegen.model.literals import LIMITS
-from codegen.model.unit import NUMBER, Unit, decimal, ratio, symbols, unit_named
+from codegen.model.unit import Unit, decimal, ratio, symbols, unit_named
 from codegen.model.unit_table import SCALED, SHOWN
 from codegen.model.wire_types import WIRE_TYPES
+from codegen.model.wire_unit import wire_unit
 
 DOCUMENT_QUANTITY = Rule(
     "document-quantity", "A document names a quantity that the state of the project does not have."
@@ -69,8 +70,7 @@ def likely_quantity(text: str, target: Target, sources: Sources) -> str | None:
 
 def field_unit(target: Target) -> Unit | None:
     """The unit of the field; None for one that is not known."""
-    name = target.field.definition.units
-    return NUMBER if name is None else Unit.parse(name)
+    return wire_unit(target.field)
 
 
 def _words(text: str) -> set[str]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import field
 from enum import Enum
+from fractions import Fraction
 from typing import NamedTuple
 
 from codegen.frozen import dataclass
@@ -73,7 +74,8 @@ class FieldDefinition(NamedTuple):
     """One ``<field>`` in XML order. Attributes are as written; None where the attribute is absent.
 
     ``type`` is the element type (``uint16_t``), ``length`` the number of elements or None for a scalar.
-    ``maximum``, ``minimum``, ``multiplier`` and ``invalid`` keep their text: their meaning depends on the type.
+    ``maximum``, ``minimum``, ``increment``, ``default``, ``multiplier`` and ``invalid`` keep their text: their meaning
+    depends on the type. All but ``multiplier`` are numbers on the wire.
     """
 
     name: str
@@ -91,6 +93,8 @@ class FieldDefinition(NamedTuple):
     invalid: str | None = None
     print_format: str | None = None
     description: str = ""
+    increment: str | None = None
+    default: str | None = None
 
 
 MAX_MESSAGE_ID = 0xFFFFFF
@@ -240,7 +244,8 @@ class WireField:
     """A field with its place in the payload.
 
     ``offset`` is in bytes from the start of the payload, ``count`` the number of elements (1 for a scalar) and
-    ``definition`` the field as the dialect (after corrections) states it.
+    ``definition`` the field as the dialect (after corrections) states it. A number on the wire times ``multiplier`` is
+    the value in the units of the definition.
     """
 
     definition: FieldDefinition
@@ -248,6 +253,13 @@ class WireField:
     offset: int
     count: int
     sentinel: Sentinel | None
+    multiplier: Fraction = Fraction(1)
+
+    @property
+    def unit_text(self) -> str:
+        """What its numbers count, in words: ``mV``, ``steps of 1E-2``, ``steps of 360/255 deg``; empty for numbers."""
+        units = self.definition.units or ""
+        return units if self.multiplier == 1 else f"steps of {self.definition.multiplier} {units}".rstrip()
 
     @property
     def name(self) -> str:

@@ -2,6 +2,7 @@
 
 import math
 import re
+from fractions import Fraction
 
 from codegen.model.dialect import Kind
 from codegen.model.wire_types import WIRE_TYPES
@@ -20,6 +21,7 @@ _HEXADECIMAL = re.compile(r"0[xX][0-9a-fA-F]{1,16}")
 _BINARY = re.compile(r"0[bB][01]{1,64}")
 _POWER_OF_TWO = re.compile(r"2\*\*([0-9]{1,2})")
 _ARRAY = re.compile(r"(\w+)\[(.*)\]", re.ASCII | re.DOTALL)
+_EXACT = re.compile(r"[+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?")
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 
 
@@ -47,6 +49,15 @@ def entry_value(text: str) -> int | None:
     else:
         return None
     return value if value <= LIMITS["UINT64_MAX"] else None
+
+
+def exact_number(text: str) -> Fraction | None:
+    """A decimal number, or a quotient of two (``1E-2``, ``360/255``), exactly; None if it is none."""
+    above, slash, below = (part.strip() for part in text.partition("/"))
+    if not _EXACT.fullmatch(above) or (slash and not _EXACT.fullmatch(below)):
+        return None
+    divisor = Fraction(below or "1")
+    return Fraction(above) / divisor if divisor else None
 
 
 def named_number(text: str) -> int | float | None:

@@ -185,8 +185,8 @@ class Correction(Written):
     entry: str | None = described("Entry to correct.", default=None)
     set: Mapping[str, Verbatim] = described(
         "Attributes and their new text: id, description, wip of a message; invalid, units, enum, display, instance, "
-        "multiplier, minValue, maxValue, description, type of a field; value of an entry. id and type only of a "
-        "message that an overlay adds."
+        "multiplier, minValue, maxValue, increment, default, print_format, description, type of a field; value of an "
+        "entry. id and type only of a message that an overlay adds."
     )
     reason: str = described("Why the dialect is wrong or silent.")
     source: str = described("Where the right value is stated.")

@@ -31,8 +31,9 @@ CORRECTION_UNKNOWN = Rule(
 CORRECTION_ATTRIBUTE = Rule(
     "correction-attribute",
     "A correction sets id, description or wip of a message; invalid, units, enum, display, instance, multiplier, "
-    "minValue, maxValue, description or type of a field; or the value of an entry. id and type only of a message that "
-    "an overlay adds: the other messages have receivers, and none would accept a message with another CRC_EXTRA.",
+    "minValue, maxValue, increment, default, print_format, description or type of a field; or the value of an entry. "
+    "id and type only of a message that an overlay adds: the other messages have receivers, and none would accept a "
+    "message with another CRC_EXTRA.",
 )
 CORRECTION_VALUE = Rule(
     "correction-value",
@@ -207,6 +208,9 @@ _READ: dict[str, tuple[str, Callable[[str], Any]]] = {
     "multiplier": ("multiplier", _text),
     "minValue": ("minimum", _text),
     "maxValue": ("maximum", _text),
+    "increment": ("increment", _text),
+    "default": ("default", _text),
+    "print_format": ("print_format", _text),
     "description": ("description", _text),
     "type": ("type", _type),
 }

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from codegen.diagnostics import Report, Rule
 from codegen.model.dialect import EnumDefinition, FieldDefinition, MessageDefinition, WireField, WireMessage
 from codegen.model.wire_types import WIRE_TYPES
+from codegen.resolve.field_numbers import field_multiplier
 from codegen.resolve.sentinel import sentinel_of
 from codegen.source import Place
 
@@ -85,7 +86,8 @@ def wire_message(
         if field.invalid:
             place = sentinel_places.get((definition.name, field.name), field.place)
             sentinel = sentinel_of(field, wire_type, enums.get(field.enum or ""), place, report)
-        fields.append(WireField(field, wire_type, offset, count, sentinel))
+        multiplier = field_multiplier(field, report)
+        fields.append(WireField(field, wire_type, offset, count, sentinel, multiplier))
         offset += wire_type.size * count
         if not field.is_extension:
             base_length = offset

@@ -78,10 +78,12 @@ def _wire_facts(message: WireMessage) -> str:
     facts = [f"{message.name} {message.id} {message.crc_extra} {message.base_length} {message.length}\n"]
     for field in message.fields:
         definition = field.definition
+        multiplied = "" if field.multiplier == 1 else f" * {field.multiplier}"
         sentinel = field.sentinel.values if field.sentinel else None
         facts.append(
             f"{field.name} {field.type.name} {field.offset} {definition.length} {definition.units} "
-            f"{definition.enum} {definition.minimum} {definition.maximum} {sentinel}\n"
+            f"{definition.enum} {definition.minimum} {definition.maximum} {sentinel}"
+            f"{multiplied}\n"
         )
     return "".join(facts)
 

@@ -39,7 +39,7 @@ def _row(answer: Answer) -> FieldRow:
         size=covers.count * field.type.size,
         field=covers.label,
         type=f"{field.type.name}{length}{extension}",
-        unit=field.definition.units or "",
+        unit=field.unit_text,
         source=words.source,
         conversion=words.conversion,
         limits=words.limits,

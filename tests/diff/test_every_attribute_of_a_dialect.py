@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, replace
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -35,6 +36,8 @@ UNSEEN = {
     (Dialect, "digest"): "a hash of all that the other attributes come from",
     (Dialect, "overlays"): "which file adds a message is no change of it",
     (Dialect, "known"): "names of other dialects, for a check",
+    (Dialect, "corrections"): "what they change is seen in the fields",
+    (WireField, "multiplier"): "compared as the definition states it",
     (WireMessage, "definition"): "its own attributes are changed below",
     (WireField, "definition"): "its own attributes are changed below",
     (MessageDefinition, "fields"): "the order in the XML counts only as far as it is that of the wire",
@@ -121,6 +124,8 @@ MUTATIONS = (
     ),
     mutation(FieldDefinition, "minimum", lambda value: "5" if value is None else None, "field-range-changed"),
     mutation(FieldDefinition, "maximum", lambda value: "5" if value is None else None, "field-range-changed"),
+    mutation(FieldDefinition, "increment", lambda value: "5" if value is None else None, "field-increment-changed"),
+    mutation(FieldDefinition, "default", lambda value: "5" if value is None else None, "field-default-changed"),
     mutation(FieldDefinition, "print_format", lambda value: None if value else "0x%04x", "print-format-changed"),
     mutation(FieldDefinition, "description", lambda value: f"{value} More.", "description-changed"),
     mutation(
@@ -288,6 +293,8 @@ def test_what_is_no_change_is_not_told(record: type, attribute: str, dialect: Di
         "digest": "another",
         "overlays": frozenset({"/a.xml"}),
         "known": (),
+        "corrections": (),
+        "multiplier": Fraction(7),
         "written_id": "x",
         "id_place": ELSEWHERE,
         "invalid": "12345",

@@ -82,7 +82,7 @@ def _number(value: float) -> str:
 def _line(field: WireField) -> str:
     definition = field.definition
     notes = [type_text(field)]
-    notes += [prose(note) for note in (definition.units, definition.enum) if note]
+    notes += [prose(note) for note in (field.unit_text, definition.enum) if note]
     if field.sentinel is not None:
         notes.append(f"unknown: {unknown_text(field)}")
     if definition.is_extension:

@@ -81,7 +81,7 @@ def _message(message: WireMessage, class_name: str) -> str:
 def _row(field: WireField) -> str:
     definition = field.definition
     extension = " (extension)" if definition.is_extension else ""
-    unit = definition.units or ""
+    unit = field.unit_text
     enum = f"`{definition.enum}`" if definition.enum else ""
     description = definition.description.replace("|", "\\|")
     return f"| {field.name}{extension} | {type_text(field)} | {unit} | {enum} | {unknown_text(field)} | {description} |"

@@ -1,11 +1,14 @@
 """Values of the wire in words: what the bytes of an element say to who reads them."""
 
 import math
+import re
 from collections.abc import Mapping
 
 from codegen.model.dialect import EnumDefinition, Kind, SentinelForm, WireField
 from codegen.model.literals import same_number
 from codegen.targets.expected import Wire
+
+_HEXADECIMAL = re.compile(r"0x%0?(\d?)x")
 
 TYPE_CODES = {Kind.UNSIGNED: "u", Kind.SIGNED: "i", Kind.FLOAT: "f"}
 
@@ -41,9 +44,15 @@ def value_text(field: WireField, value: int | float | str, enums: Mapping[str, E
     enum = enums.get(field.definition.enum or "")
     if enum is not None and isinstance(value, int):
         return _entry(enum, value, is_bitmask=is_flags(field, enums))
-    number = "NaN" if math.isnan(value) else f"{value:.7g}" if isinstance(value, float) else str(value)
-    unit = field.definition.units
+    number = "NaN" if math.isnan(value) else f"{value:.7g}" if isinstance(value, float) else _whole(field, value)
+    unit = field.unit_text
     return f"{number} {unit}" if unit and number != "NaN" else number
+
+
+def _whole(field: WireField, value: int) -> str:
+    """A whole number in the format of the dialect, where that is hexadecimal as in all of pymavlink's."""
+    format_of = _HEXADECIMAL.fullmatch(field.definition.print_format or "")
+    return f"0x{value:0{int(format_of[1] or 0)}x}" if format_of and value >= 0 else str(value)
 
 
 def _entry(enum: EnumDefinition, value: int, *, is_bitmask: bool) -> str:

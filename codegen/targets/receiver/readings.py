@@ -7,8 +7,9 @@ from codegen.model.answer import Answer, Elements
 from codegen.model.dialect import Dialect, EnumDefinition, Kind, WireField
 from codegen.model.reading import Reading, flag_names, scaled
 from codegen.model.system import PopulatedMessage
-from codegen.model.unit import Unit, ratio, shown_units
+from codegen.model.unit import NUMBER, Unit, ratio, shown_units
 from codegen.model.vehicle import Component
+from codegen.model.wire_unit import wire_unit
 from codegen.targets.receiver.roles import charging_entry, describes_a_battery
 
 FACT = "info."
@@ -79,11 +80,12 @@ def _fact(covers: Elements, message: PopulatedMessage, component: Component, dia
         uses: tuple[str, ...] = ("entry", enum.name)
         yield Reading(name, f"entry(enum_names.{enum.name}, {got})", "", "", field.name, uses=uses)
     else:
-        unit = Unit.parse(field.definition.units)
-        shown = unit_of(unit, component) if unit else None
-        factor = ratio(unit, shown) if unit and shown else None
+        unit = wire_unit(field)
+        whole = Unit.parse(field.definition.units) or NUMBER
+        shown = NUMBER if whole is NUMBER else unit_of(whole, component)
+        factor = ratio(unit, shown) if unit else None
         expression, uses = scaled(got, factor or Fraction(1))
-        yield Reading(name, expression, shown.name if shown else "", "", field.name, uses=uses)
+        yield Reading(name, expression, shown.name, "", field.name, uses=uses)
 
 
 def unit_of(unit: Unit, component: Component) -> Unit:
