@@ -146,7 +146,7 @@ def test_a_unit_that_nobody_knows(check: Check) -> None:
 def test_the_wire_of_known_messages_cannot_be_corrected(target: str, attribute: str, check: Check) -> None:
     """No receiver would accept them; attributes of their meaning can be set."""
     entry = f"corrections:\n  - {target}\n    set: {{{attribute}}}\n    reason: r\n    source: s\n"
-    found = check(UPSTREAM, CELLS, corrections=("corrections:\n", entry))
+    found = check(UPSTREAM, CELLS, corrections_rfc_0018=("corrections:\n", entry))
     assert [rule for _, rule in found] == ["correction-attribute"]
 
 

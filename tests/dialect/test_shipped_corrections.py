@@ -140,12 +140,13 @@ def test_every_phrase_is_corrected_or_was_looked_at(dialects: dict) -> None:
     assert not set(listed) - found, "no longer there, or corrected by now"
 
 
-def test_what_the_issue_names(dialects: dict) -> None:
-    """A count of what is corrected, and some that are sent most."""
+def test_sentinels_of_what_is_sent_most(dialects: dict) -> None:
+    """Of each kind one, and how many channels of a radio there are."""
     dialect = dialects["all"][0]
     sentinels = {
         "RC_CHANNELS.chan18_raw": (65535,),
         "RC_CHANNELS.rssi": (255,),
+        "BATTERY_STATUS.time_remaining": (0,),
         "SCALED_IMU.temperature": (0,),
         "MANUAL_CONTROL.x": (32767,),
         "BATTERY2.current_battery": (-1,),
