@@ -8,7 +8,7 @@ from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.explained_corrections import correction_facts
 from codegen.model.account import FLAGS
-from codegen.model.dialect import WireMessage
+from codegen.model.dialect import WireField, WireMessage
 from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
@@ -173,6 +173,7 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
             ("type", row.type),
             ("unit", row.unit),
             ("enum", wire.definition.enum or ""),
+            *_attributes(wire),
             ("source", row.source),
             ("conversion", row.conversion),
             ("limits", row.limits),
@@ -187,6 +188,20 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
     return "\n".join(parts) + "\n"
 
 
+def _attributes(field: WireField) -> list[tuple[str, str]]:
+    """What the dialect states beside unit, enum and sentinel."""
+    stated = field.definition
+    is_limited = stated.minimum is not None or stated.maximum is not None
+    return [
+        ("range", f"{stated.minimum or ''}..{stated.maximum or ''}" if is_limited else ""),
+        ("increment", stated.increment or ""),
+        ("default", stated.default or ""),
+        ("printed as", stated.print_format or ""),
+        ("display", "bits" if stated.is_bitmask else ""),
+        ("instance", "tells apart what the messages are about" if stated.is_instance else ""),
+    ]
+
+
 def _unpopulated_field(message: WireMessage, name: str, system: System) -> str | None:
     """A field that no table populates: what the dialect states, corrections included."""
     field = message.field(name)
@@ -198,6 +213,7 @@ def _unpopulated_field(message: WireMessage, name: str, system: System) -> str |
         ("type", field.type.name + length),
         ("unit", field.unit_text),
         ("enum", field.definition.enum or ""),
+        *_attributes(field),
         ("unknown", f"{field.sentinel.written}  ({field.sentinel.place.shown()})" if field.sentinel else "no sentinel"),
         *correction_facts(system.dialect, message.name, name),
         ("declared at", field.definition.place.shown()),

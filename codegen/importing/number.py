@@ -23,6 +23,11 @@ DOCUMENT_SENTINEL = Rule(
     "A document states a value for unknown that is not the sentinel of the field, so that receivers would take it for "
     "a real one. Where the dialect has none at all, a correction in dialects/*.yaml can state it.",
 )
+DOCUMENT_STEPS = Rule(
+    "document-steps",
+    "A document gives a plain number for a field that the dialect has a multiplier for, so it may be the value, or "
+    "what is on the wire for it. Write the answer of a table, which is in the units of the field, or the unit.",
+)
 DOCUMENT_RANGE = Rule("document-range", "A document states a number that the type of the field cannot carry.")
 
 _ENTRY = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\b")
@@ -97,8 +102,13 @@ def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Source
 
 def _constant(number: Fraction, head: str, place: Place, target: Target, sources: Sources, report: Report) -> Reading:
     wire_type, units = target.field.type, target.field.definition.units
-    steps = number / target.field.multiplier
-    if wire_type.is_integer and not (steps.denominator == 1 and wire_type.minimum <= steps <= wire_type.maximum):
+    if target.field.multiplier != 1 and number:
+        steps, value = decimal(number / target.field.multiplier), decimal(number * target.field.multiplier)
+        message = f"{head} leaves open whether {target.name} is {head} {units or ''}".rstrip()
+        hint = f"write {{constant: {decimal(number)}}}, which is {steps} on the wire, or {{constant: {value}}}"
+        report.add(DOCUMENT_STEPS, place, f"{message} or {head} {target.field.unit_text}", hint, [_declared(target)])
+        return UNREAD
+    if wire_type.is_integer and not (number.denominator == 1 and wire_type.minimum <= number <= wire_type.maximum):
         message = f"{head} is nothing that {target.name} can carry ({wire_type.name})"
         hint = f"whole numbers from {wire_type.minimum} to {wire_type.maximum}"
         report.add(DOCUMENT_RANGE, place, message, hint, [_declared(target)])

@@ -84,13 +84,14 @@ def _is_factor_right(product: Product, cell: Cell, target: Target, sources: Sour
     wire = field_unit(target)
     if wire is None:
         return True
+    counted = target.field.unit_text or "steps"
     if sources.quantities is not None:
         unit = sources.quantities[product.path]
         factor = ratio(unit, wire)
         if factor == product.factor or (product.factor == 1 and factor is not None):
             return True  # without a factor the document names the quantity only
         named = unit.name or "a number"
-        message = f"{product.path} ({named}) times {decimal(product.factor)} is not in {wire.name or 'steps'}"
+        message = f"{product.path} ({named}) times {decimal(product.factor)} is not in {counted}"
         hint = (
             f"{target.name} needs a factor of {decimal(factor)}" if factor else f"{named} does not become {wire.name}"
         )
@@ -98,9 +99,7 @@ def _is_factor_right(product: Product, cell: Cell, target: Target, sources: Sour
         return False
     is_known = any(ratio(unit_named(name), wire) == product.factor for name in (*symbols(), *SHOWN, *SCALED))
     if product.factor != 1 and not is_known:
-        message = (
-            f"{product.path} times {decimal(product.factor)} is in {wire.name or 'steps'} for no unit that is known"
-        )
+        message = f"{product.path} times {decimal(product.factor)} is in {counted} for no unit that is known"
         report.add(DOCUMENT_FACTOR, cell.place, message, "write the quantity, or another factor")
         return False
     return True

@@ -98,6 +98,7 @@ UNIT_WORDS = {
     "mAh": "milli amp hours",
     "degC": "temperature in c",
     "bytes/s": "bytes/s",
+    "l/h": "litres/hour",
 }
 
 

@@ -205,3 +205,16 @@ def test_a_default_is_what_nobody_sets(dialect: Dialect) -> None:
         for match in re.finditer(r'<field[^>]* default="([^"]*)"', Path(str(shipped_dialect_path(name))).read_text())
     ]
     assert set(defaults) == {"0"}
+
+
+def test_explain_tells_all_of_them() -> None:
+    """Of fields that no table populates, too."""
+    system = read_system(str(PROJECT / "specs" / "codegen.yaml"), Report())
+    told = {
+        "CAMERA_SETTINGS.camera_device_id": ["range        0..6", "default      0"],
+        "CAMERA_THERMAL_RANGE.stream_id": ["range        1..", "instance     tells apart"],
+        "TERRAIN_REQUEST.mask": ["printed as   0x%07x", "display      bits"],
+    }
+    for name, lines in told.items():
+        story = explain(name, system, Report())
+        assert [line for line in lines if line not in story] == [], story
