@@ -165,7 +165,7 @@ CASES = [
     Case("uncarried-conversion", "state.yaml", "stored: cdegC", "stored: §K", "degC + 273.15 = K", is_alone=False),
     Case(
         "uncarried-conversion",
-        "dialects/corrections.yaml",
+        "dialects/corrections_rfc_0018.yaml",
         "corrections:\n",
         "corrections:\n  - message: BATTERY_STATUS\n    field: temperature\n    set: {units: K}\n"
         "    reason: A test.\n    source: A test.\n",
@@ -175,7 +175,7 @@ CASES = [
     ),
     Case(
         "unknown-unit",
-        "dialects/corrections.yaml",
+        "dialects/corrections_rfc_0018.yaml",
         "corrections:\n",
         "corrections:\n  - message: BATTERY_STATUS\n    field: temperature\n    set: §{units: Kelvin}\n"
         "    reason: A test.\n    source: A test.\n",
