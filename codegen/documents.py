@@ -30,8 +30,9 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
         protocol = system.spec.project.protocol
         for message in system.messages:
             sizes = [frame_size(message, instance, protocol) for instance in range(message.instances)]
-            sizes += [sent[message.name]] if message.name in sent else []
-            sent[message.name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
+            name = message.wire.name
+            sizes += [sent[name]] if name in sent else []
+            sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
     return Reference(systems[0].dialect, sent, listed_messages(systems[0].spec, Report()))
 
 

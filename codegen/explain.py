@@ -14,7 +14,7 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
-from codegen.targets.table import FieldRow, field_rows
+from codegen.targets.table import FieldRow, field_rows, others_of, withheld_of
 
 UNKNOWN_TOPIC = Rule(
     "unknown-topic",
@@ -56,9 +56,10 @@ def explain(topic: str, system: System | None, report: Report) -> str | None:
 
 def _explain_part(topic: str, system: System) -> str | None:
     name, _, field = topic.partition(".")
-    message = next((message for message in system.messages if message.name == name.upper()), None)
-    if message is not None:
-        return _message(message, system) if not field else _field(message, field, system)
+    tables = [message for message in system.messages if message.name == name] or system.tables(name.upper())
+    if tables:
+        stories = [_message(message, system) if not field else _field(message, field, system) for message in tables]
+        return "\n".join(filter(None, stories)) or None
     if name.upper() in system.dialect.messages:
         wire = system.dialect.messages[name.upper()]
         return _unpopulated(wire) if not field else _unpopulated_field(wire, field, system)
@@ -77,7 +78,7 @@ def _explain_part(topic: str, system: System) -> str | None:
 
 
 def _topics(system: System) -> list[str]:
-    known = [message.name for message in system.messages]
+    known = list(dict.fromkeys(name for message in system.messages for name in (message.name, message.wire.name)))
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
     known += [*system.components, *system.streams, *system.requirements]
@@ -88,16 +89,30 @@ def _message(message: PopulatedMessage, system: System) -> str:
     wire = message.wire
     extensions = f", {wire.length} with extensions" if wire.length != wire.base_length else ""
     lines = [
-        f"{message.name} ({wire.id}), CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes{extensions}",
+        f"{message.title}, CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes{extensions}",
         f"{_cited(message.citation)}",
         f"{_rate(message)}; {message.instances} of it{_pages(message)}",
         *([f"sent at once {sent_at_once(message)}"] if message.is_announced else []),
+        *_others(message),
+        *_withheld(message),
         *(f"about {choice.component.name}: {_chosen(choice)}" for choice in message.represents.values()),
         "",
         *_table(field_rows(message)),
         *_prices(lambda generations: message.name in (*generations.old, *generations.new), system),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _others(message: PopulatedMessage) -> list[str]:
+    """The fields that the table does not list."""
+    fields = others_of(message)
+    return [fill(f"unknown, as the table does not list them: {fields}", 100)] if fields else []
+
+
+def _withheld(message: PopulatedMessage) -> list[str]:
+    """What withholds the message."""
+    causes = withheld_of(message)
+    return [fill(f"withheld while one of these is unknown: {causes}", 100)] if causes else []
 
 
 def _pages(message: PopulatedMessage) -> str:
@@ -303,7 +318,7 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
         *quantity.derivation.story(quantity, system),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
-        ("unknown", quantity.trust.words()),
+        ("unknown", quantity.lost),
         ("sent in", ", ".join(fields)),
         ("criterion", _cited(quantity.citation)),
         ("declared at", quantity.spec.place.shown()),

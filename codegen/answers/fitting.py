@@ -11,8 +11,8 @@ from codegen.model.wire_unit import wire_unit
 NO_SENTINEL = Rule(
     "no-sentinel",
     "A table says unknown, or a quantity can become unknown, where the dialect has no value that means unknown. "
-    "Give the quantity an initial value, answer the field otherwise, or, where the dialect states the sentinel only "
-    "in words, add it to the corrections file.",
+    "Give the quantity an initial value, withhold the message with 'send: while_known', answer the field otherwise, "
+    "or, where the dialect states the sentinel only in words, add it to the corrections file.",
 )
 NOT_AN_ENUM_FIELD = Rule("not-an-enum-field", "An enum entry or flags are given for a field that has no such enum.")
 BAD_SOURCE = Rule(

@@ -108,7 +108,8 @@ class FixedAnswer(KindOfAnswer):
         own = (str(self.covers.citation),)
         if self.is_unknown:
             text = f"the dialect's {sentinel}" if sentinel else words.source
-            yield Step("unknown", text, ("nothing gives this field a value", words.conversion), own)
+            why = "the table does not list this field" if self.covers.by_others else "nothing gives this field a value"
+            yield Step("unknown", text, (why, words.conversion), own)
         else:
             yield Step("table", words.source, (words.conversion,), own)
 
@@ -159,6 +160,10 @@ def _version(covers: Elements, name: str, scope: Scope) -> FixedAnswer | None:
     return FixedAnswer(covers, (scope.dialect.version,), "version of the dialect")
 
 
+def _among_others(covers: Elements) -> str:
+    return ", and the table does not list it" if covers.by_others else ""
+
+
 def _unknown(covers: Elements, report: Report) -> FixedAnswer | None:
     """The sentinel(s) of the dialect for every covered element."""
     field = covers.field
@@ -167,7 +172,7 @@ def _unknown(covers: Elements, report: Report) -> FixedAnswer | None:
         report.add(
             NO_SENTINEL,
             covers.written.at("unknown"),
-            f"{field.name} has no value that means unknown",
+            f"{field.name} has no value that means unknown{_among_others(covers)}",
             "if its description names one, add it to the corrections file as 'invalid'",
             [(field.definition.place, f"{field.name} is declared here")],
         )
@@ -183,7 +188,7 @@ def _unknown(covers: Elements, report: Report) -> FixedAnswer | None:
         report.add(
             NO_SENTINEL,
             covers.written.at("unknown"),
-            f"{field.name} has no value that means unknown for each of these elements",
+            f"{covers.label} has no value that means unknown for each of these elements{_among_others(covers)}",
             f"the dialect says invalid={sentinel.written!r}",
             [(sentinel.place, "the sentinel is stated here")],
         )

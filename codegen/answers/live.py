@@ -27,7 +27,7 @@ from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, shown_value, stored_value
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
+from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
 from codegen.model.step import Step
@@ -38,7 +38,8 @@ from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity,
 class LiveAnswer(KindOfAnswer):
     """A value that is read when the message is built, and scaled. Unknown becomes ``unknown``.
 
-    Where ``unknown`` is None the source has a value at all times: one stands in for what is not known.
+    Where ``unknown`` is None the source has a value at all times: one stands in for what is not known, or else the
+    answer ``withholds`` the message.
     """
 
     SHAPED_BY = frozenset({"min", "max", "rounding"})
@@ -47,6 +48,7 @@ class LiveAnswer(KindOfAnswer):
     source: Quantity | Parameter
     scaling: Scaling
     unknown: int | float | None
+    withholds: bool = False
 
     @classmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
@@ -71,12 +73,14 @@ class LiveAnswer(KindOfAnswer):
             return None
         sentinel = covers.field.sentinel.values[covers.first] if covers.field.sentinel else None
         may_be_unknown = isinstance(source, Quantity) and source.initial is None
-        if may_be_unknown and sentinel is None:
+        withholds = may_be_unknown and sentinel is None and scope.population.send is Send.WHILE_KNOWN
+        if may_be_unknown and sentinel is None and not withholds:
             report.add(
                 NO_SENTINEL,
                 covers.written.at(taken.key),
                 f"{covers.written.state} can be unknown, and {covers.field.name} has no value that says so",
-                "give the quantity an 'initial' value, or add the sentinel to the corrections file",
+                "give the quantity an 'initial' value, or withhold the message with 'send: while_known', or, where the "
+                "dialect states a sentinel in words, add it to the corrections file",
                 [(covers.field.definition.place, f"{covers.field.name} is declared here")],
             )
             return None
@@ -85,7 +89,7 @@ class LiveAnswer(KindOfAnswer):
             return None
         unknown = sentinel if may_be_unknown else None
         check_reach(covers, taken.written, scaling, unknown, report)
-        return cls(covers, source, scaling, unknown)
+        return cls(covers, source, scaling, unknown, withholds)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -96,6 +100,11 @@ class LiveAnswer(KindOfAnswer):
     def carried(self) -> tuple[Quantity, ...]:
         """The same."""
         return self.quantities
+
+    @property
+    def withheld_for(self) -> tuple[Quantity, ...]:
+        """The source, where the field cannot say that it is unknown."""
+        return self.quantities if self.withholds else ()
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -193,6 +202,8 @@ class LiveAnswer(KindOfAnswer):
         """The source, then what is done so that it fits."""
         yield from origins.steps(self.source)
         yield from fitting(self.covers, self.scaling, self.words().conversion, self.unknown)
+        if self.withholds:
+            yield Step("unknown", "the message is withheld", ("no number of the field means unknown",), ())
 
     def traits(self, position: int) -> Iterator[Trait]:
         """Source, scaling, limits and sentinel."""
@@ -200,7 +211,7 @@ class LiveAnswer(KindOfAnswer):
         yield conversion_trait(self.covers, self.source, self.scaling)
         yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
         unknown = "" if self.unknown is None else shown_value(self.unknown)
-        yield Trait("unknown", unknown, Aspect.UNKNOWN)
+        yield Trait("unknown", "the message is withheld" if self.withholds else unknown, Aspect.UNKNOWN)
 
     def is_fact(self, component: Component) -> bool:
         """Unless it is a quantity of the component itself."""

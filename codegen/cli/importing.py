@@ -42,7 +42,10 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="add the missing answers to the table of --out, or of the project; nothing else in it changes",
     )
     parser.add_argument(
-        "--compare", action="store_true", help="print how document and existing table differ, field by field"
+        "--compare",
+        action="store_true",
+        help="print how document and existing table differ, field by field (of several tables of the message: that of "
+        "--out, or the one that cites the document)",
     )
     parser.set_defaults(run=run)
 
@@ -187,22 +190,23 @@ def _table_path(arguments: argparse.Namespace, message: "WireMessage", systems: 
 
     if arguments.out != "-":
         return os.path.abspath(arguments.out) if os.path.lexists(arguments.out) else None
-    known = populated(message.name, systems)
-    return None if known is None else known.population.place.file
+    known = populated(message.name, systems, os.path.abspath(arguments.document))
+    return known[0].population.place.file if known else None
 
 
 def _existing(
     path: str, message: "WireMessage", systems: "tuple[System, ...]", report: "Report"
 ) -> "ExistingTable | None":
     """The table in a file; None after a finding."""
-    from codegen.importing.existing import populated, table_of, table_of_project
+    from codegen.importing.existing import table_of, table_of_project
     from codegen.load.text import read_text
 
     text = read_text(path, report)
-    known = populated(message.name, systems)
-    if text is None or (known is not None and known.population.place.file == path):
-        return None if text is None or known is None else table_of_project(text, known)
-    return table_of(text, path, message, report)
+    if text is None:
+        return None
+    tables = (table for system in systems for table in system.tables(message.name))
+    known = next((table for table in tables if table.population.place.file == path), None)
+    return table_of(text, path, message, report) if known is None else table_of_project(text, known)
 
 
 def _heading(

@@ -45,7 +45,8 @@ NO_MESSAGES = Rule(
 )
 DUPLICATE_TABLE = Rule(
     "duplicate-table",
-    "Two population tables are for the same message, so it is ambiguous what is sent. Merge them into one.",
+    "Two population tables have the same name, so it is ambiguous what is sent: they are for the same message, or say "
+    "the same 'as'. Merge them into one, or give one of them a name of its own with 'as: NAME'.",
 )
 UNKNOWN_OVERLAY = Rule(
     "unknown-overlay",
@@ -105,7 +106,7 @@ class _SpecReader:
         self._base = os.path.dirname(self._base_file)
         self._report = report
         self._hashes: dict[str, str] = {}
-        self._unused_tables: dict[str, str] = {}  # their overlays, by message
+        self._unused_tables: dict[str, str] = {}  # their overlays, by name
         self._has_broken_table = False
 
     def read(self) -> Spec | None:
@@ -191,7 +192,7 @@ class _SpecReader:
         return self._record(path, ReceiverSpec, Place(path)) if exists(path) else None
 
     def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
-        """The tables in use, by the names of their files; of two for one message the first."""
+        """The tables in use, by the names of their files; of two with one name the first."""
         paths = self._united("messages", (".yaml",))
         if not paths:
             self._report.add(NO_MESSAGES, Place(self._base_file), "there is no population table messages/*.yaml")
@@ -203,17 +204,17 @@ class _SpecReader:
                 continue
             if not self._is_used(table, table.overlay, project):
                 assert table.overlay is not None
-                self._unused_tables[table.message] = table.overlay
+                self._unused_tables[table.name] = table.overlay
                 continue
-            first = tables.setdefault(table.message, table)
+            first = tables.setdefault(table.name, table)
             if first is not table:
-                place = first.at("message")
-                message = f"{table.message} has a table already, {shown_path(place.file)}"
-                hint = None
+                place, where = (each.at("as" if each.named else "message") for each in (first, table))
+                message = f"{table.name} has a table already, {shown_path(place.file)}"
+                hint = "'as: NAME' gives one of them a name of its own"
                 if os.path.dirname(place.file) != os.path.dirname(path):
                     hint = "a table of a program takes the place of its base's that has the same file name"
                 related = [(place, "the first table")]
-                self._report.add(DUPLICATE_TABLE, table.at("message"), message, hint, related)
+                self._report.add(DUPLICATE_TABLE, where, message, hint, related)
         return tuple(tables.values())
 
     def _chosen(self, tables: tuple[PopulationSpec, ...], program: ListedProgram) -> tuple[PopulationSpec, ...]:
@@ -221,19 +222,21 @@ class _SpecReader:
         own = program.own
         if own is None or not own.messages:
             return tables
-        known = {table.message: table for table in tables}
+        known = {table.name: table for table in tables}
         is_complete = not self._has_broken_table  # what is broken has been reported
         for index, name in enumerate(own.messages):
             if name not in known and is_complete:
                 hint = did_you_mean(name, known)
                 if name in self._unused_tables:
                     hint = f"its table is for {self._unused_tables[name]}, which is none of the overlays of the project"
+                elif named := [table.name for table in tables if table.message == name]:
+                    hint = f"its tables have names: {', '.join(named)}"
                 place = own.at(f"messages[{index}]")
                 self._report.add(NO_TABLE, place, f"there is no table for {name}", hint)
         for table in tables:
-            if table.message not in own.messages:
+            if table.name not in own.messages:
                 del self._hashes[table.place.file]
-        return tuple(table for table in tables if table.message in own.messages)
+        return tuple(table for table in tables if table.name in own.messages)
 
     def _corrections(self, project: Project | None) -> tuple[tuple[Correction, ...], tuple[Refusal, ...]]:
         """The project's corrections, and which of codegen's own it refuses."""

@@ -70,6 +70,7 @@ def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fra
     growth = found.growth
     if not found.is_changed or (growth is not None and abs(growth) < threshold):
         return
+    names = {row.name for row in found.rows if row.old != row.new}
     words = [f"{row.name} {row.old or 0} -> {row.new or 0}" for row in found.rows if row.old != row.new]
     shares = [f"{float(link.share):.1f} % of {link.name}" for link in found.links]
     effect = "; ".join([f"bytes/s: {', '.join(words)}", *([f"now at most {', '.join(shares)}"] if shares else [])])
@@ -80,7 +81,7 @@ def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fra
         f"{found.whole.new} bytes/s{'' if growth is None else f' ({float(growth):+.1f} %)'}",
         (_streams(old), _streams(new)),
         effect,
-        messages=[row.name for row in found.rows if row.old != row.new],
+        messages=sorted({table.wire.name for system in (old, new) for table in system.messages if table.name in names}),
         rows=[row.name for row in found.rows if row.old != row.new],
     )
 

@@ -26,6 +26,11 @@ MESSAGE_STREAM = _inside(
     "message-schedule-changed",
     "A message belongs to another stream, or is sent on other occasions: on request, on connection, on a change.",
 )
+TABLE_RENAMED = _inside(
+    "table-renamed",
+    "A population table has another name, and with it the functions that build and encode its message: code that calls "
+    "them by the old one fails. What is sent does not change.",
+)
 MESSAGE_INSTANCES = _silent(
     "message-instances-changed",
     "A message is sent for other instances of a component, or a single message reports another one of them.",

@@ -27,14 +27,29 @@ _ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rul
 
 def population_changes(old: System, new: System) -> Iterator[Change]:
     """Messages that are sent or no longer, how they are scheduled, and what each element of them carries."""
-    yield from subject_changes(map(_message, old.messages), map(_message, new.messages))
-    before = {message.name: message for message in old.messages}
+    before = {_name_now(message, old, new): message for message in old.messages}
+    was = (_message(message, name) for name, message in before.items())
+    yield from subject_changes(was, (_message(message, message.name) for message in new.messages))
     for message in new.messages:
         if message.name in before:
             yield from _elements(before[message.name], message)
 
 
-def _message(message: PopulatedMessage) -> Subject:
+def _name_now(message: PopulatedMessage, old: System, new: System) -> str:
+    """What a table is called in the new version: of one that has gone, the one of the same message that has come."""
+    gone = _others(message, old, new)
+    come = _others(message, new, old)
+    return come[0] if gone == [message.name] and len(come) == 1 else message.name
+
+
+def _others(message: PopulatedMessage, system: System, other: System) -> list[str]:
+    """The tables of a message that only one of the versions has, by name."""
+    known = {table.name for table in other.tables(message.wire.name)}
+    return [table.name for table in system.tables(message.wire.name) if table.name not in known]
+
+
+def _message(message: PopulatedMessage, name: str) -> Subject:
+    """What there is to say about a table, which is called ``name`` in the new version."""
     spec = message.population
     stream = message.stream.name if message.stream else "on request"
     facts = [
@@ -48,6 +63,7 @@ def _message(message: PopulatedMessage) -> Subject:
             rules.MESSAGE_STREAM,
             spec.at("on_change"),
         ),
+        Fact("withheld while unknown", _withheld(message), rules.MESSAGE_STREAM, spec.at("send")),
         Fact("pages", str(message.pages) if message.pages > 1 else "", rules.MESSAGE_STREAM, spec.at("pages")),
         Fact(
             "sent for each",
@@ -59,20 +75,25 @@ def _message(message: PopulatedMessage) -> Subject:
             Fact(f"{name} it is about:", _policy(choice), rules.MESSAGE_INSTANCES, spec.at(f"represents.{name}"))
             for name, choice in message.represents.items()
         ),
+        Fact("table", message.name, rules.TABLE_RENAMED, spec.at("as")),
         Fact("answers to", str(message.citation), CITATION, spec.at("requirement")),
     ]
     rate = f"{decimal(message.stream.default_rate)} Hz" if message.stream else "on request"
     each = f" for each {message.component.name}" if message.component else ""
     return Subject(
-        name=message.name,
+        name=name,
         says=f"{rate}{each}",
         added=rules.MESSAGE_SENT,
         removed=rules.MESSAGE_NOT_SENT,
         place=spec.at("message"),
         facts=tuple(facts),
         cited=cited(message.citation),
-        messages=(message.name,),
+        messages=(message.wire.name,),
     )
+
+
+def _withheld(message: PopulatedMessage) -> str:
+    return ", ".join(dict.fromkeys(quantity.path for _, quantity in message.withheld_for))
 
 
 def _policy(choice: Representation) -> str:
@@ -86,7 +107,7 @@ def _policy(choice: Representation) -> str:
 
 def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
     """Changes of single elements; neighbours that change alike are told as one."""
-    before, after = _facts(old), _facts(new)
+    before, after = _facts(old, new.name), _facts(new, new.name)
     fields: dict[str, list[tuple[int, list[Change]]]] = {}
     for (field, index), known in before.items():
         if (field, index) in after:
@@ -107,7 +128,7 @@ def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
             texts[1],
             (places[0], places[1]),
             cited=subject.cited,
-            messages=(new.name,),
+            messages=(new.wire.name,),
         )
         fields.setdefault(element[0], []).append((element[1], [whole]))
     for field, elements in fields.items():
@@ -147,7 +168,7 @@ def _said(change: Change) -> tuple[object, ...]:
     return change.rule.id, change.old, change.new, change.place, change.was_at
 
 
-def _facts(message: PopulatedMessage) -> dict[tuple[str, int], Subject]:
+def _facts(message: PopulatedMessage, name: str) -> dict[tuple[str, int], Subject]:
     """What is known of each element, by the name of its field and its number from 0."""
     found = {}
     for answer in message.answers:
@@ -159,15 +180,16 @@ def _facts(message: PopulatedMessage) -> dict[tuple[str, int], Subject]:
             facts = [Fact(trait.attribute, trait.text, _RULES[trait.aspect], place) for trait in traits]
             own = "" if covers.citation == message.citation else str(covers.citation)
             facts.append(Fact("answers to", own, CITATION, covers.written.at("requirement")))
+            facts.append(Fact("answered by", "others" if covers.by_others else "", DOC, place))
             facts.append(Fact("note", note, DOC, covers.written.at("note")))
             found[covers.field.name, index] = Subject(
-                name=f"{message.name}.{covers.field.name}",
+                name=f"{name}.{covers.field.name}",
                 says=covers.label,
                 added=rules.SOURCE,
                 removed=rules.SOURCE,
                 place=place,
                 facts=tuple(facts),
                 cited=cited(covers.citation, message.citation),
-                messages=(message.name,),
+                messages=(message.wire.name,),
             )
     return found

@@ -89,7 +89,7 @@ def _failsafe(failsafe: Failsafe) -> Subject:
 
 def _receiver(receiver: Receiver) -> Subject:
     spec = receiver.spec
-    names = tuple(message.name for message in receiver.messages)
+    names = tuple(message.wire.name for message in receiver.messages)
     facts = (
         Fact("component", receiver.component.name, rules.RECEIVER, spec.at("component")),
         Fact("reads", ", ".join(names), rules.RECEIVER, spec.place),

@@ -32,11 +32,20 @@ class Verdict(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TableAnswer:
-    """An answer of a table: the elements, the record, and the numbers that always go out, if they are known."""
+    """An answer of a table: the elements, the record, and the numbers that always go out, if they are known.
+
+    ``by_others``: the table does not list the elements, but has something to say about all that it does not list.
+    """
 
     target: Target
     answer: FieldAnswer
     fixed: tuple[Number | str, ...] | None = None
+    by_others: bool = False
+
+    @property
+    def text(self) -> str:
+        """The answer as flow YAML, and whether it is one of those for all others."""
+        return f"{answer_text(self.answer)} (others)" if self.by_others else answer_text(self.answer)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +67,7 @@ class Compared:
     @property
     def tabled(self) -> str:
         """What the table says."""
-        return ", ".join(answer_text(one.answer) for one in self.table)
+        return ", ".join(one.text for one in self.table)
 
 
 def table_answers(

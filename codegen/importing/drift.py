@@ -1,7 +1,7 @@
 """Where the tables of the project's own documents and its population tables, or the dialect, drift apart."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.importing.answer import Target
@@ -61,13 +61,19 @@ def drift(stated: StatedFields, systems: Sequence[System]) -> Iterator[Diagnosti
                     _check_columns(row, target, report)
         answered = [fields for fields in found if Role.VALUE in fields.roles and not is_example(fields)]
         system = sender(name, systems)
-        message = populated(name, systems)
-        if answered and system is not None and message is not None:
-            _check_answers(answered, message, system, report)
+        if answered and system is not None:
+            tables = populated(name, systems, answered[0].place.file)
+            report.extend(_fewest(_differences(answered, table, system) for table in tables))
     yield from report
 
 
-def _check_answers(lists: Sequence[FieldList], message: PopulatedMessage, system: System, report: Report) -> None:
+def _fewest(found: Iterable[list[Diagnostic]]) -> list[Diagnostic]:
+    return min(found, key=len)
+
+
+def _differences(lists: Sequence[FieldList], message: PopulatedMessage, system: System) -> list[Diagnostic]:
+    """What the lists say otherwise than a table. Of several tables they are about the one that is most like them."""
+    report = Report()
     sources = sources_of(system.dialect, system, message.component.name if message.component else None)
     proposal = propose(lists, message.wire, sources, report)
     covered = max(coverage(fields, message.wire) for fields in lists)
@@ -75,10 +81,11 @@ def _check_answers(lists: Sequence[FieldList], message: PopulatedMessage, system
     for row in compare(proposal, answers_of(message), sources):
         if row.verdict is Verdict.DIFFERENT and row.document is not None:
             report.extend([_difference(row)])
-        elif row.verdict is Verdict.ONLY_TABLE and is_whole:
+        elif row.verdict is Verdict.ONLY_TABLE and is_whole and not all(one.by_others for one in row.table):
             text = f"the table leaves out {row.target.name}, which the population table answers"
             related = [(place, "it is answered here")] if (place := place_of(row)) else []
             report.add(DOCUMENT_ROW_MISSING, proposal.place, text, f"add a row: {row.tabled}", related)
+    return list(report)
 
 
 def _difference(row: Compared) -> Diagnostic:

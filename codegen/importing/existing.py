@@ -1,16 +1,18 @@
 """A population table that exists already, as it is compared with a document."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from codegen.decode.record import decode_record
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
+from codegen.importing.answer import Target
 from codegen.importing.comparison import TableAnswer, table_answers
 from codegen.importing.of_system import answers_of
 from codegen.load.yaml_tree import parse_yaml
 from codegen.model.dialect import WireMessage
-from codegen.model.population_spec import PopulationSpec
+from codegen.model.population_spec import FieldAnswer, PopulationSpec
 from codegen.model.system import PopulatedMessage, System
+from codegen.resolve.elements import other_ranges
 
 MERGE_MESSAGE = Rule("merge-message", "A population table is to be merged with a document about another message.")
 
@@ -37,17 +39,32 @@ def table_of(text: str, path: str, message: WireMessage, report: Report) -> Exis
         wrong = f"the table is of {table.message}, the document about {message.name}"
         report.add(MERGE_MESSAGE, table.at("message"), wrong, "name the table of that message")
         return None
-    return ExistingTable(path, text, table_answers(message, table.fields, {}), table)
+    answers = table_answers(message, table.fields, {})
+    return ExistingTable(path, text, (*answers, *_others(table, answers, message)), table)
+
+
+def _others(table: PopulationSpec, answers: Sequence[TableAnswer], message: WireMessage) -> Iterator[TableAnswer]:
+    """What a table says of the elements that it does not list."""
+    if table.others is None:
+        return
+    listed = [(each.target.field, each.target.first, each.target.count) for each in answers]
+    for field, first, count in other_ranges(listed, message):
+        target = Target(message, field, first, count)
+        fixed = None if target.sentinel is None else (target.sentinel,)
+        yield TableAnswer(target, FieldAnswer(place=table.at("others"), unknown=True), fixed, by_others=True)
 
 
 def sender(name: str, systems: Sequence[System]) -> System | None:
     """The first of the programs that sends a message called ``name``."""
-    return next((system for system in systems if any(message.name == name for message in system.messages)), None)
+    return next((system for system in systems if system.tables(name)), None)
 
 
-def populated(name: str, systems: Sequence[System]) -> PopulatedMessage | None:
-    """The message of that program."""
-    return next((message for system in systems for message in system.messages if message.name == name), None)
+def populated(name: str, systems: Sequence[System], document: str) -> tuple[PopulatedMessage, ...]:
+    """The tables of a message in that program: of several those that the document with this path asks for, if any."""
+    system = sender(name, systems)
+    tables = system.tables(name) if system else ()
+    asked = tuple(table for table in tables if table.citation.requirement.place.file == document)
+    return asked or tables
 
 
 def table_of_project(text: str, message: PopulatedMessage) -> ExistingTable:

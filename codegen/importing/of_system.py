@@ -3,7 +3,7 @@
 import os
 import re
 
-from codegen.importing.answer import Sources
+from codegen.importing.answer import Sources, Target
 from codegen.importing.comparison import Number, TableAnswer, table_answers
 from codegen.model.dialect import Dialect
 from codegen.model.system import PopulatedMessage, System
@@ -45,4 +45,15 @@ def answers_of(message: PopulatedMessage) -> tuple[TableAnswer, ...]:
     for answer in message.answers:
         if answer.always is not None:
             fixed |= {key: answer.always for key, written in fields.items() if written is answer.covers.written}
-    return table_answers(message.wire, fields, fixed)
+    others = (
+        TableAnswer(
+            Target(message.wire, covers.field, covers.first, covers.count),
+            covers.written,
+            answer.always,
+            by_others=True,
+        )
+        for answer in message.answers
+        for covers in [answer.covers]
+        if covers.by_others
+    )
+    return (*table_answers(message.wire, fields, fixed), *others)

@@ -17,13 +17,17 @@ from codegen.model.vehicle import Citation, Component, Parameter, Quantity
 
 @dataclass(frozen=True, slots=True)
 class Elements:
-    """The elements ``first`` to ``first + count - 1`` of a field, and what the table has ``written`` for them."""
+    """The elements ``first`` to ``first + count - 1`` of a field, and what the table has ``written`` for them.
+
+    ``by_others``: it has written nothing for them in particular; they are among its others.
+    """
 
     field: WireField
     first: int
     count: int
     written: FieldAnswer
     citation: Citation
+    by_others: bool = False
 
     @property
     def offset(self) -> int:
@@ -61,6 +65,11 @@ class Answer(ABC):
     @property
     def carried(self) -> tuple[Quantity, ...]:
         """Those quantities the numbers of which go out themselves."""
+        return ()
+
+    @property
+    def withheld_for(self) -> tuple[Quantity, ...]:
+        """The quantities that keep the message from being sent while one of them is unknown."""
         return ()
 
     @property

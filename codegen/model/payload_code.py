@@ -30,6 +30,10 @@ class PayloadCode(ABC):
         """What is stored of a quantity, of one with elements that of the place ``element``: an expression."""
 
     @abstractmethod
+    def is_unknown(self, quantity: Quantity) -> str:
+        """Whether a quantity that is stored is unknown: a condition."""
+
+    @abstractmethod
     def is_set(self, quantity: Quantity) -> str:
         """Whether a boolean that is stored is true: an expression that is 0 where it is not."""
 

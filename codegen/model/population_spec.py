@@ -19,6 +19,19 @@ class Rounding(StrEnum):
     TOWARD_ZERO = "toward_zero"
 
 
+class Others(StrEnum):
+    """What goes out in the fields that a table does not list."""
+
+    UNKNOWN = "unknown"
+
+
+class Send(StrEnum):
+    """When a message goes out that is due."""
+
+    ALWAYS = "always"
+    WHILE_KNOWN = "while_known"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FieldAnswer(Written):
     """Where one field, or some elements of it, take their value from: exactly one of the first ten keys.
@@ -87,6 +100,12 @@ class PopulationSpec(Written):
     """``messages/*.yaml``: how one message is populated. Keys of ``fields``: name, name[2] or name[1..9]."""
 
     message: str = described("Name of the message in the dialect.")
+    named: str | None = described(
+        "A name for the table, in lower case, where there are several of one message, or to call its builder "
+        "build_<name>: it stands for the message wherever the project names one.",
+        "as",
+        default=None,
+    )
     overlay: str | None = described(
         "Overlay for which the table is written, as codegen.yaml names it; without that overlay it is not used.",
         default=None,
@@ -95,6 +114,10 @@ class PopulationSpec(Written):
     for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
     stream: str | None = described(
         "Stream that the message belongs to; without one it is sent when a ground station asks for it.", default=None
+    )
+    send: Send = described(
+        "while_known: the message is withheld while a quantity is unknown whose field cannot say so.",
+        default=Send.ALWAYS,
     )
     on_connection: bool = described(
         "Send it at once when a link starts, and when a ground station is heard for the first time or after a silence.",
@@ -111,4 +134,12 @@ class PopulationSpec(Written):
     represents: Mapping[str, RepresentationSpec] = described(
         "For components of several instances, by name: which of them a single message reports.", default_factory=dict
     )
-    fields: Mapping[str, FieldAnswer] = described("An answer for every field and element.")
+    others: Others | None = described(
+        "unknown: every field and element that is not listed goes out as the dialect's sentinel.", default=None
+    )
+    fields: Mapping[str, FieldAnswer] = described("An answer for every field and element, or with others for some.")
+
+    @property
+    def name(self) -> str:
+        """What the table is called: as it says, or else like its message."""
+        return self.named or self.message

@@ -1,7 +1,8 @@
 """What messages cost on a link: bytes of their frames, and bytes per second at the default rates of their streams.
 
 Counted are whole, unsigned frames of MAVLink 2, which cuts the zeros at the end of a payload; a MAVLink 1 frame is
-never cut, and has no extensions. What depends on the state makes a range. Requests and announcements are not counted.
+never cut, and has no extensions. What depends on the state makes a range, from 0 where the message may be withheld.
+Requests and announcements are not counted.
 """
 
 from collections.abc import Iterable
@@ -119,10 +120,11 @@ def message_price(message: PopulatedMessage, system: System) -> Price:
 def price_at(rate: Fraction, message: PopulatedMessage, system: System, protocol: int) -> Price:
     """What a message costs at a rate in Hz, in frames of MAVLink 1 or 2."""
     frames = rate * message.pages
+    found = [frame_size(message, instance, protocol).times(frames) for instance in range(message.instances)]
+    if message.withheld_for:
+        found = [Range(Fraction(0), each.high) for each in found]
     return Price(
-        by_instance=tuple(
-            frame_size(message, instance, protocol).times(frames) for instance in range(message.instances)
-        ),
+        by_instance=tuple(found),
         is_on=on_by_default(message.component, system),
     )
 

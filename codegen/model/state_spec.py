@@ -45,7 +45,9 @@ class QuantitySpec(Written):
         default=None,
     )
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
-    stale_after: Amount | None = described("Age after which the last reading is unknown, such as 1 s.", default=None)
+    stale_after: Amount | None = described(
+        "Age after which the last reading, or what code has set, is unknown, such as 1 s.", default=None
+    )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps.",

@@ -41,7 +41,7 @@ class Representation:
 
 @dataclass(frozen=True, slots=True)
 class PopulatedMessage:
-    """A message with an answer for every element; ``answers`` are in the order of their offsets.
+    """A table: a message with an answer for every element; ``answers`` are in the order of their offsets.
 
     ``component`` is the component that each instance of the message belongs to, or None for a single message.
     Without a ``stream`` it is sent when a ground station asks for it. With ``on_connection`` it is announced, which is
@@ -63,8 +63,14 @@ class PopulatedMessage:
 
     @property
     def name(self) -> str:
-        """The name in the dialect."""
-        return self.wire.name
+        """What its table is called: the name in the dialect, unless the table has one of its own."""
+        return self.population.name
+
+    @property
+    def title(self) -> str:
+        """``GPS_RAW_INT (24)``, or with a name of the table's own ``position: GPS_RAW_INT (24)``."""
+        message = f"{self.wire.name} ({self.wire.id})"
+        return message if self.name == self.wire.name else f"{self.name}: {message}"
 
     @property
     def is_announced(self) -> bool:
@@ -75,6 +81,11 @@ class PopulatedMessage:
     def instances(self) -> int:
         """How many of the message exist."""
         return self.component.instances if self.component else 1
+
+    @property
+    def withheld_for(self) -> tuple[tuple[str, Quantity], ...]:
+        """The fields and quantities for which the message is withheld: while one of these is unknown."""
+        return tuple((answer.covers.label, quantity) for answer in self.answers for quantity in answer.withheld_for)
 
     @property
     def makes_floats(self) -> bool:
@@ -111,7 +122,7 @@ class Generations:
 
 @dataclass(frozen=True, slots=True)
 class System:
-    """Everything that is generated from, resolved. ``messages`` are in the order of their ids.
+    """Everything that is generated from, resolved. ``messages`` are in the order of their ids and names.
 
     ``requirements`` has every document under its id and under each of its aliases. ``system_parameter`` sets the
     system id where the project says so; ``system_id`` is then its default. So it is with ``component_parameter``.
@@ -145,8 +156,12 @@ class System:
     def sent(self) -> tuple[WireMessage, ...]:
         """The messages that the firmware sends whole, in the order of their ids."""
         services = self.program.sent if self.program else ()
-        names = {*services, *(message.name for message in self.messages)}
+        names = {*services, *(message.wire.name for message in self.messages)}
         return tuple(wire for wire in self.wires if wire.name in names)
+
+    def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
+        """The tables of a message of the dialect, by its name."""
+        return tuple(table for table in self.messages if table.wire.name == message)
 
     def quantity(self, path: str) -> Quantity | None:
         """The quantity written as ``component.name``, or None."""

@@ -136,19 +136,20 @@ class Threshold:
 class Trust:
     """When the value of a quantity is no longer believed, and so unknown; None: never for that reason.
 
-    ``invalid_after`` counts failed readings in a row, ``stale_after_ms`` is the age of the last good one.
+    ``invalid_after`` counts failed readings in a row, ``stale_after_ms`` is the age of the last good one,
+    or of what code has set.
     """
 
     invalid_after: int | None
     stale_after_ms: int | None
 
-    def words(self) -> str:
+    def words(self, since: str = "the last good one") -> str:
         """When that happens, for people; nothing where it does not happen by itself."""
         causes = []
         if self.invalid_after is not None:
             causes.append(f"after {self.invalid_after} failed readings in a row")
         if self.stale_after_ms is not None:
-            causes.append(f"{self.stale_after_ms} ms after the last good one")
+            causes.append(f"{self.stale_after_ms} ms after {since}")
         return ", or ".join(causes)
 
 
@@ -183,6 +184,16 @@ class Quantity(Cited):
     def path(self) -> str:
         """``battery.voltage``, as the tables write it."""
         return f"{self.component}.{self.name}"
+
+    @property
+    def ages(self) -> bool:
+        """Whether it is forgotten once code has not set it for a while; what readings give is forgotten with these."""
+        return self.derivation.is_set_by_code and self.trust.stale_after_ms is not None
+
+    @property
+    def lost(self) -> str:
+        """When its value is no longer believed, for people; nothing where that does not happen by itself."""
+        return self.trust.words("it was set") if self.ages else self.trust.words()
 
     @property
     def decided_by(self) -> str:

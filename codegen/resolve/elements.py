@@ -1,7 +1,8 @@
 """Which elements of a message each key of a population table answers for."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.answer import Elements
@@ -21,7 +22,7 @@ ANSWERED_TWICE = Rule("answered-twice", "Two keys of a population table answer f
 UNANSWERED_FIELD = Rule(
     "unanswered-field",
     "A population table answers for every field of its message, including extensions and every element of an array. "
-    "Answer 'unknown' where nothing measures the value.",
+    "Answer 'unknown' where nothing measures the value, or say 'others: unknown' for all that is not listed.",
 )
 
 _KEY = re.compile(r"([A-Za-z_]\w*)(?:\[(\d{1,3})(?:\.\.(\d{1,3}))?\])?")
@@ -67,9 +68,39 @@ def answered_elements(
         kept.append(found)
     for field in message.fields:
         missing = [element for element in range(_element_count(field)) if (field.name, element) not in owners]
-        if missing and field.name not in broken:
+        if not missing or field.name in broken:
+            continue
+        if population.others is not None:
+            kept += [_other(field, first, count, population, citation) for first, count in _runs(missing, field)]
+        elif "others" not in population.places:
             _report_unanswered(population, message, field, missing, field.name in named, report)
     return sorted(kept, key=lambda found: (found.field.offset, found.first))
+
+
+def _other(field: WireField, first: int, count: int, population: PopulationSpec, citation: Citation) -> Elements:
+    """Elements that the table does not list: their sentinel goes out; without one the finding is at ``others``."""
+    return Elements(field, first, count, FieldAnswer(place=population.at("others"), unknown=True), citation, True)
+
+
+def _runs(missing: Sequence[int], field: WireField) -> Iterator[tuple[int, int]]:
+    """First and number of the elements that follow one another; a text is whole."""
+    if field.type.kind is Kind.CHAR:
+        yield 0, field.count
+        return
+    for _, run in groupby(enumerate(missing), key=lambda each: each[1] - each[0]):
+        members = [element for _, element in run]
+        yield members[0], len(members)
+
+
+def other_ranges(
+    answered: Iterable[tuple[WireField, int, int]], message: WireMessage
+) -> Iterator[tuple[WireField, int, int]]:
+    """The field, the first element and the number of elements of what nothing answers for, in wire order."""
+    taken = {(field.name, element) for field, first, count in answered for element in range(first, first + count)}
+    for field in message.fields:
+        missing = [element for element in range(_element_count(field)) if (field.name, element) not in taken]
+        if missing:
+            yield from ((field, first, count) for first, count in _runs(missing, field))
 
 
 def answered_ranges(key: str, message: WireMessage) -> Iterator[tuple[WireField, int, int]]:

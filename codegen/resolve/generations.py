@@ -1,6 +1,6 @@
 """What decides whether and when a message goes out, beside its stream: its generation, and what announces it."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.population_spec import PopulationSpec
@@ -39,7 +39,7 @@ def resolve_generations(
 ) -> tuple[Generations, ...]:
     """The generations of streams.yaml; what is wrong with one is reported and leaves it out."""
     resolved = {message.name: message for message in messages}
-    tables = {population.message for population in spec.populations}
+    tables = {population.name for population in spec.populations}
     taken: dict[str, Place] = {}
     found = []
     for name, written in spec.streams.generations.items():
@@ -48,7 +48,11 @@ def resolve_generations(
         if component is None and name not in spec.state.components:
             message = f"the state has no component {name} that there could be generations of messages about"
             report.add(BAD_GENERATIONS, written.place, message, did_you_mean(name, components))
-        problems = [*_list_problems(written, tables, taken), *_owner_problems(name, written, resolved)]
+        problems = [
+            *_list_problems(written, tables, taken),
+            *_table_problems(written, spec.populations),
+            *_owner_problems(name, written, resolved),
+        ]
         for place, message, hint, related in problems:
             report.add(BAD_GENERATIONS, place, message, hint, related)
         parameter = None
@@ -79,6 +83,20 @@ def _list_problems(spec: GenerationsSpec, tables: set[str], taken: dict[str, Pla
             if name in taken:
                 yield place, f"{name} belongs to a generation already", None, [(taken[name], "it is listed here")]
             taken.setdefault(name, place)
+
+
+def _table_problems(spec: GenerationsSpec, tables: Sequence[PopulationSpec]) -> Iterator[_Problem]:
+    """A message with several tables is in no generation: who receives it could not tell what belongs to which."""
+    for key in ("old", "new"):
+        for number, name in enumerate(getattr(spec, key)):
+            table = next((table for table in tables if table.name == name), None)
+            if table is None:
+                continue
+            other = next((each for each in tables if each.message == table.message and each is not table), None)
+            if other is not None:
+                related = [(other.at("message"), "another table of the message")]
+                message = f"{name} is one of several tables of {table.message}, which receivers cannot tell apart"
+                yield spec.at(f"{key}[{number}]"), message, None, related
 
 
 def _owner_problems(name: str, spec: GenerationsSpec, messages: Mapping[str, PopulatedMessage]) -> Iterator[_Problem]:

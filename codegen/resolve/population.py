@@ -1,5 +1,6 @@
 """One population table: its message, and an answer of its kind for every element."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer, Elements
 from codegen.model.dialect import Dialect
-from codegen.model.population_spec import PopulationSpec
+from codegen.model.population_spec import PopulationSpec, Send
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import PopulatedMessage
 from codegen.model.vehicle import Component, Parameter, Stream
@@ -22,6 +23,13 @@ from codegen.resolve.represent import resolve_representations
 from codegen.resolve.scope import ResolvedScope
 
 UNKNOWN_MESSAGE = Rule("unknown-message", "A population table is for a message that the dialect does not have.")
+BAD_TABLE_NAME = Rule(
+    "bad-table-name",
+    "The name that a population table gives itself with 'as' is that of its builder, its page and its tests, and "
+    "stands for it wherever the specification names a message. It begins with a lower-case letter, goes on with "
+    "lower-case letters, digits and underscores, and nothing else is called so: no message of the dialect, no "
+    "component, no stream.",
+)
 UNKNOWN_STREAM = Rule("unknown-stream", "A population table names a stream that streams.yaml does not have.")
 UNKNOWN_COMPONENT = Rule("unknown-component", "A table names a component that state.yaml does not have.")
 
@@ -52,6 +60,7 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
         hint = did_you_mean(population.message, parts.dialect.messages)
         place = population.at("message")
         report.add(UNKNOWN_MESSAGE, place, f"{parts.dialect.name} has no message {population.message}", hint)
+    _check_name(population, parts, report)
     citation = cite(population.requirement, population.at("requirement"), parts.requirements, report)
     stream = _stream(population, parts, report)
     component = None
@@ -68,6 +77,10 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
     scope = _scope(population, component, elements, parts, report)
     bound = [_bind(covers, scope) for covers in elements]
     answers = [answer for answer in bound if answer is not None]
+    withheld = any(answer.withheld_for for answer in answers)
+    if population.send is Send.WHILE_KNOWN and not withheld and len(answers) == len(elements):
+        text = "send: while_known says nothing: each field can say unknown, or is always known"
+        report.add(POINTLESS_KEY, population.at("send"), text, "leave it out")
     represents = resolve_representations(
         population, answers, parts.components, parts.spec.state, parts.spec.parameters, parts.parameters, report
     )
@@ -85,6 +98,27 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
         on_change=on_change,
         pages=scope.pages.count if scope.pages else 1,
     )
+
+
+def _check_name(population: PopulationSpec, parts: Parts, report: Report) -> None:
+    """Say what is wrong with a name of the table's own, where it has one."""
+    name = population.named
+    if name is None:
+        return
+    problem, hint = None, None
+    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+        problem, hint = "is no name of a table", "write it like 'position' or 'wind_speed'"
+    elif name.upper() == population.message:
+        problem = "says nothing: a table is called like its message anyway"
+        hint = "leave it out, or choose another name"
+    elif name.upper() in parts.dialect.messages:
+        problem = f"is the name of another message, {name.upper()}"
+    elif name in parts.spec.state.components:
+        problem = "is the name of a component of the state"
+    elif name in parts.spec.streams.streams:
+        problem = "is the name of a stream"
+    if problem is not None:
+        report.add(BAD_TABLE_NAME, population.at("as"), f"{name!r} {problem}", hint or "choose another name")
 
 
 def _stream(population: PopulationSpec, parts: Parts, report: Report) -> Stream | None:

@@ -89,11 +89,28 @@ def _check(around: Surroundings) -> None:
     if spec.invalid_after is not None and not 1 <= spec.invalid_after <= 1000:
         around.bad("invalid_after", f"invalid_after of {name} is {spec.invalid_after}, not 1 to 1000")
     if not any(written.has_readings for written in spec.derivations):
-        for key in ("invalid_after", "stale_after"):
-            if getattr(spec, key) is not None:
-                around.bad(key, f"{name} has no adc, so {key} says nothing")
+        if spec.invalid_after is not None:
+            around.bad("invalid_after", f"{name} has no adc, so invalid_after says nothing")
+        if spec.stale_after is not None:
+            _check_age(around)
     if spec.per_cell and not any(written.has_limit for written in spec.derivations):
         around.bad("per_cell", "per_cell says nothing without follows", BAD_FOLLOWING)
+
+
+def _check_age(around: Surroundings) -> None:
+    """Whether what no reading gives can become too old: code sets it, as a whole, and it can be unknown."""
+    spec, name = around.spec, around.name
+    if any(written.is_named for written in spec.derivations):
+        around.bad("stale_after", f"{name} is not set by code, so stale_after says nothing")
+    elif spec.boolean:
+        around.bad("stale_after", f"{name} is a boolean, which is never unknown, so stale_after says nothing")
+    elif spec.initial is not None:
+        hint = "leave out one of them"
+        around.bad(
+            "stale_after", f"{name} has an initial value in place of unknown, so stale_after says nothing", hint=hint
+        )
+    elif spec.elements is not None:
+        around.bad("stale_after", f"{name} has elements, each of which is set by itself: stale_after cannot tell when")
 
 
 def _kept(around: Surroundings, enum: EnumDefinition | None) -> Kept | None:

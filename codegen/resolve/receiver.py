@@ -1,6 +1,6 @@
 """The receiver: the component that it is for, its messages and its times."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import read_time
@@ -22,7 +22,7 @@ BAD_RECEIVER = Rule(
 def resolve_receiver(
     spec: ReceiverSpec,
     components: Mapping[str, Component],
-    messages: Iterable[PopulatedMessage],
+    messages: Sequence[PopulatedMessage],
     index: Mapping[str, Requirement],
     report: Report,
 ) -> Receiver | None:
@@ -38,6 +38,7 @@ def resolve_receiver(
     received = sorted(
         (message for message in messages if _is_received(message, component)), key=lambda message: message.wire.id
     )
+    _report_shared(received, messages, spec, report)
     if not received and report.has_errors:
         return None  # the table that is missing may be the one that was reported
     if not received:
@@ -48,6 +49,19 @@ def resolve_receiver(
     if stale is None or window is None:
         return None
     return Receiver(component, tuple(received), stale, window, citation, spec)
+
+
+def _report_shared(
+    received: Iterable[PopulatedMessage], messages: Iterable[PopulatedMessage], spec: ReceiverSpec, report: Report
+) -> None:
+    """A message of which there are several tables could be about anything that one of them is for."""
+    for message in received:
+        other = next((each for each in messages if each.wire is message.wire and each is not message), None)
+        if other is not None:
+            names = f"{message.name} and {other.name}"
+            what = f"{message.wire.name} has several tables, {names}, which look alike to a receiver"
+            related = [(table.population.place, f"the table {table.name}") for table in (message, other)]
+            report.add(BAD_RECEIVER, spec.at("component"), what, "leave one of them out", related)
 
 
 def _is_received(message: PopulatedMessage, component: Component) -> bool:

@@ -63,7 +63,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         parameters=parameters,
         components=components,
         streams=streams,
-        messages=tuple(sorted(messages, key=lambda message: message.wire.id)),
+        messages=tuple(sorted(messages, key=lambda message: (message.wire.id, message.name))),
         links=resolve_links(spec.board, index, report),
         program=program,
         requirements=index,

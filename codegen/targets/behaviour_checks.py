@@ -3,10 +3,12 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from codegen.model.price import default_rate, on_by_default
 from codegen.model.system import System
 from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.streams import StreamView, stream_views
+from codegen.targets.withheld import WithheldMessage, withheld_messages
 
 
 class BehaviourCheck(NamedTuple):
@@ -21,16 +23,55 @@ class BehaviourCheck(NamedTuple):
         return f"{self.name}-{self.criterion}" if self.criterion else self.name
 
 
+class SharedMessage(NamedTuple):
+    """A message of several tables: its frames in 40 s at the default rates, and in one turn of all of them."""
+
+    identifier: str
+    id: int
+    in_40_s: int
+    turn: int
+
+
+def shared_messages(system: System) -> tuple[SharedMessage, ...]:
+    """The messages of which there are several tables, in the order of their ids."""
+    sent: dict[str, list[tuple[int, int]]] = {}
+    for message in system.messages:
+        tables = system.tables(message.wire.name)
+        if len(tables) > 1:
+            frames = message.pages * sum(on_by_default(message.component, system))
+            sent.setdefault(message.wire.name, []).append((round(40 * default_rate(message)) * frames, frames))
+    return tuple(
+        SharedMessage(
+            name.lower(),
+            system.tables(name)[0].wire.id,
+            sum(all_of for all_of, _ in each),
+            sum(turn for _, turn in each),
+        )
+        for name, each in sent.items()
+    )
+
+
 def behaviour_checks(
-    readers: Sequence[ReaderView], streams: Sequence[StreamView], components: Sequence[ComponentFacts]
+    readers: Sequence[ReaderView],
+    streams: Sequence[StreamView],
+    components: Sequence[ComponentFacts],
+    shared: Sequence[SharedMessage],
+    withheld: Sequence[WithheldMessage],
 ) -> tuple[BehaviourCheck, ...]:
     """The checks in the order in which they run."""
     measured = [component for component in components if component.measured]
     checks = [check for pair in zip(readers, measured, strict=True) for check in _of_reading(*pair)]
     checks += [BehaviourCheck(stream.citation, f"{stream.identifier}_stream_keeps_its_rate") for stream in streams]
+    checks += [BehaviourCheck("", f"{message.identifier}_tables_keep_their_rates") for message in shared]
+    checks += [
+        BehaviourCheck(message.criterion, f"{message.identifier}_is_withheld_while_unknown") for message in withheld
+    ]
     checks.append(BehaviourCheck("", "every_value_allocates_nothing"))
     for component in components:
         for quantity in component.quantities:
+            if quantity.stale_after_ms is not None:
+                name = f"{component.name}_{quantity.name}_is_forgotten"
+                checks.append(BehaviourCheck(quantity.stale_criterion, name))
             if quantity.elements is not None:
                 name = f"{component.name}_{quantity.name}"
                 checks.append(BehaviourCheck("", f"{name}_allocate_nothing"))
@@ -64,4 +105,5 @@ def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[Behav
 
 def checks_of_behaviour(system: System) -> tuple[BehaviourCheck, ...]:
     """The same for a system of which no view has been made."""
-    return behaviour_checks(board_view(system).readers, stream_views(system), component_facts(system))
+    components, shared, withheld = component_facts(system), shared_messages(system), withheld_messages(system)
+    return behaviour_checks(board_view(system).readers, stream_views(system), components, shared, withheld)

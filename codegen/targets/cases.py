@@ -147,7 +147,8 @@ def _case(
     return MessageCase(
         name=f"{message.name}.{name}",
         requirement=requirement,
-        message=message.name,
+        message=message.wire.name,
+        table=message.name,
         instance=instance,
         settings=tuple(settings),
         expect=expected_fields(message, known, instance, page),

@@ -20,6 +20,7 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
             "requirement": case.requirement,
             **({"also": case.also} if case.also else {}),
             "message": case.message,
+            **({"table": case.table} if case.table != case.message else {}),
             "instance": case.instance,
             **({"page": case.page} if case.page else {}),
             "set": [setting if setting[3] else setting[:3] for setting in case.settings],

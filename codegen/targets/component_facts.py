@@ -14,7 +14,10 @@ from codegen.targets.naming import parameter_attribute
 
 @dataclass(frozen=True, slots=True)
 class QuantityFacts:
-    """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other."""
+    """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other.
+
+    ``stale_after_ms``: so long after code has set it, it is unknown.
+    """
 
     name: str
     attribute: str
@@ -23,6 +26,8 @@ class QuantityFacts:
     numerator: int
     denominator: int
     citation: str
+    stale_after_ms: int | None
+    stale_criterion: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +133,8 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation or ""),
+        stale_after_ms=quantity.trust.stale_after_ms if quantity.ages else None,
+        stale_criterion=quantity.cited("stale_after"),
     )
 
 

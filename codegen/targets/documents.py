@@ -11,15 +11,14 @@ from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
 from codegen.targets.rendered import rendered
-from codegen.targets.table import FieldRow, field_rows, in_table
+from codegen.targets.table import FieldRow, field_rows, in_table, others_of, withheld_of
 
 
 @dataclass(frozen=True, slots=True)
 class MessageDocument:
     """One message with its fields."""
 
-    name: str
-    id: int
+    title: str
     crc_extra: int
     base_length: int
     length: int
@@ -27,6 +26,8 @@ class MessageDocument:
     sent_at_once: str
     citation: str
     table: str
+    others: str
+    withheld: str
     rows: tuple[FieldRow, ...]
 
 
@@ -107,8 +108,7 @@ def render_documents(system: System) -> dict[str, str]:
 
 def _message(message: PopulatedMessage, system: System) -> MessageDocument:
     return MessageDocument(
-        name=message.name,
-        id=message.wire.id,
+        title=message.title,
         crc_extra=message.wire.crc_extra,
         base_length=message.wire.base_length,
         length=message.wire.length,
@@ -116,6 +116,8 @@ def _message(message: PopulatedMessage, system: System) -> MessageDocument:
         sent_at_once=sent_at_once(message),
         citation=str(message.citation),
         table=source_name(system, message.population.place.file),
+        others=others_of(message),
+        withheld=withheld_of(message),
         rows=field_rows(message),
     )
 

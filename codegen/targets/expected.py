@@ -27,11 +27,18 @@ def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier
     return rounded(stored, Rounding.NEAREST)
 
 
+def is_withheld(message: PopulatedMessage, known: Known) -> bool:
+    """Whether nothing is sent while the state is ``known``."""
+    return any(known[quantity.path] is None for _, quantity in message.withheld_for)
+
+
 def expected_fields(message: PopulatedMessage, known: Known, instance: int = 0, page: int = 0) -> dict[str, Wire]:
-    """Every field of ``message`` by name, as pymavlink takes them, while the state is ``known``.
+    """Every field of ``message`` by name, as pymavlink takes them, while the state is ``known``; empty if withheld.
 
     ``known`` is about the instance that the message is for, or about the one that it represents.
     """
+    if is_withheld(message, known):
+        return {}
     elements: dict[str, dict[int, Value]] = {}
     for answer in message.answers:
         covers = answer.covers

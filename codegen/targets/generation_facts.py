@@ -4,6 +4,7 @@ from codegen.frozen import dataclass
 from codegen.model.price import Range, chosen, default_rate, frame_size, price
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
+from codegen.targets.firmware.sending import shortest_us
 from codegen.targets.naming import parameter_attribute
 
 
@@ -32,6 +33,7 @@ class MessageFacts:
     instances: int
     pages: int
     rate: float
+    shortest_us: int
     frames: tuple[tuple[int, int], ...]
     on_connection: bool
     watched: tuple[str, str] | None
@@ -63,8 +65,17 @@ def _floats(found: Range) -> tuple[float, float]:
 
 
 def message_facts(system: System) -> tuple[MessageFacts, ...]:
-    """The messages in the order of their ids."""
-    return tuple(_message(message, system) for message in system.messages)
+    """The messages in the order of their ids; not those of several tables, whose frames do not tell which it was."""
+    alone = (message for message in system.messages if len(system.tables(message.wire.name)) == 1)
+    return tuple(_message(message, system) for message in alone)
+
+
+def shared_facts(system: System) -> dict[int, tuple[MessageFacts, ...]]:
+    """The tables of each message that has several, by its id."""
+    tables = {message.wire.id: system.tables(message.wire.name) for message in system.messages}
+    return {
+        number: tuple(_message(table, system) for table in each) for number, each in tables.items() if len(each) > 1
+    }
 
 
 def _message(message: PopulatedMessage, system: System) -> MessageFacts:
@@ -77,6 +88,7 @@ def _message(message: PopulatedMessage, system: System) -> MessageFacts:
         instances=message.instances,
         pages=message.pages,
         rate=float(default_rate(message)),
+        shortest_us=shortest_us(message, system),
         frames=tuple((int(size.low), int(size.high)) for size in sizes),
         on_connection=message.on_connection,
         watched=(watched.component, watched.attribute) if watched else None,

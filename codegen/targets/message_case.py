@@ -14,7 +14,7 @@ The component ``parameters`` has the parameters by their attributes.
 
 @dataclass(frozen=True, slots=True)
 class MessageCase:
-    """A state and the message that must come of it. ``requirement`` is the criterion that asks for it.
+    """A state and the message that must come of it by a ``table``. ``requirement`` is the criterion that asks for it.
 
     ``also`` are further criteria that it shows: those of fields that are the same in every message.
     """
@@ -22,6 +22,7 @@ class MessageCase:
     name: str
     requirement: str
     message: str
+    table: str
     instance: int
     settings: tuple[Setting, ...]
     expect: dict[str, Wire]

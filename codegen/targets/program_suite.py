@@ -9,10 +9,17 @@ from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.program import ProgramView, program_view
 from codegen.targets.firmware.streams import StreamsView, streams_view
-from codegen.targets.generation_facts import GenerationFacts, MessageFacts, generation_facts, message_facts
+from codegen.targets.generation_facts import (
+    GenerationFacts,
+    MessageFacts,
+    generation_facts,
+    message_facts,
+    shared_facts,
+)
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 from codegen.targets.rendered import rendered
+from codegen.targets.withheld import KnownWord, known_words, withheld_messages
 
 _PROGRAM = "tests/program"
 
@@ -46,10 +53,16 @@ class ProgramSuiteView:
     readers: tuple[ReaderView, ...]
     parameters: tuple[ParameterView, ...]
     streams: StreamsView
+    sent: tuple[int, ...]
+    on_request: list[int]
+    shortest_us: tuple[int, ...]
     families: dict[str, MeasuredFamilies]
     inputs: dict[str, tuple[InputView, ...]]
     generations: tuple[GenerationFacts, ...]
     messages: tuple[MessageFacts, ...]
+    shared: dict[int, tuple[MessageFacts, ...]]
+    known: tuple[KnownWord, ...]
+    withheld: dict[int, tuple[tuple[str, str], ...]]
     requirements: dict[str, str]
 
 
@@ -58,16 +71,25 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
     files = {path.replace(_PROGRAM, "tests"): text for path, text in copied_files(_PROGRAM).items()}
     if system.spec.program:
         files = {path: text for path, text in files.items() if path not in LEFT_TO_THE_PROJECT}
+    streams = streams_view(system)
+    alone = [message for message in streams.messages if message.is_alone]
+    streamed = {message.id for stream in streams.streams for message in stream.messages}
     view = ProgramSuiteView(
         program=program_view(system, program),
         components=tuple(component for component in component_facts(system) if component.measured),
         readers=board_view(system).readers,
         parameters=parameter_views(system),
-        streams=streams_view(system),
+        streams=streams,
+        sent=tuple(message.id for message in alone),
+        on_request=[message.id for message in alone if message.id not in streamed],
+        shortest_us=tuple(message.shortest_us for message in alone),
         families={name: _families(system.components[name], each) for name, _, each in system.measured()},
         inputs={name: _inputs(system, system.components[name], each) for name, _, each in system.measured()},
         generations=generation_facts(system),
         messages=message_facts(system),
+        shared=shared_facts(system),
+        known=known_words(system),
+        withheld={each.id: each.quantities for each in withheld_messages(system) if each.is_alone and each.is_on},
         requirements=documents_of_topics(system, program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])

@@ -37,7 +37,8 @@ def representation_cases(message: PopulatedMessage, used: Mapping[str, Quantity]
             yield MessageCase(
                 name=f"{message.name}.represents-{choice.component.name}-{name}",
                 requirement=str(message.citation),
-                message=message.name,
+                message=message.wire.name,
+                table=message.name,
                 instance=0,
                 settings=tuple(settings),
                 expect=expected_fields(message, {**others, **instances[number]}, number),

@@ -2,7 +2,7 @@
 
 from codegen.frozen import dataclass
 from codegen.model.system import System
-from codegen.targets.behaviour_checks import BehaviourCheck, behaviour_checks
+from codegen.targets.behaviour_checks import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
 from codegen.targets.cases_file import cases_text
 from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import BoardView, board_view
@@ -12,6 +12,7 @@ from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
 from codegen.targets.rendered import rendered
+from codegen.targets.withheld import KnownWord, WithheldMessage, known_words, withheld_messages
 
 RENDERED = ("behaviour.py", "test_frames.py")
 
@@ -28,11 +29,15 @@ class SuiteView:
     builders: tuple[str, ...]
     steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
+    shared: tuple[SharedMessage, ...]
+    withheld: tuple[WithheldMessage, ...]
+    known: tuple[KnownWord, ...]
     choosers: tuple[str, ...]
     has_program: bool
     parameters: tuple[ParameterView, ...]
     checks: tuple[BehaviourCheck, ...]
     expiring: dict[str, tuple[str, ...]]
+    ageing: dict[str, tuple[str, ...]]
 
 
 def render_suite(system: System) -> dict[str, str]:
@@ -41,6 +46,7 @@ def render_suite(system: System) -> dict[str, str]:
     about: dict[str, object] = {"from": list(origin.sources), "inputs": origin.digest}
     files = {**copied_files("tests"), "tests/cases.json": cases_text(system, about)}
     board, components, streams = board_view(system), component_facts(system), stream_views(system)
+    shared, withheld = shared_messages(system), withheld_messages(system)
     measured = tuple(component for component in components if component.measured)
     view = SuiteView(
         system_id=system.system_id,
@@ -51,10 +57,14 @@ def render_suite(system: System) -> dict[str, str]:
         builders=tuple(message.name.lower() for message in system.messages),
         steady=tuple(message.name.lower() for message in system.messages if not message.makes_floats),
         streams=streams,
+        shared=shared,
+        withheld=withheld,
+        known=known_words(system),
         choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
         has_program=system.program is not None,
         parameters=parameter_views(system),
-        checks=behaviour_checks(board.readers, streams, components),
+        checks=behaviour_checks(board.readers, streams, components, shared, withheld),
+        ageing={path: _ageing(path, system) for path in _aging_paths(system)},
         expiring={component.name: _readers(component.name, system) for component in components},
     )
     for name in RENDERED:
@@ -66,6 +76,22 @@ def suite_origin(system: System) -> Origin:
     """What the suite is made of: everything but the documents, and the messages that are sent."""
     wires = [message.wire for message in system.messages]
     return origin_of(system, [path for path in system.spec.files if not path.endswith(".md")], wires)
+
+
+def _aging_paths(system: System) -> list[str]:
+    """The quantities that are forgotten once code has not set them for a while."""
+    quantities = (quantity for component in system.components.values() for quantity in component.quantities.values())
+    return [quantity.path for quantity in quantities if quantity.ages]
+
+
+def _ageing(path: str, system: System) -> tuple[str, ...]:
+    """The messages, in lower case, whose builders read a quantity of the first instance and notice its age."""
+    return tuple(
+        message.name.lower()
+        for message in system.messages
+        if path.partition(".")[0] not in message.represents
+        and any(quantity.decided_by == path for answer in message.answers for quantity in answer.quantities)
+    )
 
 
 def _readers(component: str, system: System) -> tuple[str, ...]:

@@ -23,6 +23,16 @@ class FieldRow:
     place: Place
 
 
+def others_of(message: PopulatedMessage) -> str:
+    """The fields and elements that go out as unknown because the table does not list them: ``alt_ellipsoid, yaw``."""
+    return ", ".join(answer.covers.label for answer in message.answers if answer.covers.by_others)
+
+
+def withheld_of(message: PopulatedMessage) -> str:
+    """The quantities that withhold a message, with the fields that cannot say so: ``gps.lat (lat), gps.lon (lon)``."""
+    return ", ".join(f"{quantity.path} ({label})" for label, quantity in message.withheld_for)
+
+
 def field_rows(message: PopulatedMessage) -> tuple[FieldRow, ...]:
     """The rows of a message, in wire order."""
     return tuple(_row(answer) for answer in message.answers)
@@ -40,7 +50,7 @@ def _row(answer: Answer) -> FieldRow:
         field=covers.label,
         type=f"{field.type.name}{length}{extension}",
         unit=field.unit_text,
-        source=words.source,
+        source=f"{words.source} (others)" if covers.by_others else words.source,
         conversion=words.conversion,
         limits=words.limits,
         sentinel=covers.sentinel,

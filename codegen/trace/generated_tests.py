@@ -39,7 +39,7 @@ def _tests(system: System) -> Iterator[Test]:
     for case in message_cases(system):
         identifier = f"{case.name}-{case.requirement}"
         for criterion in (case.requirement, *case.also):
-            frames.setdefault((criterion, case.message), []).extend(_under_each(identifier))
+            frames.setdefault((criterion, case.table), []).extend(_under_each(identifier))
     for (criterion, message), cases in frames.items():
         yield Test(f"{folder}/test_frames.py", "test_frames", criterion, tuple(cases), message)
     yield from _grouped(

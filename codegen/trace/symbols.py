@@ -63,7 +63,7 @@ class Symbols:
 
     def message(self, message: PopulatedMessage) -> tuple[Symbol, ...]:
         """Its class, its builder, and the function of the receiver that reads it."""
-        found = [(MESSAGES, self.classes[message.name]), (TELEMETRY, builder_name(message))]
+        found = [(MESSAGES, self.classes[message.wire.name]), (TELEMETRY, builder_name(message))]
         return self._all([*found, *self._read_by_receiver(message)])
 
     def field(self, message: PopulatedMessage, answer: Answer) -> tuple[Symbol, ...]:
@@ -122,7 +122,7 @@ class Symbols:
 
     def _read_by_receiver(self, message: PopulatedMessage) -> Iterator[tuple[str, str]]:
         for reader in self.receiver.readers if self.receiver else ():
-            if self.receiver and reader.name == message.name:
+            if self.receiver and reader.name == message.wire.name:
                 yield f"receiver/{self.receiver.module}.py", reader.function
 
     def _parameter(self, parameter: Parameter) -> list[tuple[str, str]]:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/commands.py, dialect common: do not edit.
-# Inputs: 3f4eab07cf550068
+# Inputs: a0ed95717cb78c42
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 import messages
@@ -16,6 +16,7 @@ _MAV_CMD_SET_MESSAGE_INTERVAL = const(511)
 _MAV_RESULT_ACCEPTED = const(0)
 _MAV_RESULT_DENIED = const(2)
 _MAV_RESULT_FAILED = const(4)
+_MAV_RESULT_TEMPORARILY_REJECTED = const(1)
 _MAV_RESULT_UNSUPPORTED = const(3)
 _MAV_SEVERITY_ERROR = const(3)
 _REBOOT_SHUTDOWN_ACTION_NONE = const(0)
@@ -121,6 +122,8 @@ class Commands:
     def _answer_with(self, message_id):
         if message_id is None or self._connection.streams.interval_us(message_id) == 0:
             return _MAV_RESULT_DENIED, None  # not a message of this vehicle
+        if self._connection.streams.is_withheld(message_id):
+            return _MAV_RESULT_TEMPORARILY_REJECTED, None  # what it tells is unknown
         return _MAV_RESULT_ACCEPTED, (self._send_message, message_id)
 
     def _send_message(self, message_id):

@@ -197,35 +197,51 @@ class Streams:
         return False
 
     def send(self, message_id):
-        """Send a message once, each of its instances; return whether this vehicle has it."""
-        index = _index(message_id)
-        if index is None:
-            return False
-        self._send(index)
-        return True
+        """Send a message once, each of its tables and instances; return whether this vehicle has it."""
+        found = False
+        for index in range(len(_IDS)):
+            if _IDS[index] == message_id:
+                found = True
+                self._send(index)
+        return found
+
+    def is_withheld(self, _message_id):
+        """Return whether nothing of a message goes out now, because what it tells is unknown."""
+        return False
 
     def set_interval(self, message_id, interval_us):
         """Send a message in this interval from now on: microseconds, -1 for never, 0 for its stream's own rate.
 
-        Shorter ones than allowed become the shortest. False: this vehicle has no such message.
+        It holds for each of its tables. Shorter ones than allowed become the shortest. False: this vehicle has no such
+        message.
         """
-        index = _index(message_id)
-        if index is None or interval_us < OFF:
-            return False
+        found = False
+        for index in range(len(_IDS)):
+            if _IDS[index] == message_id and interval_us >= OFF:
+                found = True
+                self._set_interval(index, interval_us)
+        return found
+
+    def _set_interval(self, index, interval_us):
         if interval_us > 0:
             interval_us = min(max(interval_us, _SHORTEST_US[index]), 0x3FFFFFFF)
         self._interval_us[index] = interval_us
         if interval_us == 0 and _STREAMS[index] is not None:
             self._asked_hz[_STREAMS[index]] = OFF
         self._restart(index, time.ticks_ms())
-        return True
 
     def interval_us(self, message_id):
-        """Return the interval of a message in microseconds, -1 while it is off, 0 if this vehicle does not have it."""
-        index = _index(message_id)
-        if index is None:
-            return 0
-        return self._numerator * 1000 // self._denominator if self._find_period(index) else OFF
+        """Return the interval of a message in microseconds, -1 while it is off, 0 if this vehicle does not have it.
+
+        Of several tables it is the shortest one.
+        """
+        shortest_us = 0
+        for index in range(len(_IDS)):
+            if _IDS[index] == message_id:
+                interval_us = self._numerator * 1000 // self._denominator if self._find_period(index) else OFF
+                if shortest_us <= 0 or 0 < interval_us < shortest_us:
+                    shortest_us = interval_us
+        return shortest_us
 
     def request(self, data_stream, rate_hz):
         """Send a stream at another rate, 0 for never, until its parameter changes; number 0 means all streams.
@@ -336,11 +352,3 @@ class Streams:
 
     def _send(self, index):
         _SENDERS[index](_ENCODERS[index], self._state, self._link)
-
-
-def _index(message_id):
-    """Return the place of a message, or None."""
-    for index in range(len(_IDS)):
-        if _IDS[index] == message_id:
-            return index
-    return None

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: ddde90b3422a9a1e
+# Inputs: d06d76bea3aab7af
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
 from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_rover, run, run_passes
@@ -45,7 +45,11 @@ def is_chosen(rover, number):
 
 def reporting(rover, number):
     """Return the instances, from 0, that a message is sent about."""
-    facts = MESSAGES[number]
+    return reported(rover, MESSAGES[number])
+
+
+def reported(rover, facts):
+    """Return those that a table is sent about."""
     if facts["component"] is None or facts["enabled"] is None:
         return list(range(facts["instances"]))
     owners = getattr(rover.state, facts["component"])

@@ -640,3 +640,12 @@ MESSAGES = {
         "watched": None,
     },
 }
+
+# The tables of messages that have several, by id, with the shortest interval in microseconds. All else leaves them out:
+# a frame does not tell which table it is of.
+SHARED = {}
+
+# Component, instance, attribute and a value of all that a message is withheld for while it is unknown, with the place
+# of the word that says how long it is believed, if it ages; and by id the quantities that withhold a message.
+KNOWN = ()
+WITHHELD = {}

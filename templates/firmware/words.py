@@ -6,6 +6,7 @@ the units of people to NaN, makes it unknown.
 What a view is about are defaults of its functions: closures and their cells would take twice the heap.
 """
 
+import time
 from array import array
 
 from conversion import LARGEST, limited, to_steps
@@ -77,6 +78,26 @@ def result(place, numerator, denominator=1):
         return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
 
     return property(get)
+
+
+def aging(name, place, expires, after_ms):
+    """Return the attribute `name`, of the word at `place`, that is forgotten so many ms after it was set.
+
+    The word at `expires` has the time until which it is believed, unknown is for ever. Ticks are counted in 30 bits.
+    """
+
+    def get(self):
+        until_ms = self.words[expires]
+        if until_ms != UNKNOWN and 0 < (time.ticks_ms() - until_ms & 0x3FFFFFFF) < 0x20000000:
+            self.words[place] = UNKNOWN
+            self.words[expires] = UNKNOWN
+        return getattr(self, name)
+
+    def put(self, value):
+        setattr(self, name, value)
+        self.words[expires] = time.ticks_ms() - (0x40000000 - after_ms) & 0x3FFFFFFF  # a sum may be no small integer
+
+    return property(get, put)
 
 
 def truth(place):

@@ -58,11 +58,14 @@ def frames_of(case, instances, count, links):
     state = state_of(case, instances)
     about = (case["instance"], case.get("page", 0))[:count]
     about = about if any(about) else ()  # the first one needs not be named
-    name = case["message"].lower()
+    name = case.get("table", case["message"]).lower()
     message = getattr(telemetry, "build_" + name)(state, *about)
     encode = getattr(telemetry, "encode_" + name)
     frames = []
     for link in links:
+        if message is None:  # it is withheld
+            frames.append(encode(link, state, *about) and "a frame")
+            continue
         fits = link.version == 2 or message.ID < 256
         if fits:
             link.sequence = 0
@@ -101,7 +104,8 @@ def run(cases):
     about = cases["about"]
     return {
         "frames": {
-            case["name"]: frames_of(case, instances, about.get(case["message"], 0), links) for case in cases["messages"]
+            case["name"]: frames_of(case, instances, about.get(case.get("table", case["message"]), 0), links)
+            for case in cases["messages"]
         },
         "conversions": {case["name"]: convert(case, instances) for case in cases["conversions"]},
     }

@@ -3,7 +3,7 @@
 from codegen.model.payload_code import UNKNOWN, indented
 from codegen.model.system import Representation
 from codegen.targets.firmware.payload import SpelledCode
-from codegen.targets.firmware.reading import expires, expiry
+from codegen.targets.firmware.reading import expires, expiry, forgetting
 
 
 def choosing(choice: Representation, code: SpelledCode) -> list[str]:
@@ -44,6 +44,8 @@ def _lowest(choice: Representation, code: SpelledCode) -> list[str]:
     turn = [code.reach(component.name, "place")]
     if expires(component):
         turn += expiry(component, code, code.now(), "level")
+    if quantity.ages:
+        turn += forgetting(quantity, code, code.now(), "level")
     turn.append(f"level = {code.read(quantity)}")
     if component.enabled is not None:
         turn += [f"if {code.is_set(component.enabled)} == 0:", f"    level = {UNKNOWN}"]

@@ -9,10 +9,13 @@ from codegen.targets.firmware.choice import choosing
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.payload_machine import MachineCode
 from codegen.targets.firmware.payload_plain import PlainCode
-from codegen.targets.firmware.reading import expires, expiry
+from codegen.targets.firmware.reading import expires, expiry, forgetting
 from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import import_lines, in_brackets
 from codegen.targets.naming import builder_name, class_names, encoder_name, frame_name, message_about
+
+TAKEN = frozenset(("_room", "_stand", "_stand_in", "_whole"))
+"""What the modules call their own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +26,7 @@ class FunctionView:
 
     ``about`` are the instance and the page, as far as it has them; ``arguments`` are those of the builder behind the
     state. ``write`` is the builder's call of the function with the statements, and ``head`` the head of that one.
-    ``last_word`` is the place of its last four bytes.
+    ``last_word`` is the place of its last four bytes. ``is_withheld``: it may be.
     """
 
     message: str
@@ -39,6 +42,7 @@ class FunctionView:
     arguments: str
     head: str
     write: str
+    is_withheld: bool
     parameters: tuple[str, ...]
     lines: tuple[str, ...]
     id_bytes: tuple[int, int, int]
@@ -56,6 +60,7 @@ class FunctionsView:
     texts: tuple[tuple[str, str], ...]
     functions: tuple[FunctionView, ...]
     puts_floats: bool
+    is_withheld: bool
 
 
 def _chosen(message: PopulatedMessage) -> tuple[Representation, ...]:
@@ -73,7 +78,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
     classes = class_names(wire.name for wire in system.wires)
     for message in system.messages:
         code: SpelledCode = (MachineCode if machine_code else PlainCode)(layout, message.name.lower())
-        functions.append(_function(message, classes[message.name], system, code))
+        functions.append(_function(message, classes[message.wire.name], system, code))
         uses |= code.uses
         texts |= code.texts
         for component, names in code.words.items():
@@ -90,6 +95,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         texts=tuple(texts.items()),
         functions=tuple(functions),
         puts_floats="put_float" in uses,
+        is_withheld=any(function.is_withheld for function in functions),
     )
 
 
@@ -116,16 +122,28 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
     age = "value" if len(expired) == 1 else "age"  # the time is needed no more: boards have room for few variables
     before = [line for component in expired for line in ["", *expiry(component, code, code.now(), age)]]
+    before = [*_ageing(message, system, code), *before]
+    withheld = _withheld(message, code)
     cleared = code.cleared(message.wire.length)
-    lines = [*_prologue(message, code), *choices, *(["", *cleared] if cleared else []), *before, *body, *code.ending()]
+    lines = [
+        *_prologue(message, code),
+        *choices,
+        *(["", *cleared] if cleared else []),
+        *before,
+        *withheld,
+        *body,
+        *code.ending(),
+        *(code.finished() if withheld else []),
+    ]
     while lines and not lines[0]:
         lines.pop(0)
     wire, told = message.wire, message_about(message)
+    call, given = code.call(told)
     return FunctionView(
-        message=f"{message.name} ({wire.id})",
+        message=message.title,
         citation=str(message.citation),
         class_name=class_name,
-        store=f"_{message.name.lower()}",
+        store=_store(message),
         builder=builder_name(message),
         encoder=encoder_name(message),
         frame=frame_name(message),
@@ -134,7 +152,8 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         about="".join(f", {value}" for value in told),
         arguments="".join(f", {value}=0" for value in told),
         head=in_brackets(*code.head(told), ":"),
-        write=in_brackets(*code.call(told), ""),
+        write=in_brackets(f"    done = {call.strip()}" if withheld else call, given, ""),
+        is_withheld=bool(withheld),
         parameters=tuple(code.parameters),
         lines=tuple(part for line in lines for part in _printed(line)),
         id_bytes=(wire.id & 0xFF, wire.id >> 8 & 0xFF, wire.id >> 16),
@@ -142,6 +161,29 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         length=wire.length,
         last_word=(wire.length - 1) // 4 * 4,
     )
+
+
+def _store(message: PopulatedMessage) -> str:
+    """The name of the message object that the builder returns."""
+    name = f"_{message.name.lower()}"
+    return f"{name}_" if name in TAKEN else name
+
+
+def _ageing(message: PopulatedMessage, system: System, code: SpelledCode) -> list[str]:
+    """Forget what code has not set for too long, of all that the message reads."""
+    paths = (quantity.decided_by for answer in message.answers for quantity in answer.quantities)
+    found = filter(None, map(system.quantity, dict.fromkeys(paths)))
+    lines = [line for quantity in found if quantity.ages for line in ["", *forgetting(quantity, code, "value", "age")]]
+    now = code.now() if lines else ""
+    return [*(["", f"value = {now}"] if now not in ("", "value") else []), *lines]
+
+
+def _withheld(message: PopulatedMessage, code: SpelledCode) -> list[str]:
+    """Nothing is written while something is unknown that its field cannot say."""
+    lines = []
+    for label, quantity in message.withheld_for:
+        lines += [f"if {code.is_unknown(quantity)}:  # {label} cannot say so", "    return None"]
+    return ["", "# The message is withheld while one of these is unknown.", *lines] if lines else []
 
 
 def _printed(line: str) -> list[str]:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
-from codegen.model.payload_code import PayloadCode
+from codegen.model.payload_code import UNKNOWN, PayloadCode
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.firmware.words import Layout, differ
 from codegen.targets.naming import parameter_attribute
@@ -41,6 +41,10 @@ class SpelledCode(PayloadCode):
     def read(self, quantity: Quantity, element: str = "") -> str:
         """The word, with its sign."""
         return self.number_of(self.word(quantity.component, quantity.attribute, element))
+
+    def is_unknown(self, quantity: Quantity) -> str:
+        """By its first word."""
+        return f"{self.number_of(self.word(quantity.component, quantity.attribute))} == {UNKNOWN}"
 
     def is_set(self, quantity: Quantity) -> str:
         """The word."""
@@ -106,7 +110,7 @@ class SpelledCode(PayloadCode):
         length = max(map(len, values))
         if not length:
             return []
-        name = f"_{self.message}_{covers.field.name}".upper()
+        name = self._text_constant(covers)
         padded = [text.encode("ascii") + bytes(length - len(text)) for text in values]
         literals = [f'b"{"".join(map(escaped, data))}"' for data in padded]
         self.texts[name] = literals[0] if len(literals) == 1 else f"({', '.join(literals)})"
@@ -114,11 +118,23 @@ class SpelledCode(PayloadCode):
 
     def chip(self, covers: Elements) -> list[str]:
         """From a constant of the module, too, made when it is imported."""
-        name = f"_{self.message}_{covers.field.name}".upper()
+        name = self._text_constant(covers)
         count = covers.field.count
         self.uses.add("chip")
         self.texts[name] = f"(hexlify(machine.unique_id()) + bytes({count}))[:{count}]"
         return self.copied(covers, name, count)
+
+    def _text_constant(self, covers: Elements) -> str:
+        """A name that no place of a word has."""
+        name = f"_{self.message}_{covers.field.name}".upper()
+        taken = {
+            constant
+            for block in self.layout.blocks.values()
+            for constant in (block.base_constant, block.size_constant, *map(block.constant, block.offsets))
+        }
+        while name in taken:
+            name += "_"
+        return name
 
     def copied(self, covers: Elements, source: str, length: int) -> list[str]:
         """Copy so many bytes of a constant into the field."""
@@ -150,6 +166,10 @@ class SpelledCode(PayloadCode):
 
     def ending(self) -> list[str]:
         """What is left to do once all fields are written."""
+        return []
+
+    def finished(self) -> list[str]:
+        """What says at the end that a message was not withheld, if the template does not."""
         return []
 
     def cleared(self, length: int) -> list[str]:  # noqa: ARG002  in plain Python nobody else writes the payload

@@ -81,6 +81,10 @@ class PlainCode(SpelledCode):
         given = ("time.ticks_ms()", "0", "message.wire", "state.words", *about, *parameters)
         return f"    write_{self.message}", ", ".join(given)
 
+    def finished(self) -> list[str]:
+        """The payload."""
+        return ["", "return wire"]
+
     def reach(self, component: str, instance: str) -> str:
         """A number; none where the component is the only one."""
         several = self.layout.blocks[component].component.instances > 1

@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.model.payload_code import UNKNOWN, indented
 from codegen.model.vehicle import Component, Quantity, Returns, Threshold
 from codegen.targets.firmware.payload import SpelledCode
-from codegen.targets.firmware.words import TREND_WORDS, differ, measured_of
+from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, measured_of
 
 CLOCK_MASK = "0x3FFFFFFF"
 """Ticks are counted in 30 bits: boards count them so, and 64-bit interpreters further."""
@@ -37,6 +37,20 @@ def expiry(component: Component, code: SpelledCode, now: str, age: str) -> list[
         f"    {age} = {now} - {expires} & {CLOCK_MASK}",
         f"    if {age} > 0 and {age} < 0x20000000:",
         *indented([*forgotten(component, code), f"{expires} = {UNKNOWN}"], 2),
+    ]
+
+
+def forgetting(quantity: Quantity, code: SpelledCode, now: str, age: str) -> list[str]:
+    """Forget what code has set where that was too long ago by the time ``now``, in ms; ``age`` is a variable."""
+    expires = code.word(quantity.component, age_word(quantity))
+    cited = _cited(quantity.cited("stale_after"))
+    return [
+        f"# {quantity.path} is forgotten {quantity.trust.stale_after_ms} ms after it was set{cited}.",
+        f"if {code.number_of(expires)} != {UNKNOWN}:",
+        f"    {age} = {now} - {expires} & {CLOCK_MASK}",
+        f"    if {age} > 0 and {age} < 0x20000000:",
+        f"        {code.word(quantity.component, quantity.attribute)} = {UNKNOWN}",
+        f"        {expires} = {UNKNOWN}",
     ]
 
 

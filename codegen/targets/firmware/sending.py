@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 
 from codegen.frozen import dataclass
-from codegen.model.system import PopulatedMessage
+from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Quantity
 from codegen.targets.firmware.words import Layout
-from codegen.targets.naming import frame_name, message_about
+from codegen.targets.naming import builder_name, frame_name, message_about
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,7 +14,9 @@ class SentView:
     """A message; each of its instances is sent, where ``enabled`` (an expression of the state) is true.
 
     ``way`` is what sends all instances and pages of what ``encoder`` makes, or one. ``never`` is for the generation
-    that was not chosen for good.
+    that was not chosen for good. ``is_alone``: no other table is of the same message, so that frames with its id are
+    its own. ``telling`` are the statements of a function called ``tells`` that returns whether it is not withheld, if
+    it may be.
     """
 
     id: int
@@ -23,8 +25,12 @@ class SentView:
     way: "WayView"
     instances: int
     pages: int
+    shortest_us: int
     component: str | None
     never: bool
+    is_alone: bool
+    tells: str
+    telling: str
     enabled: str | None
 
 
@@ -43,7 +49,7 @@ class WayView:
     pages: bool
 
 
-def sent_view(message: PopulatedMessage, *, never: bool) -> SentView:
+def sent_view(message: PopulatedMessage, system: System, *, never: bool) -> SentView:
     """The view of a message; ``never`` as it has it."""
     component = message.component
     enabled, is_measured = None, []
@@ -60,8 +66,12 @@ def sent_view(message: PopulatedMessage, *, never: bool) -> SentView:
         way=_way(message, arguments, is_measured),
         instances=message.instances,
         pages=message.pages,
+        shortest_us=shortest_us(message, system),
         component=component.name if component else None,
         never=never,
+        is_alone=len(system.tables(message.wire.name)) == 1,
+        tells=f"tells_{message.name.lower()}",
+        telling=_telling(message) if message.withheld_for else "",
         enabled=enabled,
     )
 
@@ -69,7 +79,10 @@ def sent_view(message: PopulatedMessage, *, never: bool) -> SentView:
 def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]) -> WayView:
     """How a message is sent; what it is called follows from all that it depends on."""
     component = message.component
-    send = f"link.send_frame(encode({', '.join(['link', *arguments])}))"
+    made = f"encode({', '.join(['link', *arguments])})"
+    send = [f"link.send_frame({made})"]
+    if message.withheld_for:
+        send = [f"frame = {made}", "if frame is not None:  # it may be withheld", "    link.send_frame(frame)"]
     each = [
         *([f"for instance in range({message.instances}):"] if message.instances > 1 else []),
         *(f"{condition}  # what is not measured is not reported" for condition in is_measured),
@@ -78,9 +91,9 @@ def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]
     about = f"_{component.name}" if component else ""
     page = f"_{message.pages}_pages" if message.pages > 1 else "_page" if message.population.pages else ""
     return WayView(
-        suffix=about + page,
-        sending=_nested(*each, send),
-        announcing=_nested(*is_measured, send),
+        suffix=f"{about}{page}{'_while_known' if message.withheld_for else ''}",
+        sending=_nested(each, send),
+        announcing=_nested(is_measured, send),
         instances=message.instances > 1,
         pages=message.pages > 1,
     )
@@ -118,6 +131,24 @@ def read_places(messages: Iterable[PopulatedMessage], layout: Layout) -> tuple[s
     return tuple(lines.values())
 
 
-def _nested(*statements: str) -> str:
-    """The body of a function in which each statement is the body of the one before it."""
-    return "\n".join(f"{'    ' * depth}{statement}" for depth, statement in enumerate(statements, 1))
+def shortest_us(message: PopulatedMessage, system: System) -> int:
+    """The shortest interval that a ground station can ask for, in microseconds."""
+    if message.stream is not None:
+        return 1000000 // max(1, int(message.stream.fastest))
+    return round(1000000 / system.program.fastest) if system.program else 0
+
+
+def _telling(message: PopulatedMessage) -> str:
+    """The body of a function that returns whether anything of a message would go out."""
+    about = "".join(", instance" if name == "instance" else ", 0" for name in message_about(message))
+    built = f"telemetry.{builder_name(message)}(state{about}) is not None"
+    if message.instances == 1:
+        return _nested([], [f"return {built}".replace("instance", "0")])
+    looked = _nested([f"for instance in range({message.instances}):", f"if {built}:"], ["return True"])
+    return f"{looked}\n    return False"
+
+
+def _nested(heads: list[str], body: list[str]) -> str:
+    """The body of a function in which each head is the body of the one before it."""
+    lines = [f"{'    ' * depth}{head}" for depth, head in enumerate(heads, 1)]
+    return "\n".join([*lines, *(f"{'    ' * (len(heads) + 1)}{line}" for line in body)])

@@ -9,7 +9,7 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
-from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ, measured_of
+from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, age_word, differ, measured_of
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
@@ -223,7 +223,8 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
 
 def _attributes(component: Component, block: Block) -> Iterator[AttributeView]:
     for quantity in component.quantities.values():
-        yield from _views(quantity, component, block)
+        views = _views(quantity, component, block)
+        yield from (each for view in views for each in _aging(view, quantity, block)) if quantity.ages else views
     told = {
         "number": "What messages call it",
         "failures": "Failed readings in a row",
@@ -268,6 +269,15 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
         view = "result" if derivation.kept_readings else "shown"
         known = "known from the start" if quantity.initial is not None else "or None while it is unknown"
         yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known}{cited}")
+
+
+def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:
+    """The attribute as it is, under a name of the module's own, and what forgets it in its place."""
+    place = block.constant(age_word(quantity))
+    inner = f"_{view.name}"
+    yield AttributeView(inner, view.expression, view.above, "")
+    forgets = f'aging("{inner}", {block.constant(quantity.attribute)}, {place}, {quantity.trust.stale_after_ms})'
+    yield AttributeView(view.name, forgets, "", view.behind)
 
 
 def _joined(*parts: object) -> str:

@@ -1,5 +1,6 @@
 """View of streams.py: which messages go out at which rate."""
 
+from collections.abc import Iterable
 from fractions import Fraction
 
 from codegen.frozen import dataclass
@@ -74,6 +75,8 @@ class StreamsView:
     periods: tuple[PeriodView, ...]
     messages: tuple[SentView, ...]
     ways: tuple[WayView, ...]
+    withheld: tuple[SentView, ...]
+    tells: str
     parameters: tuple[str, ...]
     ids: str
     stream_of: str
@@ -96,8 +99,6 @@ def streams_view(system: System) -> StreamsView:
     asked = tuple(_sent(message, system) for message in system.messages if message.stream is None)
     messages = tuple(message for stream in streams for message in stream.messages) + asked
     places = [stream.index for stream in streams for _ in stream.messages] + [None] * len(asked)
-    shortest = {stream.index: 1000000 // stream.fastest_hz for stream in streams}
-    on_request = round(1000000 / system.program.fastest) if system.program else 0
     parameters = [stream.parameter for stream in streams if stream.parameter]
     return StreamsView(
         system_id=system.system_id,
@@ -112,10 +113,12 @@ def streams_view(system: System) -> StreamsView:
         periods=_periods(streams),
         messages=messages,
         ways=ways(messages),
+        withheld=tuple(message for message in messages if message.telling),
+        tells=_names(f"_{each.tells}" if each.telling else "None" for each in messages),
         parameters=tuple(f"parameters.{name}" for name in parameters),
         ids=_tuple([message.id for message in messages]),
         stream_of=_tuple(places),
-        shortest_us=_tuple([on_request if place is None else shortest[place] for place in places]),
+        shortest_us=_tuple([message.shortest_us for message in messages]),
         data_streams=_tuple([stream.data_stream for stream in streams]),
         fastest_hz=_tuple([stream.fastest_hz for stream in streams]),
         generation_of=_generation_of(messages, system) if system.generations else "",
@@ -191,7 +194,13 @@ def _choosing_lines(system: System) -> tuple[str, ...]:
 
 
 def _sent(message: PopulatedMessage, system: System) -> SentView:
-    return sent_view(message, never=_generation_bits(message.name, system) == 0)
+    return sent_view(message, system, never=_generation_bits(message.name, system) == 0)
+
+
+def _names(names: Iterable[str]) -> str:
+    """A tuple of names."""
+    listed = list(names)
+    return f"({', '.join(listed)}{',' * (len(listed) == 1)})"
 
 
 def _tuple(values: list[int] | list[int | None]) -> str:

@@ -97,6 +97,8 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
     for quantity in quantities:
         if quantity.elements is None and not quantity.is_computed:
             yield quantity.attribute, 1
+        if quantity.ages:
+            yield age_word(quantity), 1
         if differ(quantity.derivation.own_limits):
             yield f"{quantity.name}_limit", 1
     if component.first_number:
@@ -107,6 +109,11 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
             if differ(quantity.elements):
                 yield f"{quantity.attribute}_count", 1
             yield quantity.attribute, max(quantity.elements)
+
+
+def age_word(quantity: Quantity) -> str:
+    """The word with the time until which what code has set is believed, in ms; unknown is for ever."""
+    return f"{quantity.attribute}_expires_ms"
 
 
 def _of_readings(component: Component) -> Iterator[tuple[str, int]]:

@@ -8,7 +8,7 @@ from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Conversion, Quantity
 from codegen.targets.cases import used_quantities
-from codegen.targets.expected import converted, nominal_values
+from codegen.targets.expected import converted, is_withheld, nominal_values
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +20,7 @@ class ExampleState:
 
 
 def example_states(message: PopulatedMessage, system: System) -> tuple[ExampleState, ...]:
-    """The states that a message is shown in, the most telling one first; one for a message that reads nothing."""
+    """The states that a message is sent in, the most telling one first; one for a message that reads nothing."""
     used = used_quantities(message, system)
     start = {path: _at_start(quantity) for path, quantity in used.items()}
     if not used:
@@ -36,7 +36,7 @@ def example_states(message: PopulatedMessage, system: System) -> tuple[ExampleSt
     every = {path: nominal_values(quantity, 0) for path, quantity in used.items()}
     switched = {path: value for path, value in start.items() if used[path].derivation.switch is not None}
     states.append(ExampleState("a value in every quantity", {**every, **switched, **measured}))
-    return _different(states)
+    return _different([state for state in states if not is_withheld(message, state.known)])
 
 
 def _different(states: list[ExampleState]) -> tuple[ExampleState, ...]:

@@ -13,7 +13,7 @@ from codegen.targets.pages.example_state import example_states
 from codegen.targets.pages.navigation import Navigation, message_path, navigation
 from codegen.targets.pages.value_text import kind_of
 from codegen.targets.pages.way import way_of
-from codegen.targets.table import FieldRow, field_rows
+from codegen.targets.table import FieldRow, field_rows, others_of, withheld_of
 
 _KINDS = {
     "unsigned": "unsigned integer (u)",
@@ -113,6 +113,7 @@ def _facts(message: PopulatedMessage, system: System) -> tuple[tuple[str, str], 
     )
     price = message_price(message, system)
     facts = [
+        *([("Message", wire.name)] if message.name != wire.name else []),
         ("Id", str(wire.id)),
         ("CRC_EXTRA", str(wire.crc_extra)),
         ("Payload", length),
@@ -126,6 +127,10 @@ def _facts(message: PopulatedMessage, system: System) -> tuple[tuple[str, str], 
     if message.component is not None:
         on = f", {sum(price.is_on)} on by default" if message.instances > 1 else ""
         facts.append((f"For each {message.component.name}", f"{message.instances}{on}"))
+    if others_of(message):
+        facts.append(("Unknown, as not listed", others_of(message)))
+    if message.withheld_for:
+        facts.append(("Withheld while unknown", withheld_of(message)))
     if message.pages > 1:
         facts.append(("Pages", str(message.pages)))
     facts += [

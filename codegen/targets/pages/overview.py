@@ -66,7 +66,6 @@ class OverviewPage:
 def overview_page(system: System, origin: Origin, cited: Iterable[str]) -> OverviewPage:
     """The page of a program; ``cited`` are the criteria that the pages of its messages name."""
     sent = {message.name for message in sent_messages(system)}
-    populated = {message.name for message in system.messages}
     parameters = tuple(parameter_row(parameter, system) for parameter in system.parameters.values())
     streams, links = stream_rows(system), link_rows(system)
     asked = [row.criterion for rows in (parameters, streams, links) for row in rows]
@@ -86,8 +85,8 @@ def overview_page(system: System, origin: Origin, cited: Iterable[str]) -> Overv
         ),
         programs=_programs(system),
         messages=tuple(_message(message, system, is_sent=message.name in sent) for message in system.messages),
-        has_idle=len(sent) < len(populated),
-        services=tuple(wire.name for wire in system.sent if wire.name not in populated),
+        has_idle=len(sent) < len(system.messages),
+        services=tuple(wire.name for wire in system.sent if not system.tables(wire.name)),
         streams=streams,
         links=links,
         parameters=parameters,

@@ -32,9 +32,12 @@ def _quantity(quantity: Quantity, system: System) -> Iterator[Step]:
     yield from quantity.derivation.way(quantity, system)
     kept = f"kept as {quantity.attribute}{f', in {quantity.stored.name}' if quantity.stored.name else ''}"
     start = "unknown" if quantity.initial is None else str(quantity.initial)
-    lost = quantity.trust.words()
+    lost = quantity.lost
     details = (kept, f"{start} at the start", *((f"unknown {lost}",) if lost else ()))
-    criteria = _distinct(str(quantity.citation or ""), *((quantity.cited("invalid_after"),) if lost else ()))
+    criteria = _distinct(
+        str(quantity.citation or ""),
+        *((quantity.cited("stale_after" if quantity.ages else "invalid_after"),) if lost else ()),
+    )
     yield Step("state", quantity.path, details, criteria)
 
 

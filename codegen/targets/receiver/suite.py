@@ -29,7 +29,7 @@ def render_receiver_suite(system: System, receiver: Receiver, view: ReceiverView
         "component": view.component,
         "stale_ms": receiver.stale_after_ms,
         "messages": {
-            message.name: {
+            message.wire.name: {
                 "number": reader.number_field,
                 "attributes": {
                     names_by_key[name]: about

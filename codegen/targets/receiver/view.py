@@ -127,8 +127,8 @@ def plural(name: str) -> str:
 def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
     """The view of the module and of its page."""
     component = receiver.component
-    said = {message.name: readings_of(message, component, system.dialect) for message in receiver.messages}
-    classes = class_names(message.name for message in receiver.messages)
+    said = {message.wire.name: readings_of(message, component, system.dialect) for message in receiver.messages}
+    classes = class_names(message.wire.name for message in receiver.messages)
     readings = [reading for found in said.values() for reading in found]
     ranked = _ranked(system, receiver, said)
     uses: set[str] = {name for reading in readings for name in reading.uses}
@@ -150,15 +150,15 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
         window_ms=receiver.rate_over_ms,
         readers=tuple(
             ReaderView(
-                name=message.name,
+                name=message.wire.name,
                 id=message.wire.id,
-                class_name=classes[message.name],
-                function=f"_read_{message.name.lower()}",
+                class_name=classes[message.wire.name],
+                function=f"_read_{message.wire.name.lower()}",
                 number_field=_number_field(message),
                 stale_ms=stale_after_ms(message, receiver),
-                readings=said[message.name],
-                lines=tuple(line for reading in said[message.name] for line in _lines(reading)),
-                uses_raw=any("raw(" in reading.expression for reading in said[message.name]),
+                readings=said[message.wire.name],
+                lines=tuple(line for reading in said[message.wire.name] for line in _lines(reading)),
+                uses_raw=any("raw(" in reading.expression for reading in said[message.wire.name]),
             )
             for message in receiver.messages
         ),
@@ -167,7 +167,7 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
         carriers=_carriers(receiver, ranked),
         flags=_tuple(sorted({quoted(reading.name) for reading in readings if "flags" in reading.uses})),
         roles=_roles(readings),
-        names=_tuple(quoted(message.name) for message in receiver.messages),
+        names=_tuple(quoted(message.wire.name) for message in receiver.messages),
         stale_by_kind=_tuple(str(stale_after_ms(message, receiver)) for message in receiver.messages),
         functions=tuple(sorted(uses - enums)),
         example=_example(component, readings),
@@ -226,8 +226,8 @@ def _ranked(
     """By name, in order, and by message, the preferred one first: what it says under that name."""
     found: dict[str, dict[str, Reading]] = {}
     for message in sorted(receiver.messages, key=lambda message: _preference(message, system)):
-        for reading in said[message.name]:
-            found.setdefault(reading.name, {})[message.name] = reading
+        for reading in said[message.wire.name]:
+            found.setdefault(reading.name, {})[message.wire.name] = reading
     return dict(sorted(found.items()))
 
 
@@ -265,7 +265,7 @@ def _doc(by_message: Mapping[str, Reading]) -> str:
 
 def _carriers(receiver: Receiver, ranked: Mapping[str, Mapping[str, Reading]]) -> tuple[tuple[str, str], ...]:
     """The kinds of message that carry each name, the preferred one first, as a tuple of the generated Python."""
-    kinds = {message.name: str(kind) for kind, message in enumerate(receiver.messages)}
+    kinds = {message.wire.name: str(kind) for kind, message in enumerate(receiver.messages)}
     return tuple((name, _tuple(kinds[message] for message in by_message)) for name, by_message in ranked.items())
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 2e8d462696d2e702
+# Inputs: 1511f50ace61f100
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -29,7 +29,9 @@ from program_facts import (  # noqa: E402
     FORCE_ARM,
     LINKS_US,
     MEASURED,
+    KNOWN,
     ON_REQUEST,
+    SHARED,
     PARAMETERS,
     SENT,
     SYSTEM_ID,
@@ -213,7 +215,7 @@ class GroundStation:
         found = [message for frame in frames for message in self.link.feed(frame)]
         if kinds:
             return [message for message in found if isinstance(message, kinds)]
-        streamed = [number for number in SENT if number not in ON_REQUEST] + [messages.Statustext.ID]
+        streamed = [number for number in SENT if number not in ON_REQUEST] + [messages.Statustext.ID] + list(SHARED)
         return [message for message in found if message.ID not in streamed]
 
 
@@ -227,6 +229,7 @@ class Rover(Vehicle):
         self.flash = flash or Flash()
         storage.open = self.flash.open
         Vehicle.__init__(self, board, [Port()] if ports is None else ports, texts or Texts(silent, 500))
+        know(self.state)
 
     @property
     def port(self):
@@ -257,6 +260,14 @@ class Rover(Vehicle):
 
 def silent(_text):
     """Show nothing."""
+
+
+def know(state):
+    """Set everything without which a message is withheld, for ever."""
+    for component, instance, attribute, value, expires in KNOWN:
+        setattr(getattr(state, component)[instance], attribute, value)
+        if expires is not None:
+            state.words[expires] = -0x3FFFFFFF - 1
 
 
 def new_rover(**arguments):

@@ -51,7 +51,9 @@ def plain(value, kind):
 
 
 def encoded(dialect, case):
-    """Return the frame of the expected values by pymavlink, or None where this version cannot send it."""
+    """Return the frame of the expected values by pymavlink, or None: it is withheld, or this version cannot send it."""
+    if not case["expect"]:
+        return None
     known = message_class(dialect, case["message"])
     if known is None or (dialect.WIRE_PROTOCOL_VERSION == "1.0" and known.id > 255):
         return None
@@ -74,5 +76,7 @@ def test_conversion(case, results):
 
 @pytest.mark.parametrize("case", named(DATA["messages"], mark=None))
 def test_every_field_is_expected(case, modules):
-    """A case has a value for each field of its message, so that none goes out unseen."""
+    """A case has a value for each field of its message, so that none goes out unseen, or the message is withheld."""
+    if not case["expect"]:
+        return
     assert sorted(case["expect"]) == sorted(message_class(modules[0], case["message"]).fieldnames)

@@ -103,6 +103,8 @@ class Commands:
     def _answer_with(self, message_id):
         if message_id is None or self._connection.streams.interval_us(message_id) == 0:
             return dialect.MAV_RESULT_DENIED, None  # not a message of this vehicle
+        if self._connection.streams.is_withheld(message_id):
+            return dialect.MAV_RESULT_TEMPORARILY_REJECTED, None  # what it tells is unknown
         return dialect.MAV_RESULT_ACCEPTED, (self._send_message, message_id)
 
     def _send_message(self, message_id):

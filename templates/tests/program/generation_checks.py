@@ -43,7 +43,11 @@ def is_chosen(rover, number):
 
 def reporting(rover, number):
     """Return the instances, from 0, that a message is sent about."""
-    facts = MESSAGES[number]
+    return reported(rover, MESSAGES[number])
+
+
+def reported(rover, facts):
+    """Return those that a table is sent about."""
     if facts["component"] is None or facts["enabled"] is None:
         return list(range(facts["instances"]))
     owners = getattr(rover.state, facts["component"])

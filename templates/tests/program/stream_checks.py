@@ -1,8 +1,19 @@
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
-from generation_checks import is_chosen, reporting
-from program_bench import SECOND_US, GroundStation, Port, Sink, main, messages, mock_time, needs, new_rover, run
-from program_facts import GENERATIONS, LINKS_US, MEASURED, MESSAGES, ON_REQUEST, SENT, SHORTEST_US, STREAMS
+from generation_checks import is_chosen, reported, reporting
+from program_bench import SECOND_US, GroundStation, Port, Sink, know, main, messages, mock_time, needs, new_rover, run
+from program_facts import (
+    GENERATIONS,
+    LINKS_US,
+    MEASURED,
+    MESSAGES,
+    ON_REQUEST,
+    SENT,
+    SHARED,
+    SHORTEST_US,
+    STREAMS,
+    WITHHELD,
+)
 
 import dialect
 
@@ -177,6 +188,57 @@ def intervals_of_others():
         assert _interval(rover, station, number) == SHORTEST_US[SENT.index(number)]
 
 
+def tables_are_asked_for_together():
+    """A message of several tables: one of each on request, each in the interval that is asked for, and off together."""
+    needs(SHARED, "a message of several tables")
+    for number, tables in SHARED.items():
+        rover, (station, _) = _two_links()
+        frames = sum(len(reported(rover, facts)) * facts["pages"] for facts in tables)
+        own = [int(1000000 / facts["rate"]) for facts in tables if facts["rate"]]
+        assert abs(_interval(rover, station, number) - min(own or [-1])) <= 1
+        asked = 3 * max(facts["shortest_us"] for facts in tables)
+        for interval_us in (asked, -1):
+            station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, interval_us)
+            run(rover, 4 * LINKS_US)
+            acks = station.received(messages.CommandAck)
+            assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], acks
+            assert _interval(rover, station, number) == interval_us
+            count = 10 * SECOND_US // asked * frames if interval_us > 0 else 0
+            found = _frames_in(rover, station.port, number, 10)
+            assert _within(found, count, frames), (number, interval_us, found, count)
+        station.port.frames = []
+        station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
+        run(rover, 4 * LINKS_US)
+        found = [frame for frame in station.port.frames if (frame[7] | frame[8] << 8 | frame[9] << 16) == number]
+        assert len(found) == frames, (number, len(found))
+
+
+def withheld_messages_are_rejected_for_now():
+    """While something is unknown that a message cannot say it is not sent, and a request for it is refused for now."""
+    needs(WITHHELD, "a message that may be withheld")
+    for number, quantities in WITHHELD.items():
+        for component, attribute in quantities:
+            rover, (station, _) = _two_links()
+            owners = _owners(rover, component)
+            for owner in owners:
+                setattr(owner, attribute, None)
+            for result, frames in (
+                (dialect.MAV_RESULT_TEMPORARILY_REJECTED, 0),
+                (dialect.MAV_RESULT_ACCEPTED, _frames(rover, number)),
+            ):
+                station.port.frames = []
+                station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
+                run(rover, 4 * LINKS_US)
+                found = len([frame for frame in station.port.frames if frame[7] | frame[8] << 8 == number])
+                acks = station.received(messages.CommandAck)
+                assert [ack.result for ack in acks] == [result], (number, attribute, acks)
+                assert found >= frames, (number, attribute, found)
+                found = _frames_in(rover, station.port, number, 20)
+                rate = MESSAGES[number]["rate"]
+                assert _within(found, 20 * rate * frames, frames), (number, attribute, found)
+                know(rover.state)
+
+
 def _request(station, data_stream, rate, start=1):
     station.send(messages.RequestDataStream, req_stream_id=data_stream, req_message_rate=rate, start_stop=start)
 
@@ -255,6 +317,8 @@ CHECKS = (
     ("storage", 7, rates_by_parameter),
     ("services", 3, intervals_on_one_link),
     ("services", 3, intervals_of_others),
+    ("services", 3, withheld_messages_are_rejected_for_now),
+    ("services", 3, tables_are_asked_for_together),
     ("services", 4, data_streams_by_request),
     ("services", 4, repeated_requests_keep_the_phase),
 )
