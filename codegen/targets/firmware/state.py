@@ -277,7 +277,7 @@ def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[At
     inner = f"_{view.name}"
     yield AttributeView(inner, view.expression, view.above, "")
     forgets = f'aging("{inner}", {block.constant(quantity.attribute)}, {place}, {quantity.trust.stale_after_ms})'
-    yield AttributeView(view.name, forgets, "", view.behind)
+    yield AttributeView(view.name, forgets, view.behind, "")  # behind the long line there is no room for it
 
 
 def _joined(*parts: object) -> str:
