@@ -418,7 +418,7 @@ CASES = [
         "state.yaml",
         "        trend_of: voltage\n",
         "        trend_of: voltage\n        stale_after: §1 s\n",
-        "no adc",
+        "not set by code",
     ),
     Case(
         "bad-quantity",

@@ -52,6 +52,9 @@ class Streams:
         self._intervals[message_id] = interval_us or _OWN_US[message_id]
         return True
 
+    def is_withheld(self, _message_id):
+        return False
+
     def interval_us(self, message_id):
         """Return the interval, -1 if off, 0 if there is no such message."""
         return self._intervals.get(message_id, 0)
