@@ -80,15 +80,14 @@ def test_elements_that_are_not_listed_go_out_as_unknown(folder: Path) -> None:
     table = "message: BATTERY_STATUS\nas: cells\nrequirement: FR-1\nstream: POSITION\nothers: unknown\nfields:\n"
     rest = (
         "  id: {constant: 0}\n  type: {constant: 0}\n  battery_function: {constant: 0}\n"
-        "  time_remaining: {constant: 0}\n"
-        "  charge_state: {constant: 0}\n  voltages_ext: {constant: 0}\n  mode: {constant: 0}\n"
+        "  charge_state: {constant: 0}\n  mode: {constant: 0}\n"
         "  fault_bitmask: {constant: 0}\n"
     )
     path.write_text(f"{table}{rest}  voltages[2..3]: {{constant: 5}}\n  voltages[7]: {{constant: 6}}\n")
     system, findings = edited(folder)
     cells = next(message for message in system.messages if message.name == "cells")
     others = [answer.covers.label for answer in cells.answers if answer.covers.by_others]
-    assert [name for name in others if name.startswith("volt")] == [
+    assert [name for name in others if name.startswith("voltages[")] == [
         "voltages[0..1]",
         "voltages[4..6]",
         "voltages[8..9]",
@@ -127,7 +126,7 @@ The fields of GPS_RAW_INT:
 | field | value |
 | --- | --- |
 | eph | unknown |
-| epv | {epv} |
+| cog | {cog} |
 | lat | 1 |
 | lon | 1 |
 | fix_type | gps.fix |
@@ -144,18 +143,18 @@ def test_documents_are_compared_with_what_is_not_listed(folder: Path) -> None:
     table = table_of_project((folder / BOW).read_text(), bow(system))
     alone = table_of((folder / BOW).read_text(), str(folder / BOW), bow(system).wire, Report())
     assert alone is not None
-    for epv, verdict in (("unknown", Verdict.SAME), ("65535", Verdict.SAME), ("12", Verdict.DIFFERENT)):
-        text = DOCUMENT.format(epv=epv)
+    for cog, verdict in (("unknown", Verdict.SAME), ("65535", Verdict.SAME), ("12 cdeg", Verdict.DIFFERENT)):
+        text = DOCUMENT.format(cog=cog)
         found = find_fields(text, "doc.md", None, system.dialect, Report())
         assert found is not None
         sources = sources_of(system.dialect, system)
         proposal = propose(found.lists, found.message, sources, Report())
         for existing in (table, alone):
             rows = {row.target.label: row for row in compare(proposal, existing.answers, sources)}
-            assert (rows["eph"].verdict, rows["epv"].verdict) == (Verdict.SAME, verdict)
+            assert (rows["eph"].verdict, rows["cog"].verdict) == (Verdict.SAME, verdict)
             assert rows["yaw"].verdict is Verdict.ONLY_TABLE
             assert "unknown (others)" in comparison_text([rows["yaw"]])
         drifted = drift(stated_fields(text, "doc.md"), (system,))
         about = {found.message.split()[0] for found in drifted if found.rule.id.startswith("document-")}
-        assert ("GPS_RAW_INT.epv" in about) == (verdict is Verdict.DIFFERENT)
-        assert not about & {"GPS_RAW_INT.yaw", "GPS_RAW_INT.cog"}
+        assert ("GPS_RAW_INT.cog" in about) == (verdict is Verdict.DIFFERENT)
+        assert not about & {"GPS_RAW_INT.yaw", "GPS_RAW_INT.epv"}
