@@ -5,6 +5,8 @@ them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (wheth
 ``limits`` and ``scaled``.
 """
 
+from codegen.answers.clock import ClockAnswer
+from codegen.answers.copied import CopiedAnswer
 from codegen.answers.count import CountAnswer
 from codegen.answers.each.answer import EachAnswer
 from codegen.answers.fact import FactAnswer
@@ -23,6 +25,8 @@ KINDS: tuple[type[KindOfAnswer], ...] = (
     InstanceAnswer,
     CountAnswer,
     SplitAnswer,
+    ClockAnswer,
+    CopiedAnswer,
     LiveAnswer,
     TextAnswer,
     FactAnswer,

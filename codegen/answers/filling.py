@@ -7,7 +7,8 @@ from codegen.model.answer import Elements
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import Scaling
-from codegen.model.vehicle import SMALL_INT_MAX, Parameter, Quantity
+from codegen.model.storage import SMALL_INT_MAX
+from codegen.model.vehicle import Parameter, Quantity
 
 
 def comment(covers: Elements, words: str) -> str:

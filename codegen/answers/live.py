@@ -31,7 +31,8 @@ from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
 from codegen.model.step import Step
-from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity, QuantityKind
+from codegen.model.storage import SMALL_INT_MAX
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,6 +157,7 @@ class LiveAnswer(KindOfAnswer):
         """Read, scaled and limited; a float is limited before it is divided."""
         lines = [comment(self.covers, origin(self.covers, self.source)), f"value = {read(code, self.source)}"]
         initial = self.source.initial if isinstance(self.source, Quantity) else None
+        assert initial is None or isinstance(initial, int)
         if self.covers.field.type.is_integer and initial is not None and self.scaling.whole(initial) == initial:
             return [*lines, *fitted(self.scaling, initial, "until it is set"), *code.store(self.covers, "value")]
         if self.unknown is None:
@@ -175,7 +177,7 @@ class LiveAnswer(KindOfAnswer):
         lines = [*fitted(self._in_steps, None), *write]
         if self.unknown is None:
             return lines
-        unknown = code.store(self.covers, self.unknown)
+        unknown = code.store(self.covers, self.unknown, over=True)  # the float beside it is written as a whole
         return [
             f"if value == {UNKNOWN}:  # goes out as {shown_value(self.unknown)}",
             *indented(unknown),

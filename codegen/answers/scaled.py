@@ -10,8 +10,9 @@ from codegen.model.known import Known
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import Scaling
 from codegen.model.step import Step
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.unit import decimal
-from codegen.model.vehicle import SMALL_INT_MAX, Parameter, Quantity, QuantityKind
+from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 _ROUNDING = {
     Rounding.NEAREST: "to nearest",

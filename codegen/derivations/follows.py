@@ -12,8 +12,9 @@ from codegen.model.derivation_spec import FollowsSpec
 from codegen.model.known import Known, Stored
 from codegen.model.payload_code import UNKNOWN
 from codegen.model.state_spec import QuantitySpec
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.unit import NUMBER, Unit, decimal, ratio
-from codegen.model.vehicle import SMALL_INT_MAX, Quantity
+from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
     from codegen.model.system import System

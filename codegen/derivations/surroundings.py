@@ -7,11 +7,12 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import read_time
-from codegen.model.dialect import Dialect
+from codegen.model.dialect import Dialect, WireField
 from codegen.model.spec import Spec
 from codegen.model.state_spec import QuantitySpec
+from codegen.model.storage import Storage
 from codegen.model.unit import Unit, unit_named
-from codegen.model.vehicle import SMALL_INT_MAX, AdcChannel, Instance, Parameter, QuantityKind
+from codegen.model.vehicle import AdcChannel, Instance, Parameter, QuantityKind
 from codegen.source import Place
 
 BAD_QUANTITY = Rule(
@@ -31,14 +32,17 @@ class Kept:
     unit: Unit
     stored: Unit
     steps: Fraction
-    minimum: int
-    maximum: int
-    initial: int | None
+    storage: Storage
+    minimum: int | Fraction
+    maximum: int | Fraction
+    initial: int | Fraction | None
 
 
 @dataclasses.dataclass(slots=True)
 class Surroundings:
     """A quantity ``name`` of ``component`` as written, with what the specification says elsewhere.
+
+    ``carriers`` are the fields that carry its value as it is; ``is_compared``: something else looks at the value, too.
 
     ``parts`` are the instances of the component, ``period_ms`` the time between two of its updates, or None.
     ``find_parameter`` looks one up by its name, for what stands at a place; None after a finding.
@@ -54,6 +58,8 @@ class Surroundings:
     find_parameter: Callable[[str, Place], Parameter | None]
     whole: Spec
     dialect: Dialect
+    carriers: tuple[WireField, ...]
+    is_compared: bool
     report: Report
     failed: bool = False
 
@@ -91,9 +97,12 @@ class Surroundings:
         scaled = value * steps
         if scaled.denominator != 1:
             self.bad(key, f"{key} of {self.name} is not a whole number of stored units")
-        elif abs(scaled) > SMALL_INT_MAX:
-            self.bad(key, f"{key} of {self.name} is beyond a small integer in stored units")
         return int(scaled)
+
+    @property
+    def path(self) -> str:
+        """``component.quantity``, as tables write it."""
+        return f"{self.component}.{self.name}"
 
     def counted(self, fact: str, key: str, rule: Rule) -> tuple[int, ...] | None:
         """A fact of board.yaml that counts something, by instance; None after a finding."""

@@ -1,12 +1,14 @@
 """What there is to say about the parameters and the state of a vehicle."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from codegen.diff import behaviour_rules as rules
 from codegen.diff.subject import Fact, Subject, amount, cited
 from codegen.diff.trace_rules import CITATION, DOC
+from codegen.model.storage import HALF, SMALL_INT_MAX, Storage
 from codegen.model.system import System
-from codegen.model.vehicle import SMALL_INT_MAX, Component, Parameter, Quantity
+from codegen.model.vehicle import Component, Parameter, Quantity
 
 
 def parameter_subjects(system: System) -> Iterator[Subject]:
@@ -103,10 +105,11 @@ def _component(component: Component) -> Subject:
 
 def _quantity(quantity: Quantity) -> Subject:
     spec, stored, trust = quantity.spec, quantity.stored.name, quantity.trust
-    smallest, largest = _limit(quantity.minimum, stored), _limit(quantity.maximum, stored)
+    smallest = _limit(quantity.minimum, stored, is_written=spec.min is not None or quantity.enum is not None)
+    largest = _limit(quantity.maximum, stored, is_written=spec.max is not None or quantity.enum is not None)
     facts = (
         Fact("unit", quantity.unit.name, rules.QUANTITY_UNIT, spec.at("unit")),
-        Fact("kept", f"as {quantity.attribute} in {stored}", rules.QUANTITY_UNIT, spec.at("stored")),
+        Fact("kept", f"as {quantity.attribute} in {stored}{_width(quantity)}", rules.QUANTITY_UNIT, spec.at("stored")),
         Fact(
             "steps",
             amount(quantity.steps, f"{stored} each {quantity.unit.name}"),
@@ -136,9 +139,17 @@ def _quantity(quantity: Quantity) -> Subject:
     )
 
 
-def _limit(limit: int, stored: str) -> str:
-    """A limit; nothing where it is only that of the firmware's integers, whatever they count."""
-    return "" if abs(limit) == SMALL_INT_MAX else amount(limit, stored)
+def _limit(limit: int | Fraction, stored: str, *, is_written: bool) -> str:
+    """A limit; nothing where it is only that of what holds the number."""
+    return amount(limit, stored) if is_written and abs(limit) != SMALL_INT_MAX else ""
+
+
+def _width(quantity: Quantity) -> str:
+    """How many bits there are, where it is not one word."""
+    storage = quantity.storage
+    if storage is Storage.SMALL:
+        return ""
+    return f", {'a float' if storage.is_float else 'an integer'} of {HALF * storage.halves} bits"
 
 
 def _counts(quantity: Quantity) -> str:

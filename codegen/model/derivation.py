@@ -62,6 +62,11 @@ class Derivation(ABC):
         return None
 
     @property
+    def counts_time(self) -> bool:
+        """Whether the firmware counts it by the ticks of the board."""
+        return False
+
+    @property
     def counts(self) -> str | None:
         """The boolean of the component whose end it counts."""
         return None

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Mapping
+from fractions import Fraction
 
 from codegen.model.vehicle import Parameter, Quantity
 
-Stored = int | tuple[int | None, ...] | None
-"""A stored integer, or one for each element; None is unknown, a boolean is 0 or 1."""
+Stored = int | Fraction | tuple[int | None, ...] | None
+"""A stored integer, or one for each element, or the exact value of a float; None is unknown, a boolean is 0 or 1."""
 
 Known = Mapping[str, Stored]
 """What is stored by ``component.quantity`` or name of a parameter."""
@@ -18,7 +19,7 @@ Value = int | float | str
 def single(known: Known, name: str) -> int | None:
     """The one integer that is stored under a name; None where it is unknown."""
     value = known[name]
-    assert not isinstance(value, tuple)
+    assert value is None or isinstance(value, int)
     return value
 
 
@@ -27,7 +28,14 @@ def stored_value(source: Quantity | Parameter, known: Known) -> int | None:
     if isinstance(source, Parameter):
         return single(known, source.name) if source.name in known else source.default
     value = single(known, source.path)
-    return source.initial if value is None else value
+    return value if value is not None or source.initial is None else int(source.initial)
+
+
+def kept_number(source: Quantity, known: Known) -> int | Fraction | None:
+    """What is kept of a quantity of any storage: set beyond its limits, it is at the limit."""
+    value = known[source.path]
+    assert not isinstance(value, tuple)
+    return source.initial if value is None else max(source.minimum, min(source.maximum, value))
 
 
 def shown_value(value: Value) -> str:

@@ -34,6 +34,21 @@ class PayloadCode(ABC):
         """Whether a quantity that is stored is unknown: a condition."""
 
     @abstractmethod
+    def half(self, quantity: Quantity, at: int) -> str:
+        """One of the halves in which a quantity is kept, the low one at 0: an expression, 0 to 65535 while it is known.
+
+        Of an unknown one the first is no number of 16 bits.
+        """
+
+    @abstractmethod
+    def clock(self) -> list[str]:
+        """The statements that let the clocks of the state go on to now; nothing where that has been done."""
+
+    @abstractmethod
+    def clock_half(self, word: str, at: int) -> str:
+        """A half of a word of the clocks, as ``half`` has it."""
+
+    @abstractmethod
     def is_set(self, quantity: Quantity) -> str:
         """Whether a boolean that is stored is true: an expression that is 0 where it is not."""
 
@@ -62,11 +77,23 @@ class PayloadCode(ABC):
         """Write the number of the chip in hex, as much of it as the field holds."""
 
     @abstractmethod
-    def store(self, covers: "Elements", value: int | float | str, at: int = 0, *, always: bool = True) -> list[str]:
+    def store(
+        self, covers: "Elements", value: int | float | str, at: int = 0, *, always: bool = True, over: bool = False
+    ) -> list[str]:
         """Write a number, or the value of an expression, into the element ``at`` of those that are covered.
 
         ``always``: these statements run at each call. Elements of which that cannot be said are 0 unless written.
+        ``over``: one of several ways to write the same bytes, so that its zeros have to be written, too.
         """
+
+    @abstractmethod
+    def copy(self, covers: "Elements", halves: list[str], *, signed: bool) -> list[str]:
+        """Write the halves of a number, the low one first, into an element of at least as many bytes, or fewer if they
+        hold it."""
+
+    @abstractmethod
+    def copy_half(self, covers: "Elements", at: int, value: str) -> list[str]:
+        """Write the value of an expression into the half ``at`` of an element, or into one of a single byte."""
 
     @abstractmethod
     def store_at(self, covers: "Elements", place: str, value: str) -> list[str]:

@@ -32,9 +32,16 @@ class Send(StrEnum):
     WHILE_KNOWN = "while_known"
 
 
+class Clock(StrEnum):
+    """What a clock counts from: the start of the firmware, or 1970."""
+
+    BOOT = "boot"
+    UNIX = "unix"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FieldAnswer(Written):
-    """Where one field, or some elements of it, take their value from: exactly one of the first ten keys.
+    """Where one field, or some elements of it, take their value from: exactly one of the first eleven keys.
 
     ``state`` beside ``each`` is what goes out while one of the values is unknown.
     The short form ``field: unknown`` stands for ``field: {unknown: true}``.
@@ -50,6 +57,11 @@ class FieldAnswer(Written):
         "The number of the first value on the page, in a message that has pages.", default=None
     )
     parameter: str | None = described("A parameter.", default=None)
+    clock: Clock | None = described(
+        "The time in the field's unit, which wraps as the field does: since the start (boot), or since 1970 (unix), "
+        "which is unknown until code sets it.",
+        default=None,
+    )
     board: str | None = described("A fact of the board: component.fact.", default=None)
     enum: str | None = described("An entry of the field's enum.", default=None)
     flags: tuple[str, ...] | None = described(
@@ -72,7 +84,19 @@ class FieldAnswer(Written):
     requirement: str | None = described("Criterion that asks for this field, such as FR-00068.3.", default=None)
     note: str | None = described("Why the field is answered so, for reviewers.", default=None)
 
-    SOURCES = ("state", "each", "page", "parameter", "board", "enum", "flags", "constant", "dialect", "unknown")
+    SOURCES = (
+        "state",
+        "each",
+        "page",
+        "parameter",
+        "clock",
+        "board",
+        "enum",
+        "flags",
+        "constant",
+        "dialect",
+        "unknown",
+    )
     ONE_OF: ClassVar[tuple[str, ...]] = SOURCES
     BESIDE: ClassVar[Mapping[str, str]] = {"each": "state"}
     SHORT_FORMS: ClassVar[Mapping[str, Mapping[str, Any]]] = {"unknown": {"unknown": True}}

@@ -10,10 +10,8 @@ from codegen.model.derivation import Derivation
 from codegen.model.dialect import EnumDefinition
 from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.storage import Storage
 from codegen.model.unit import Unit, decimal
-
-SMALL_INT_MAX = 2**30 - 1
-"""Largest integer that MicroPython keeps without allocating on 32-bit ports: they have 31 bits, with the sign."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,11 +153,12 @@ class Trust:
 
 @dataclass(frozen=True, slots=True)
 class Quantity(Cited):
-    """A quantity of the vehicle state, kept as an integer of ``stored`` units.
+    """A quantity of the vehicle state, kept in ``stored`` units, as an integer or a float: ``storage`` says how.
 
     ``steps`` stored units make one ``unit`` (1000 for V kept in mV). ``minimum`` and ``maximum`` are in stored
-    units; without a limit in the table they are what a small integer holds. ``initial`` is None where the quantity
-    starts unknown and may become unknown again; else the value that stands in for unknown.
+    units; without a limit in the table they are what the storage holds, or the fields carry. They are whole numbers
+    where integers are kept. ``initial`` is None where the quantity starts unknown and may become unknown again; else
+    the value that stands in for unknown.
     With ``elements`` it is a list of such integers, each of which can be None; they are counted for each instance.
     ``derivation`` is where the value comes from, ``trust`` how long it is believed.
     """
@@ -171,9 +170,10 @@ class Quantity(Cited):
     unit: Unit
     stored: Unit
     steps: Fraction
-    minimum: int
-    maximum: int
-    initial: int | None
+    storage: Storage
+    minimum: int | Fraction
+    maximum: int | Fraction
+    initial: int | Fraction | None
     enum: EnumDefinition | None
     elements: tuple[int, ...] | None
     derivation: Derivation

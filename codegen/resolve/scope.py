@@ -9,7 +9,7 @@ from codegen.model.dialect import EnumDefinition
 from codegen.model.spec import Spec
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.resolve.instances import known_facts
-from codegen.resolve.quantity import UNKNOWN_ENTRY, UNKNOWN_ENUM
+from codegen.resolve.kept import UNKNOWN_ENTRY, UNKNOWN_ENUM
 from codegen.resolve.state import find_quantity
 from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place

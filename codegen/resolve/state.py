@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from codegen.derivations.clock import CLOCK, clock_component
 from codegen.derivations.surroundings import BAD_QUANTITY, UNKNOWN_QUANTITY, Surroundings
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import read_rate
@@ -10,6 +11,7 @@ from codegen.model.population_spec import Rounding
 from codegen.model.spec import Requirement, Spec
 from codegen.model.state_spec import ComponentSpec, StateSpec
 from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity, Returns
+from codegen.resolve.carriers import find_carriers
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.quantity import is_name, resolve_quantity
 from codegen.resolve.vehicle import find_parameter
@@ -37,6 +39,7 @@ def resolve_components(
 ) -> dict[str, Component]:
     """The components by name."""
     components = {}
+    carriers = find_carriers(spec, dialect)
 
     def find(name: str, place: Place) -> Parameter | None:
         return find_parameter(name, place, spec.parameters, parameters, report)
@@ -49,8 +52,20 @@ def resolve_components(
             period = None if rate is None else round(1000 / rate)
         quantities = {}
         for quantity_name, quantity_spec in written.quantities.items():
+            path = f"{name}.{quantity_name}"
             around = Surroundings(
-                name, quantity_name, quantity_spec, instances[name], period, channels, find, spec, dialect, report
+                component=name,
+                name=quantity_name,
+                spec=quantity_spec,
+                parts=instances[name],
+                period_ms=period,
+                channels=channels,
+                find_parameter=find,
+                whole=spec,
+                dialect=dialect,
+                carriers=carriers.fields.get(path, ()),
+                is_compared=path in carriers.compared,
+                report=report,
             )
             quantity = resolve_quantity(around, index)
             if quantity is not None:
@@ -67,6 +82,11 @@ def resolve_components(
             citation=cite_optional(written.requirement, written.at("requirement"), index, report),
             aspects=cite_aspects(written, index, report),
         )
+    if any(answer.clock for population in spec.populations for answer in population.fields.values()):
+        if CLOCK in components:
+            message = f"{CLOCK} is the component of what tables name as clock: boot and clock: unix"
+            report.add(BAD_COMPONENT, components[CLOCK].spec.place, message, "choose another name")
+        components[CLOCK] = clock_component(spec.state.place)
     return components
 
 

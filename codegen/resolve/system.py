@@ -12,10 +12,10 @@ from codegen.resolve.citation import index_requirements
 from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.generations import resolve_generations
 from codegen.resolve.instances import resolve_instances
+from codegen.resolve.kept import UNKNOWN_ENTRY
 from codegen.resolve.links import resolve_links
 from codegen.resolve.population import Parts, resolve_message
 from codegen.resolve.program import resolve_program
-from codegen.resolve.quantity import UNKNOWN_ENTRY
 from codegen.resolve.receiver import resolve_receiver
 from codegen.resolve.state import resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.answer import Answer
 from codegen.model.scaling import FLOAT_DIVISOR_MAX
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.system import System
-from codegen.model.vehicle import SMALL_INT_MAX
 
 RULE = Rule(
     "allocating-field",

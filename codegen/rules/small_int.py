@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answer import Answer
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.system import System
-from codegen.model.vehicle import SMALL_INT_MAX, Conversion, Quantity
+from codegen.model.vehicle import Conversion, Quantity
 
 RULE = Rule(
     "allocating-arithmetic",

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from codegen.derivations.clock import CLOCK
 from codegen.model.price import default_rate, on_by_default
 from codegen.model.system import System
 from codegen.targets.component_facts import ComponentFacts, component_facts
@@ -76,6 +77,10 @@ def behaviour_checks(
                 name = f"{component.name}_{quantity.name}"
                 checks.append(BehaviourCheck("", f"{name}_allocate_nothing"))
                 checks.append(BehaviourCheck(quantity.citation, f"{name}_in_their_unit"))
+            if quantity.is_float:
+                checks.append(BehaviourCheck("", f"{component.name}_{quantity.name}_is_sent_without_allocating"))
+    if any(component.name == CLOCK for component in components):
+        checks.append(BehaviourCheck("", "clocks_are_right_for_sixty_days"))
     general = ("late_pass_sends_no_burst", "parameters_start_with_their_defaults", "parameters_keep_their_limits")
     return (*checks, *(BehaviourCheck("", name) for name in general))
 

@@ -77,9 +77,7 @@ def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase
             case = _case(message, f"nominal{paged}", str(message.citation), base, instance, used, page)
             yield replace(case, also=_constant_criteria(message))
     base = _base(used, 0)
-    unknown: Known = {
-        path: None if value is None or isinstance(value, int) else (None,) * len(value) for path, value in base.items()
-    }
+    unknown: Known = {path: (None,) * len(value) if isinstance(value, tuple) else None for path, value in base.items()}
     yield _case(message, "everything-unknown", str(message.citation), unknown, 0, used)
     for answer in message.answers:
         for state in answer.cases(base, message.instances, message.pages):

@@ -17,11 +17,13 @@ class QuantityFacts:
     """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other.
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
+    ``is_float``: it is kept as one, and MicroPython allocates where code sets it.
     """
 
     name: str
     attribute: str
     is_stored: bool
+    is_float: bool
     elements: int | None
     numerator: int
     denominator: int
@@ -129,6 +131,7 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         name=quantity.name,
         attribute=quantity.attribute,
         is_stored=not quantity.is_computed,
+        is_float=quantity.storage.is_float,
         elements=quantity.elements[0] if quantity.elements else None,
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,

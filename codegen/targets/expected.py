@@ -10,6 +10,7 @@ from fractions import Fraction
 from codegen.model.known import Known, Stored, Value, single
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import rounded
+from codegen.model.storage import Storage
 from codegen.model.system import Policy, PopulatedMessage, Representation
 from codegen.model.unit import Measure, unit_named
 from codegen.model.vehicle import Conversion, Quantity, QuantityKind
@@ -86,13 +87,21 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
     if quantity.elements is None:
         return plain
     count = quantity.elements[instance]
-    return tuple(max(quantity.minimum, min(quantity.maximum, plain + 7 * index)) for index in range(count))
+    low, high = int(quantity.minimum), int(quantity.maximum)
+    return tuple(max(low, min(high, int(plain) + 7 * index)) for index in range(count))
 
 
-def nominal(quantity: Quantity) -> int:
-    """A plain value of a quantity: in the middle of its limits, or a small odd number without limits."""
+def nominal(quantity: Quantity) -> int | Fraction:
+    """A plain value of a quantity: in the middle of its limits, or a small odd number without limits.
+
+    Of one that takes more than a word it is a large one, so that every half of it counts.
+    """
     if quantity.kind is not QuantityKind.NUMBER:
         return quantity.initial or 0
-    if abs(quantity.minimum) == abs(quantity.maximum):
-        return 1237
-    return (quantity.minimum + quantity.maximum) // 2
+    if quantity.storage.is_float:
+        middle = Fraction(1237, 64) if quantity.spec.max is None else (quantity.minimum + 2 * quantity.maximum) / 3
+        return quantity.storage.nearest(Fraction(middle))
+    low, high = int(quantity.minimum), int(quantity.maximum)
+    if quantity.storage is not Storage.SMALL:
+        return low + (high - low) * 5 // 7
+    return 1237 if abs(low) == abs(high) else (low + high) // 2

@@ -1,5 +1,7 @@
 """One case of a message: what is set in the state, and what must go out."""
 
+from fractions import Fraction
+
 from codegen.frozen import dataclass
 from codegen.model.known import Stored
 from codegen.model.vehicle import Quantity, QuantityKind
@@ -32,7 +34,7 @@ class MessageCase:
 
 def set_to(quantity: Quantity, value: Stored, instance: int) -> Setting:
     """How a test sets a quantity of an instance."""
-    plain = list(value) if isinstance(value, tuple) else value
+    plain = list(value) if isinstance(value, tuple) else float(value) if isinstance(value, Fraction) else value
     if quantity.kind is QuantityKind.BOOLEAN:
         plain = bool(value)
     return (quantity.component, quantity.attribute, plain, instance)

@@ -1,5 +1,6 @@
 """The generated test suite: cases as data, one runner for every interpreter, and the comparison with pymavlink."""
 
+from codegen.derivations.clock import CLOCK
 from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.targets.behaviour_checks import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
@@ -38,6 +39,7 @@ class SuiteView:
     checks: tuple[BehaviourCheck, ...]
     expiring: dict[str, tuple[str, ...]]
     ageing: dict[str, tuple[str, ...]]
+    clocked: tuple[str, ...]
 
 
 def render_suite(system: System) -> dict[str, str]:
@@ -66,6 +68,7 @@ def render_suite(system: System) -> dict[str, str]:
         checks=behaviour_checks(board.readers, streams, components, shared, withheld),
         ageing={path: _ageing(path, system) for path in _aging_paths(system)},
         expiring={component.name: _readers(component.name, system) for component in components},
+        clocked=_readers(CLOCK, system),
     )
     for name in RENDERED:
         files[f"tests/{name}"] = headed(rendered(f"tests/{name}.j2", view), origin)

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 22bc6f042f62670f
+# Inputs: 374aa94b5341b3ef
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

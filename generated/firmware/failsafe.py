@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 759f6d6c7efa9a62
+# Inputs: 189f500cb66a34f8
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: ef70533356c95745
+# Inputs: 4eac590dd4a043f3
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

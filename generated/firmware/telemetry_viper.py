@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: f977915d8247c471
+# Inputs: 7d9e5fe157adbce4
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -830,7 +830,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[0] = 0
-        wire16[1] = 32704
+        wire16[1] = 0x7FC0
     else:
         wire32[0] = value
 
@@ -838,7 +838,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[2] = 0
-        wire16[3] = 32704
+        wire16[3] = 0x7FC0
     else:
         wire32[1] = value
 
@@ -846,7 +846,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[4] = 0
-        wire16[5] = 32704
+        wire16[5] = 0x7FC0
     else:
         wire32[2] = value
 
@@ -854,7 +854,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_LEFT_MAH] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[6] = 0
-        wire16[7] = 32704
+        wire16[7] = 0x7FC0
     else:
         if value < 0:
             value = 0
@@ -864,7 +864,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[8] = 0
-        wire16[9] = 32704
+        wire16[9] = 0x7FC0
     else:
         if value < 0:
             value = 0

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 759f6d6c7efa9a62
+# Inputs: 189f500cb66a34f8
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

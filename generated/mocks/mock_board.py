@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: ef70533356c95745
+# Inputs: 4eac590dd4a043f3
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

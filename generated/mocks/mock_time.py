@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: b67eb314e2633fe1
+# Inputs: 2fade1d5193b90e2
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -8,6 +8,7 @@ is read, without a number beyond 2**30, which 32-bit ports would have to put on 
 """
 
 import sys
+from array import array
 
 PERIOD = 1 << 30
 _MOST = 0x3FFFFFFF  # the last tick before they start again
@@ -17,6 +18,7 @@ _NAMES = ("ticks_ms", "ticks_us", "ticks_add", "ticks_diff", "sleep_ms", "sleep_
 
 host_time = None  # under MicroPython, after install(): the true module, as for the queue of asyncio in C
 
+_word = array("i", [0])
 _turns = 0  # of the microseconds, each of PERIOD
 _us = 0
 _ms = 0
@@ -63,9 +65,16 @@ def set_ticks_us(now):
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if now < 0:
         raise ValueError("the clock starts at 0")
-    _turns, _us = divmod(now, PERIOD)
-    _ms = now // 1000 % PERIOD
-    _rest_us = now % 1000
+    _turns, _us = now // PERIOD, _tick(now % PERIOD)
+    _ms = _tick(now // 1000 % PERIOD)
+    _rest_us = _tick(now % 1000)
+
+
+def _tick(number):
+    """Return the number as boards have it: what 32-bit ports divide by a large one stays on the heap, and so does all
+    that is computed with it."""
+    _word[0] = number
+    return _word[0]
 
 
 def advance_us(duration):

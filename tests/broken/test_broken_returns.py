@@ -8,7 +8,7 @@ from test_broken_tables import Case, check_place, name_of
 
 STATE = "state.yaml"
 COUNTS = "counts_returns_of: absent"
-CHARGE = "drawn since the pack was full, or put in.\n        unit: mAh\n        restarts_with: "
+CHARGE = "drawn since the pack was full, or put in.\n        unit: mAh\n        stored: mAh\n        restarts_with: "
 NOTHING = "        counts_returns_of: absent\n        initial: 0\n"
 
 CASES = [

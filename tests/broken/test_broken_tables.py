@@ -33,7 +33,7 @@ BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status"
 RADIO = "  radio: {uart: 0, tx: 0, rx: 1, baud: 57600}\n"
 LINK = "  wifi:\n    udp: 14550\n"
 PROGRAM = "vehicle.yaml:3:1"
-CHARGE = '        unit: "%"\n        min: 0\n        max: 100\n        requirement: FR-00068.5\n'
+CHARGE = '        unit: "%"\n        stored: "%"\n        min: 0\n        max: 100\n        requirement: FR-00068.5\n'
 
 CASES = [
     # a value that contradicts the dialect
@@ -402,13 +402,13 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:75:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:78:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:75:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:78:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
-    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:75:17"),
+    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:78:17"),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
@@ -465,7 +465,7 @@ CASES = [
     Case("unit-mismatch", "state.yaml", "unit: hJ\n", "unit: hJ\n        estimate_from: §voltage\n", "in %"),
 ]
 
-ESTIMATE = "state.yaml:49:24"
+ESTIMATE = "state.yaml:51:24"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 ESTIMATES = [
     Case(

@@ -22,8 +22,8 @@ from hypothesis import strategies as st
 from stated_units import STATED
 
 from codegen.model.scaling import FLOAT_DIVISOR_MAX
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.unit import ratio, unit_named
-from codegen.model.vehicle import SMALL_INT_MAX
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates" / "firmware"
 

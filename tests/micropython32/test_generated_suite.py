@@ -1,7 +1,7 @@
-"""The generated suite of the rover passes with words of 32 bits, where a number beyond 30 bits lies on the heap.
+"""Generated suites pass with words of 32 bits, where a number beyond 30 bits lies on the heap.
 
 What a firmware may allocate, and what wraps, is different there from a host of 64 bits. This MicroPython has no
-machine code, so that the rover is built without.
+machine code, so that the projects are built without. Beside the rover there are those with numbers of over 30 bits.
 """
 
 import shutil
@@ -26,11 +26,15 @@ PARTS = [
 
 @pytest.fixture(scope="module")
 def suite(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The suite of the rover, built without machine code."""
-    folder = tmp_path_factory.mktemp("rover")
-    shutil.copytree(ROOT / "specs", folder / "specs")
-    with (folder / "specs" / "codegen.yaml").open("a") as project:
-        project.write("machine_code: false\n")
+    """The suite of the rover."""
+    return _built(ROOT, tmp_path_factory.mktemp("rover"))
+
+
+def _built(project: Path, folder: Path) -> Path:
+    """The suite of a project, built without machine code."""
+    shutil.copytree(project / "specs", folder / "specs")
+    with (folder / "specs" / "codegen.yaml").open("a") as settings:
+        settings.write("machine_code: false\n")
     subprocess.run([sys.executable, "-m", "codegen", "build"], cwd=folder, check=True, capture_output=True)
     return folder / "generated" / "tests"
 
@@ -41,3 +45,12 @@ def test_suite_passes_with_words_of_32_bits(suite: Path, file: str, only: str) -
     options = ("-k", f"{only} and not {NO_NETWORK}")
     done = run_suite(suite, file, options=options, micropython=MICROPYTHON32)
     assert done.returncode == 0, done.stdout[-3000:]
+
+
+@pytest.mark.parametrize("project", ["boat", "wide_values"])
+def test_wide_numbers_with_words_of_32_bits(project: str, tmp_path: Path) -> None:
+    """Numbers of up to 64 bits and floats go out as they were set, and allocate nothing."""
+    tests = _built(ROOT / "tests" / "projects" / project, tmp_path)
+    for file in ("test_frames.py", "test_behaviour.py"):
+        done = run_suite(tests, file, options=("-k", "micropython"), micropython=MICROPYTHON32)
+        assert done.returncode == 0, done.stdout[-3000:]

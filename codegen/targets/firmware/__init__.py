@@ -60,6 +60,9 @@ def render_firmware(system: System) -> dict[str, str]:
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
+        "wide": view.has_wide,
+        "clock_plain": plain.ticks,
+        "clock_viper": plain.ticks and machine_code,
     }
     for name, is_used in optional.items():
         if not is_used:

@@ -61,6 +61,7 @@ class FunctionsView:
     functions: tuple[FunctionView, ...]
     puts_floats: bool
     is_withheld: bool
+    ticks: bool
 
 
 def _chosen(message: PopulatedMessage) -> tuple[Representation, ...]:
@@ -96,6 +97,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         functions=tuple(functions),
         puts_floats="put_float" in uses,
         is_withheld=any(function.is_withheld for function in functions),
+        ticks="tick" in uses,
     )
 
 
@@ -104,6 +106,8 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
     names = {("micropython", "const")}
     if "clock" in uses:
         names.add(("time", "ticks_ms"))
+    if "tick" in uses:
+        names.add(("clock_viper" if machine_code else "clock_plain", "tick"))
     if "chip" in uses:
         modules.add("machine")
         names.add(("binascii", "hexlify"))

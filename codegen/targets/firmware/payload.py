@@ -3,11 +3,12 @@
 import struct
 from dataclasses import dataclass, field
 
+from codegen.derivations.clock import CLOCK
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
-from codegen.model.payload_code import UNKNOWN, PayloadCode
+from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.vehicle import Parameter, Quantity
-from codegen.targets.firmware.words import Layout, differ
+from codegen.targets.firmware.words import Block, Layout, differ
 from codegen.targets.naming import parameter_attribute
 
 
@@ -46,6 +47,26 @@ class SpelledCode(PayloadCode):
         """By its first word."""
         return f"{self.number_of(self.word(quantity.component, quantity.attribute))} == {UNKNOWN}"
 
+    def half(self, quantity: Quantity, at: int) -> str:
+        """The word, which has no sign."""
+        return self.word(quantity.component, quantity.attribute, str(at) if at else "")
+
+    def clock(self) -> list[str]:
+        """By the function for it, once in a message."""
+        if "tick" in self.uses:
+            return []
+        self.uses.add("tick")
+        self.words.setdefault(CLOCK, set())
+        return ["# The clocks go on to now.", self.tick(self.layout.blocks[CLOCK]), ""]
+
+    def clock_half(self, word: str, at: int) -> str:
+        """The word."""
+        return self.word(CLOCK, word, str(at) if at else "")
+
+    def tick(self, clock: Block) -> str:
+        """The call of that function."""
+        raise NotImplementedError
+
     def is_set(self, quantity: Quantity) -> str:
         """The word."""
         return self.word(quantity.component, quantity.attribute)
@@ -81,20 +102,46 @@ class SpelledCode(PayloadCode):
         followed = self.layout.blocks[quantity.component].component.quantities[quantity.derivation.follows]
         return self.read(followed), quantity.derivation.holds(self.limit(quantity))
 
-    def store(self, covers: Elements, value: int | float | str, at: int = 0, *, always: bool = True) -> list[str]:
+    def store(
+        self, covers: Elements, value: int | float | str, at: int = 0, *, always: bool = True, over: bool = False
+    ) -> list[str]:
         """An expression as it is; a number as one that the spelling can write."""
         size = covers.field.type.size
         offset = covers.offset + at * size
+        if over:
+            halves = _halves(covers, value)
+            return [
+                line for n, half in enumerate(halves) for line in self.put(offset + 2 * n, min(size, 2), _hex(half))
+            ]
         if isinstance(value, str):
             return self.put(offset, size, value, always=always)
-        if covers.field.type.kind is Kind.FLOAT:
-            data = struct.pack(f"<{covers.field.type.code}", value)
-        else:
-            if -(1 << 30) <= value < 1 << 30:
-                return self.put(offset, size, int(value), always=always)
-            data = (int(value) & (1 << 8 * size) - 1).to_bytes(size, "little")
-        halves = struct.unpack(f"<{size // 2}H", data)
+        if covers.field.type.kind is not Kind.FLOAT and -(1 << 30) <= value < 1 << 30:
+            return self.put(offset, size, int(value), always=always)
+        halves = _halves(covers, value)
         return [line for n, half in enumerate(halves) for line in self.put(offset + 2 * n, 2, half, always=always)]
+
+    def copy(self, covers: Elements, halves: list[str], *, signed: bool) -> list[str]:
+        """Half by half; a wider element is filled with the sign."""
+        size, offset = covers.field.type.size, covers.offset
+        if size == 1:
+            return self.put(offset, 1, halves[0])
+        lines = [
+            line
+            for n, half in zip(range(size // 2), halves, strict=False)
+            for line in self.put(offset + 2 * n, 2, half)
+        ]
+        more = range(len(halves), size // 2)
+        if not more:
+            return lines
+        zeros = [line for n in more for line in self.put(offset + 2 * n, 2, "0x0")]
+        if not signed:
+            return [*lines, *zeros]
+        ones = [line for n in more for line in self.put(offset + 2 * n, 2, "0xFFFF")]
+        return [*lines, f"if {halves[-1]} < 0x8000:", *indented(zeros), "else:", *indented(ones)]
+
+    def copy_half(self, covers: Elements, at: int, value: str) -> list[str]:
+        """As two bytes, or one."""
+        return self.put(covers.offset + 2 * at, min(covers.field.type.size, 2), value)
 
     def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
         """Write a whole number of so many bytes at an offset of the payload."""
@@ -181,15 +228,38 @@ class SpelledCode(PayloadCode):
         return f"{block.base_constant} + {block.size_constant} * {instance}" if instance else block.base_constant
 
 
+def _halves(covers: Elements, value: float | str) -> tuple[int, ...]:
+    """The halves of a number as the field carries it; of a field of one byte that."""
+    assert not isinstance(value, str)
+    wire_type = covers.field.type
+    if wire_type.kind is Kind.FLOAT:
+        data = struct.pack(f"<{wire_type.code}", value)
+    else:
+        data = (int(value) & (1 << 8 * wire_type.size) - 1).to_bytes(wire_type.size, "little")
+    return tuple(data) if len(data) == 1 else struct.unpack(f"<{len(data) // 2}H", data)
+
+
 def escaped(byte: int) -> str:
     """A byte in a literal of bytes."""
     text = chr(byte)
     return text if text.isprintable() and text not in '"\\' and byte < 128 else f"\\x{byte:02x}"
 
 
+def literal(value: int | str) -> int | None:
+    """The number that an expression is, where it is known now."""
+    if isinstance(value, int):
+        return value
+    return int(value, 0) if value.lstrip("-").isdigit() or value.startswith("0x") else None
+
+
 def byte_of(value: str, number: int) -> str:
     """A byte of an expression, which may be a literal."""
-    if value.lstrip("-").isdigit():
-        return str(int(value) >> 8 * number & 0xFF)
+    number_known = literal(value)
+    if number_known is not None:
+        return str(number_known >> 8 * number & 0xFF)
     shown = value if value.isidentifier() else f"({value})"
     return f"{shown} >> {8 * number} & 0xFF" if number else f"{shown} & 0xFF"
+
+
+def _hex(half: int) -> str:
+    return f"0x{half:X}" if half > 9 else str(half)

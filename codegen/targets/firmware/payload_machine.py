@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, byte_of, escaped
+from codegen.targets.firmware.payload import SpelledCode, byte_of, escaped, literal
+from codegen.targets.firmware.words import Block
 from codegen.targets.imports import in_brackets
 
 
@@ -84,10 +85,11 @@ class MachineCode(SpelledCode):
             none = self.put(offset + 4, 4, 0, always=False)
             return [*low, f"if {value} < 0:", *indented(high), "else:", *indented(none)]
         self.uses.add("wire")
-        shown = value if isinstance(value, int) else f"{value}" if value.isidentifier() else f"({value})"
-        if isinstance(shown, int):
-            return [f"wire[{offset + n}] = {shown >> 8 * n & 0xFF}" for n in range(size)]
-        return [f"wire[{offset + n}] = {shown}{f' >> {8 * n}' if n else ''}" for n in range(size)]
+        known = literal(value)
+        if known is not None:
+            return [f"wire[{offset + n}] = {known >> 8 * n & 0xFF}" for n in range(size)]
+        shown = value if str(value).isidentifier() else f"({value})"
+        return [f"wire[{offset + n}] = {f'{shown} >> {8 * n}' if n else value}" for n in range(size)]
 
     def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
         """By a pointer of the type; into fields that are not aligned byte by byte."""
@@ -166,6 +168,10 @@ class MachineCode(SpelledCode):
 
     def _name(self, about: tuple[str, ...]) -> str:
         return f"{self.message}_frame" if about else f"encode_{self.message}"
+
+    def tick(self, clock: Block) -> str:
+        """By the address of the block."""
+        return f"tick(int(words) + 4 * {clock.base_constant})"
 
     def reach(self, component: str, instance: str) -> str:
         """A pointer."""

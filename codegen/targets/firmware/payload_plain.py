@@ -4,6 +4,7 @@ from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.payload import SpelledCode, byte_of
+from codegen.targets.firmware.words import Block
 
 
 class PlainCode(SpelledCode):
@@ -84,6 +85,10 @@ class PlainCode(SpelledCode):
     def finished(self) -> list[str]:
         """The payload."""
         return ["", "return wire"]
+
+    def tick(self, clock: Block) -> str:
+        """By the place of the block."""
+        return f"tick(words, {clock.base_constant})"
 
     def reach(self, component: str, instance: str) -> str:
         """A number; none where the component is the only one."""

@@ -2,26 +2,26 @@
 
 from collections.abc import Iterator, Mapping
 
+from codegen.derivations.clock import CLOCK
 from codegen.frozen import dataclass
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.storage import Storage
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
+from codegen.targets.firmware.attribute import (
+    WIDE,
+    AttributeView,
+    initial_words,
+    joined,
+    known_words,
+    wide_attributes,
+)
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
 from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, age_word, differ, measured_of
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
-
-
-@dataclass(frozen=True, slots=True)
-class AttributeView:
-    """An attribute of a component: the view of words that it is, and what it means, in lines above it or behind it."""
-
-    name: str
-    expression: str
-    above: str
-    behind: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +109,7 @@ class StateView:
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
     has_estimate: bool
+    has_wide: bool
     is_measured: bool
     waiting: int = WAITING
 
@@ -122,7 +123,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
-    names |= {("words", word) for word in words}
+    names |= {("wide" if word in WIDE else "words", word) for word in words}
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -139,13 +140,14 @@ def state_view(system: System, layout: Layout) -> StateView:
     readings += [f"expire_{component.name}" for component in measured if component.expires]
     machine_code = system.spec.project.machine_code
     return StateView(
-        imports=import_lines(["time"] if measured else [], names),
+        imports=import_lines(["time"] if measured or CLOCK in system.components else [], names),
         reading_imports=either_import("state", sorted(readings), machine_code=machine_code) if readings else (),
         constants=tuple(constants),
         size=layout.size,
         components=components,
         families=_families(system),
         has_estimate=has_estimate,
+        has_wide=bool(words & WIDE),
         is_measured=bool(measured),
     )
 
@@ -211,6 +213,9 @@ def _told(component: Component, measured: MeasuredView) -> Iterator[TellView]:
 
 def _set_up(component: Component, block: Block, measured: MeasuredView | None) -> Iterator[tuple[str, str]]:
     """The words that parameters decide at the start."""
+    if component.name == CLOCK:
+        yield block.constant("last_us"), "time.ticks_us()"
+        yield block.constant("last_ms"), "time.ticks_ms()"
     if component.first_number:
         first = f"self.parameters.{parameter_attribute(component.first_number.name)}"
         yield block.constant("number"), f"{first} + instance" if component.instances > 1 else first
@@ -256,19 +261,21 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
     if quantity.elements is not None:
         own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(quantity.elements) else ""
         most = max(quantity.elements)
-        yield AttributeView(quantity.attribute, f"elements({_joined(place, most, own)})", above, "")
+        yield AttributeView(quantity.attribute, f"elements({joined(place, most, own)})", above, "")
         if quantity.attribute != quantity.name:
-            expression = f"shown_elements({_joined(place, most, steps, own)})"
+            expression = f"shown_elements({joined(place, most, steps, own)})"
             yield AttributeView(quantity.name, expression, "", f"{shown} each, or None while it is unknown{cited}")
         return
     if quantity.kind is QuantityKind.BOOLEAN:
         yield AttributeView(quantity.attribute, f"truth({place})", above, "")
         return
+    if quantity.storage is not Storage.SMALL:
+        yield from wide_attributes(quantity, place, above, f"{shown}, {known_words(quantity)}{cited}")
+        return
     yield AttributeView(quantity.attribute, f"whole({place})", above, "")
     if quantity.attribute != quantity.name:
         view = "result" if derivation.kept_readings else "shown"
-        known = "known from the start" if quantity.initial is not None else "or None while it is unknown"
-        yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known}{cited}")
+        yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known_words(quantity)}{cited}")
 
 
 def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:
@@ -278,10 +285,6 @@ def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[At
     yield AttributeView(inner, view.expression, view.above, "")
     forgets = f'aging("{inner}", {block.constant(quantity.attribute)}, {place}, {quantity.trust.stale_after_ms})'
     yield AttributeView(view.name, forgets, view.behind, "")  # behind the long line there is no room for it
-
-
-def _joined(*parts: object) -> str:
-    return ", ".join(str(part) for part in parts if part != "")
 
 
 def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
@@ -295,7 +298,7 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
         elif quantity.kind is QuantityKind.BOOLEAN:
             yield block.constant(quantity.attribute), str(int(bool(quantity.initial)))
         elif quantity.initial is not None:
-            yield block.constant(quantity.attribute), str(quantity.initial)
+            yield from initial_words(quantity, block.constant(quantity.attribute))
     yield from _counters(component, block)
     for word in ("number", "failures", "is_logged", "gone"):
         if word in block.offsets:

@@ -2,8 +2,8 @@
 
 A number, an enum's value and a boolean take one word; what is unknown is -2 ** 30 there, less than every limit, and the
 largest magnitude that 32-bit boards read without allocating. A quantity with elements takes a word for each, last of
-all. Other types of a dialect fit the same array: 64 bits take two words, the low one first, and a float its binary32
-bits in one; both are unknown by a word of their own in front of them, which is -2 ** 30 then.
+all. What a small integer does not hold takes a word for every 16 bits, the low ones first (codegen/model/storage.py);
+while it is unknown, the first of them is -2 ** 30.
 """
 
 from collections.abc import Iterator, Mapping
@@ -96,13 +96,15 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
     quantities = component.quantities.values()
     for quantity in quantities:
         if quantity.elements is None and not quantity.is_computed:
-            yield quantity.attribute, 1
+            yield quantity.attribute, quantity.storage.words
         if quantity.ages:
             yield age_word(quantity), 1
         if differ(quantity.derivation.own_limits):
             yield f"{quantity.name}_limit", 1
     if component.first_number:
         yield "number", 1
+    if any(quantity.derivation.counts_time for quantity in quantities):
+        yield from CLOCK_WORDS
     yield from _of_readings(component)
     for quantity in quantities:
         if quantity.elements is not None:
@@ -141,6 +143,9 @@ def measured_of(component: Component) -> Quantity | None:
     """The quantity that readings are taken of; None where there is none."""
     return next((quantity for quantity in component.quantities.values() if quantity.derivation.conversion), None)
 
+
+CLOCK_WORDS = (("last_us", 1), ("last_ms", 1), ("boot_ms", 4), ("unix_ms", 4))
+"""What the clocks need behind what they count in microseconds; clock_viper.py and clock_plain.py know their order."""
 
 TREND_WORDS = ("count", "newer", "older")
 """What a trend keeps beside its readings: how many there were, and the sums of the two halves."""

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 7419676caa2ab49c
+# Inputs: af321acb957fb487
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import machine

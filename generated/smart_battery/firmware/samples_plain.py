@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: c82b0ef58a569b99
+# Inputs: 0023c9460f86a34c
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

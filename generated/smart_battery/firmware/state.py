@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 7419676caa2ab49c
+# Inputs: af321acb957fb487
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -14,6 +14,7 @@ from frames import address
 from guard import Guard
 from micropython import const
 from parameters import Parameters
+from wide import integer, shown_integer
 from words import UNKNOWN, Component, at_least, below, elements, known, shown, shown_elements, together, truth, whole
 
 try:
@@ -21,31 +22,31 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(23)
+_SIZE = const(24)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(23)
+_BATTERY_SIZE = const(24)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
-_BATTERY_REMAINING_PCT = const(4)
-_BATTERY_LEFT_MAH = const(5)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TEMPERATURE_CDEGC = const(7)
-_BATTERY_SWAPS_NUMBER = const(8)
-_BATTERY_MONITORED = const(9)
-_BATTERY_USED_UP = const(10)
-_BATTERY_PROTECTED = const(11)
-_BATTERY_NUMBER = const(12)
-_BATTERY_COUNT = const(13)
-_BATTERY_MULTIPLIER = const(14)
-_BATTERY_FAILURES = const(15)
-_BATTERY_IS_LOGGED = const(16)
-_BATTERY_EXPIRES_MS = const(17)
-_BATTERY_WARNED_MS = const(18)
-_BATTERY_GONE = const(19)
-_BATTERY_CELLS_MV = const(20)
+_BATTERY_REMAINING_PCT = const(5)
+_BATTERY_LEFT_MAH = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
+_BATTERY_SWAPS_NUMBER = const(9)
+_BATTERY_MONITORED = const(10)
+_BATTERY_USED_UP = const(11)
+_BATTERY_PROTECTED = const(12)
+_BATTERY_NUMBER = const(13)
+_BATTERY_COUNT = const(14)
+_BATTERY_MULTIPLIER = const(15)
+_BATTERY_FAILURES = const(16)
+_BATTERY_IS_LOGGED = const(17)
+_BATTERY_EXPIRES_MS = const(18)
+_BATTERY_WARNED_MS = const(19)
+_BATTERY_GONE = const(20)
+_BATTERY_CELLS_MV = const(21)
 
 # What is known of the battery from the start: places and values.
 _BATTERY_START = (
@@ -83,8 +84,9 @@ class BatteryState(Component):
     consumed_mah = whole(_BATTERY_CONSUMED_MAH)
     consumed = shown(_BATTERY_CONSUMED_MAH, 1)  # mAh, or None while it is unknown; FR-00074.9
     # Energy drawn since the pack was full [hJ]
-    energy_hj = whole(_BATTERY_ENERGY_HJ)
-    energy = shown(_BATTERY_ENERGY_HJ, 1)  # hJ, or None while it is unknown; FR-00074.9
+    energy_hj = integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647)
+    # hJ, or None while it is unknown; FR-00074.9
+    energy = shown_integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, 1)
     # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
     remaining_pct = whole(_BATTERY_REMAINING_PCT)
     remaining = shown(_BATTERY_REMAINING_PCT, 1)  # %, or None while it is unknown; FR-00074.9

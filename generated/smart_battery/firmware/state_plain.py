@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 7419676caa2ab49c
+# Inputs: af321acb957fb487
 """What is done with each reading of a component, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -8,15 +8,15 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_SWAPS_NUMBER = const(8)
-_BATTERY_MONITORED = const(9)
-_BATTERY_COUNT = const(13)
-_BATTERY_MULTIPLIER = const(14)
-_BATTERY_FAILURES = const(15)
-_BATTERY_IS_LOGGED = const(16)
-_BATTERY_EXPIRES_MS = const(17)
-_BATTERY_WARNED_MS = const(18)
-_BATTERY_GONE = const(19)
+_BATTERY_SWAPS_NUMBER = const(9)
+_BATTERY_MONITORED = const(10)
+_BATTERY_COUNT = const(14)
+_BATTERY_MULTIPLIER = const(15)
+_BATTERY_FAILURES = const(16)
+_BATTERY_IS_LOGGED = const(17)
+_BATTERY_EXPIRES_MS = const(18)
+_BATTERY_WARNED_MS = const(19)
+_BATTERY_GONE = const(20)
 
 
 def read_battery(words, every, board, ticks, first):

@@ -35,8 +35,8 @@ _DATA_STREAMS = (None, 10, 12, None)
 _FASTEST_HZ = (10, 10, 10, 1)
 
 # Where the state has, by instance, whether it is measured, and what is watched for changes.
-_BATTERY_MONITORED = 9
-_BATTERY_SWAPS_NUMBER = 8
+_BATTERY_MONITORED = 10
+_BATTERY_SWAPS_NUMBER = 9
 
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMPONENT_ID):

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: 90789628974e81d1
+# Inputs: 4126d967e735b656
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -30,15 +30,15 @@ _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
-_BATTERY_REMAINING_PCT = const(4)
-_BATTERY_LEFT_MAH = const(5)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TEMPERATURE_CDEGC = const(7)
-_BATTERY_USED_UP = const(10)
-_BATTERY_PROTECTED = const(11)
-_BATTERY_NUMBER = const(12)
-_BATTERY_EXPIRES_MS = const(17)
-_BATTERY_CELLS_MV = const(20)
+_BATTERY_REMAINING_PCT = const(5)
+_BATTERY_LEFT_MAH = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
+_BATTERY_USED_UP = const(11)
+_BATTERY_PROTECTED = const(12)
+_BATTERY_NUMBER = const(13)
+_BATTERY_EXPIRES_MS = const(18)
+_BATTERY_CELLS_MV = const(21)
 _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
@@ -123,15 +123,22 @@ def write_battery_status(value, place, wire, words, instance):
     wire[3] = value >> 24 & 0xFF
 
     # energy_consumed [hJ]: battery.energy (FR-00068.6)
-    value = words[_BATTERY + _BATTERY_ENERGY_HJ]
-    if value == _UNKNOWN:
-        value = -1  # unknown
-    elif value == -1:
-        value = -2  # -1 would read as unknown
-    wire[4] = value & 0xFF
-    wire[5] = value >> 8 & 0xFF
-    wire[6] = value >> 16 & 0xFF
-    wire[7] = value >> 24 & 0xFF
+    value = words[_BATTERY + _BATTERY_ENERGY_HJ + 1]
+    if words[_BATTERY + _BATTERY_ENERGY_HJ] >> 16:  # unknown
+        wire[4] = 255
+        wire[5] = 255
+        wire[6] = 255
+        wire[7] = 255
+    elif value == 0xFFFF and words[_BATTERY + _BATTERY_ENERGY_HJ] == 0xFFFF:  # would read as unknown
+        wire[4] = 254
+        wire[5] = 255
+        wire[6] = 255
+        wire[7] = 255
+    else:
+        wire[4] = (words[_BATTERY + _BATTERY_ENERGY_HJ]) & 0xFF
+        wire[5] = (words[_BATTERY + _BATTERY_ENERGY_HJ]) >> 8 & 0xFF
+        wire[6] = (words[_BATTERY + _BATTERY_ENERGY_HJ + 1]) & 0xFF
+        wire[7] = (words[_BATTERY + _BATTERY_ENERGY_HJ + 1]) >> 8 & 0xFF
 
     # temperature [cdegC]: battery.temperature (FR-00068.6)
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]

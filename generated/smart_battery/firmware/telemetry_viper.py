@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: 90789628974e81d1
+# Inputs: 4126d967e735b656
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -37,15 +37,15 @@ _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
-_BATTERY_REMAINING_PCT = const(4)
-_BATTERY_LEFT_MAH = const(5)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TEMPERATURE_CDEGC = const(7)
-_BATTERY_USED_UP = const(10)
-_BATTERY_PROTECTED = const(11)
-_BATTERY_NUMBER = const(12)
-_BATTERY_EXPIRES_MS = const(17)
-_BATTERY_CELLS_MV = const(20)
+_BATTERY_REMAINING_PCT = const(5)
+_BATTERY_LEFT_MAH = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
+_BATTERY_USED_UP = const(11)
+_BATTERY_PROTECTED = const(12)
+_BATTERY_NUMBER = const(13)
+_BATTERY_EXPIRES_MS = const(18)
+_BATTERY_CELLS_MV = const(21)
 _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
@@ -208,12 +208,16 @@ def battery_status_frame(link, state, instance: int):
     wire32[0] = value
 
     # energy_consumed [hJ]: battery.energy (FR-00068.6)
-    value = (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign
-    if value == _UNKNOWN:
-        value = -1  # unknown
-    elif value == -1:
-        value = -2  # -1 would read as unknown
-    wire32[1] = value
+    value = battery[_BATTERY_ENERGY_HJ + 1]
+    if battery[_BATTERY_ENERGY_HJ] >> 16:  # unknown
+        wire16[2] = 0xFFFF
+        wire16[3] = 0xFFFF
+    elif value == 0xFFFF and battery[_BATTERY_ENERGY_HJ] == 0xFFFF:  # would read as unknown
+        wire16[2] = 0xFFFE
+        wire16[3] = 0xFFFF
+    else:
+        wire16[2] = battery[_BATTERY_ENERGY_HJ]
+        wire16[3] = battery[_BATTERY_ENERGY_HJ + 1]
 
     # temperature [cdegC]: battery.temperature (FR-00068.6)
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
@@ -614,7 +618,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[0] = 0
-        wire16[1] = 32704
+        wire16[1] = 0x7FC0
     else:
         wire32[0] = value
 
@@ -622,7 +626,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[2] = 0
-        wire16[3] = 32704
+        wire16[3] = 0x7FC0
     else:
         wire32[1] = value
 
@@ -630,7 +634,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[4] = 0
-        wire16[5] = 32704
+        wire16[5] = 0x7FC0
     else:
         wire32[2] = value
 
@@ -638,7 +642,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_LEFT_MAH] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[6] = 0
-        wire16[7] = 32704
+        wire16[7] = 0x7FC0
     else:
         if value < 0:
             value = 0
@@ -648,7 +652,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_REMAINING_PCT] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[8] = 0
-        wire16[9] = 32704
+        wire16[9] = 0x7FC0
     else:
         if value < 0:
             value = 0

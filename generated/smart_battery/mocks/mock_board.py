@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: c82b0ef58a569b99
+# Inputs: 0023c9460f86a34c
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

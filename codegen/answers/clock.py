@@ -1,0 +1,165 @@
+"""The time since the start, or since 1970, in the unit of the field."""
+
+from collections.abc import Iterator
+
+from codegen.answers.fitting import BAD_SOURCE, NO_SENTINEL, field_unit
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.scope import Scope
+from codegen.derivations.clock import BOOT, CLOCK, UNIX
+from codegen.frozen import dataclass
+from codegen.measure import UNIT_MISMATCH
+from codegen.model.account import Aspect, Origins, StateCase, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.known import Known, Value, kept_number, shown_value
+from codegen.model.payload_code import PayloadCode, indented
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
+from codegen.model.storage import HALF
+from codegen.model.unit import ratio, unit_named
+from codegen.model.vehicle import Quantity
+
+_MS = 1000
+_PARTS = {1: 0, _MS: 1, 10 * _MS: 10, 100 * _MS: 100, 1000 * _MS: 1000}
+"""Microseconds of a unit that a field can count, with the milliseconds that are divided for it; 0 for microseconds."""
+
+
+@dataclass(frozen=True, slots=True)
+class ClockAnswer(KindOfAnswer):
+    """A clock of the state, cut to whole units of ``microseconds`` each; it wraps as the field does.
+
+    Unknown becomes ``unknown``: None for the time since the start, which is always known.
+    """
+
+    covers: Elements
+    source: Quantity
+    microseconds: int
+    unknown: int | None
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``clock: boot`` or ``clock: unix``."""
+        return written.clock is not None
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "ClockAnswer | None":
+        """The clock, for one integer field with a unit of time."""
+        place, field = covers.written.at("clock"), covers.field
+        unit = field_unit(field, scope.report)
+        if unit is None:
+            return None
+        if not field.type.is_integer or covers.count != 1:
+            scope.report.add(BAD_SOURCE, place, f"{covers.label} is {field.type.name}: a clock is a whole number")
+            return None
+        steps = ratio(unit, unit_named("us"))
+        if steps is None or steps not in _PARTS:
+            message = f"{covers.label} is in {field.unit_text or 'no unit'}, and a clock counts us, ms, cs, ds or s"
+            scope.report.add(UNIT_MISMATCH, place, message, "corrections.yaml can set its units")
+            return None
+        source = scope.components[CLOCK].quantities[str(covers.written.clock or BOOT)]
+        sentinel = field.sentinel.values[covers.first] if field.sentinel else None
+        if source.name == UNIX and sentinel is None:
+            message = f"the time since 1970 can be unknown, and {field.name} has no value that says so"
+            scope.report.add(
+                NO_SENTINEL, place, message, "add the sentinel to the corrections file, or send clock: boot"
+            )
+            return None
+        return cls(covers, source, int(steps), int(sentinel) if source.name == UNIX and sentinel is not None else None)
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The clock."""
+        return (self.source,)
+
+    @property
+    def carried(self) -> tuple[Quantity, ...]:
+        """The same."""
+        return (self.source,)
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The whole units, as many of their bits as the field has."""
+        kept = kept_number(self.source, known)
+        if kept is None:
+            assert self.unknown is not None
+            return (self.unknown,)
+        wire_type = self.covers.field.type
+        value = int(kept) // self.microseconds & (1 << 8 * wire_type.size) - 1
+        return (value - (1 << 8 * wire_type.size) if value > wire_type.maximum else value,)
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """None at the start, all later."""
+        return 0, self.covers.field.type.size
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """Half by half, of the clock in microseconds or in milliseconds, or of the latter divided."""
+        covers, source = self.covers, self.source
+        divisor = _PARTS[self.microseconds]
+        word = source.attribute if not divisor else f"{source.name}_ms"
+        halves = [code.clock_half(word, at) for at in range(source.storage.halves)]
+        lines = [*code.clock(), self._comment()]
+        written = self._divided(code, halves, divisor) if divisor > 1 else code.copy(covers, halves, signed=False)
+        if self.unknown is None:
+            return [*lines, *written]
+        unknown = code.store(covers, self.unknown, over=True)
+        return [
+            *lines,
+            f"if {code.clock_half(source.attribute, 0)} >> {HALF}:  # unknown",
+            *indented(unknown),
+            "else:",
+            *indented(written),
+        ]
+
+    def _divided(self, code: PayloadCode, halves: list[str], divisor: int) -> list[str]:
+        """By the way of people: the highest half first, with what is left of it in front of the next."""
+        size = self.covers.field.type.size
+        lines = [f"value = {halves[-1]} % {divisor}"] if size < 2 * len(halves) else []
+        for at in reversed(range(len(halves) - len(lines))):
+            left = f"value << {HALF} | " if lines else ""
+            lines.append(f"value = {left}{halves[at]}")
+            if 2 * at < size:
+                lines += code.copy_half(self.covers, at, f"value // {divisor}")
+            if at:
+                lines.append(f"value %= {divisor}")
+        return lines
+
+    def _comment(self) -> str:
+        covers = self.covers
+        return f"# {covers.label} [{covers.field.unit_text}]: {self.words().source} ({covers.citation})"
+
+    def words(self) -> Words:
+        """Which clock, and that it wraps."""
+        since = "the start" if self.source.name == BOOT else "1970"
+        return Words(f"time since {since}", f"whole {self.covers.field.unit_text}", "wraps as the field does")
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The ticks, and the unit."""
+        yield from origins.steps(self.source)
+        words = self.words()
+        yield Step("unit", f"{words.conversion}, {words.limits}", (), (str(self.covers.citation),))
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Which clock, its unit, and the sentinel."""
+        yield Trait("source", f"{CLOCK}: {self.source.name}", Aspect.SOURCE)
+        yield Trait("conversion", f"whole units of {self.microseconds} us", Aspect.CONVERSION)
+        yield Trait("unknown", "" if self.unknown is None else shown_value(self.unknown), Aspect.UNKNOWN)
+
+    @property
+    def varies(self) -> bool:
+        """With the time."""
+        return True
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """Around a unit, around each wrap of the ticks and of the field, and at the end of 64 bits."""
+        path, size = self.source.path, self.covers.field.type.size
+        wrap = min(self.microseconds << 8 * size, 1 << 64)
+        for name, end in {
+            "unit": self.microseconds,
+            "microseconds": 1 << 30,
+            "milliseconds": 1000 << 30,
+            "half": self.microseconds << HALF,
+            "wrap": wrap,
+            "end": 1 << 64,
+        }.items():
+            yield StateCase(f"before-{name}", {path: end - 1})
+            if end < 1 << 64:
+                yield StateCase(f"after-{name}", {path: end})
+        yield StateCase("unknown", {path: None})

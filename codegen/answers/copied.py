@@ -1,0 +1,235 @@
+"""A quantity that no small integer holds: its halves go to the wire as they are kept."""
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.answers.filling import comment, origin
+from codegen.answers.fitting import NO_SENTINEL
+from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_words, read_back, to_unit
+from codegen.answers.scope import Scope
+from codegen.answers.source import take
+from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
+from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.dialect import Dialect
+from codegen.model.known import Known, Value, kept_number, shown_value
+from codegen.model.payload_code import PayloadCode, indented
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.reading import Reading, scaled
+from codegen.model.scaling import Scaling
+from codegen.model.step import Step
+from codegen.model.storage import HALF, Storage
+from codegen.model.vehicle import Component, Quantity, QuantityKind
+
+NOT_AS_KEPT = Rule(
+    "not-as-kept",
+    "A quantity that is kept in more than 30 bits, or as a float, goes out as it is kept: in fields of its stored "
+    "unit, an integer in integer fields and a float in float fields of its size. For a field of another unit, keep a "
+    "quantity of its own in that unit.",
+)
+
+LONGEST = 112
+"""Characters of a line in the body of a function."""
+
+
+@dataclass(frozen=True, slots=True)
+class CopiedAnswer(KindOfAnswer):
+    """A value that is copied from the state, half by half. Unknown becomes ``unknown``.
+
+    Where ``unknown`` is None there is a value at all times: the initial one stands in for what is not known.
+    ``scaling`` has the factor 1, and the limits of what goes out.
+    """
+
+    SHAPED_BY = frozenset({"min", "max"})
+
+    covers: Elements
+    source: Quantity
+    scaling: Scaling
+    unknown: int | float | None
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``state: component.quantity``, where more than a small integer is kept of it."""
+        component, _, name = (written.state or "").partition(".")
+        owner = scope.components.get(component)
+        quantity = owner.quantities.get(name) if owner else None
+        return quantity is not None and quantity.storage is not Storage.SMALL and not written.split
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "CopiedAnswer | None":
+        """The quantity, limited to what the field can carry."""
+        taken = take(covers, scope)
+        if taken is None:
+            return None
+        source, field = taken.source, covers.field
+        assert isinstance(source, Quantity)
+        is_same = source.storage.is_float != field.type.is_integer
+        if source.storage.is_float and is_same:
+            is_same = source.storage.halves * 2 == field.type.size
+        if taken.factor != 1 or covers.count != 1 or not is_same:
+            kept = f"in {source.stored.name}" if source.stored.name else "without a unit"
+            kind = "a float" if source.storage.is_float else "an integer"
+            size = f"{kind} of {source.storage.halves * HALF} bits"
+            wanted = f"{field.type.name}{f'[{covers.count}]' if covers.count != 1 else ''}"
+            message = f"{source.path} is kept {kept} as {size}, and {covers.label} is {wanted}"
+            message += f" in {field.unit_text}" if field.unit_text else " without a unit"
+            related = [(field.definition.place, f"{field.name} is declared here")]
+            scope.report.add(NOT_AS_KEPT, covers.written.at("state"), message, related=related)
+            return None
+        sentinel = field.sentinel.values[covers.first] if field.sentinel else None
+        if source.initial is None and sentinel is None:
+            message = f"{source.path} can be unknown, and {field.name} has no value that says so"
+            hint = "give the quantity an 'initial' value, or add the sentinel to the corrections file"
+            related = [(field.definition.place, f"{field.name} is declared here")]
+            scope.report.add(NO_SENTINEL, covers.written.at("state"), message, hint, related)
+            return None
+        at_end = None if source.storage.is_float else sentinel  # beside a float are others that are much closer
+        scaling = scaling_of(field, at_end, taken.bounds, Fraction(1), covers.written, scope.report)
+        if scaling is None:
+            return None
+        if source.storage.is_float:
+            scaling = float_within(scaling, sentinel, source.storage)
+        unknown = sentinel if source.initial is None else None
+        written = float_bounds(taken.written, source.storage) if source.storage.is_float else taken.written
+        check_reach(covers, written, scaling, unknown, scope.report)
+        return cls(covers, source, scaling, unknown)
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The source."""
+        return (self.source,)
+
+    @property
+    def carried(self) -> tuple[Quantity, ...]:
+        """The same."""
+        return (self.source,)
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """The number that is kept, or the sentinel."""
+        kept = kept_number(self.source, known)
+        if kept is None:
+            assert self.unknown is not None
+            return (self.unknown,)
+        value = max(self.scaling.low, min(self.scaling.high, kept))
+        if self.scaling.beside is not None and value == self.scaling.hole:
+            value = self.scaling.beside
+        return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """All at most, and none where the value can be 0."""
+        scaling, size = self.scaling, self.covers.field.type.size
+        can_be_zero = scaling.low <= 0 <= scaling.high and scaling.hole != 0
+        return 0 if can_be_zero or self.unknown == 0 else 1, size
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """Half by half; what is unknown, or beyond a limit, is a number that is known now."""
+        source, covers = self.source, self.covers
+        halves = [code.half(source, at) for at in range(source.storage.halves)]
+        compared = [*halves[:-1], "value"]
+        tests = [*self._limited(compared), *self._hole(compared)]
+        lines = [comment(covers, origin(covers, source)), *([f"value = {halves[-1]}"] if tests else [])]
+        instead = self.unknown if self.unknown is not None else source.initial
+        assert instead is not None
+        why = "unknown" if self.unknown is not None else "until it is set"
+        for at, (condition, value, remark) in enumerate([(f"{halves[0]} >> {HALF}", instead, why), *tests]):
+            number = int(value) if covers.field.type.is_integer else float(value)
+            lines += [
+                *_tested("elif" if at else "if", condition, remark),
+                *indented(code.store(covers, number, over=True)),
+            ]
+        return [*lines, "else:", *indented(code.copy(covers, halves, signed=source.storage.is_signed))]
+
+    def _limited(self, halves: list[str]) -> Iterator[tuple[str, int | Fraction, str]]:
+        """The limits that the quantity itself can pass."""
+        storage, source, scaling = self.source.storage, self.source, self.scaling
+        if scaling.low > source.minimum:
+            yield below(halves, scaling.low, storage), scaling.low, "too small"
+        if scaling.high < source.maximum:
+            yield above(halves, scaling.high, storage), scaling.high, "too large"
+
+    def _hole(self, halves: list[str]) -> Iterator[tuple[str, int | Fraction, str]]:
+        hole, beside = self.scaling.hole, self.scaling.beside
+        if hole is not None and beside is not None and self.scaling.low <= hole <= self.scaling.high:
+            yield equal(halves, hole, self.source.storage), beside, "would read as unknown"
+
+    def words(self) -> Words:
+        """The path of the source, and its limits on the wire."""
+        conversion = conversion_words(self.covers, self.source, self.scaling)
+        return Words(self.source.path, conversion, limit_words(self.scaling))
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The source, then its limits."""
+        yield from origins.steps(self.source)
+        yield from fitting(self.covers, self.scaling, self.words().conversion, self.unknown)
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """Source, unit, limits and sentinel."""
+        yield Trait("source", self.source.path, Aspect.SOURCE)
+        yield conversion_trait(self.covers, self.source, self.scaling)
+        yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
+        yield Trait("unknown", "" if self.unknown is None else shown_value(self.unknown), Aspect.UNKNOWN)
+
+    def is_fact(self, component: Component) -> bool:
+        """Unless it is a quantity of the component itself."""
+        return self.source.component != component.name
+
+    def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
+        """The quantity."""
+        source, covers = self.source, self.covers
+        if source.component != component.name:
+            return
+        got = f'get("{covers.field.name}")'
+        uses = ("element",) if covers.field.is_array else ()
+        expression, used = scaled(
+            f"element({got}, {covers.first})" if covers.field.is_array else got, to_unit(source, self.scaling)
+        )
+        enum = source.enum.name if source.kind is QuantityKind.ENUM and source.enum else ""
+        yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, (*used, *uses))
+
+    def read_back(self) -> Iterator[ReadBack]:
+        """The quantity."""
+        yield read_back(self.covers, self.source, self.scaling)
+
+    @property
+    def varies(self) -> bool:
+        """With its source."""
+        return True
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """The ends of the range, beyond both, unknown, zero, every half on its own, and the sentinel."""
+        path, storage = self.source.path, self.source.storage
+        low, high = storage.limits
+        named: dict[str, int | Fraction | None] = {
+            "minimum": self.scaling.low,
+            "maximum": self.scaling.high,
+            "far-below": low,
+            "far-above": high,
+            "zero": Fraction(0) if storage.is_float else 0,
+            "minus-one": Fraction(-1) if storage.is_float else -1,
+            "unknown": None,
+        }
+        if self.scaling.hole is not None:
+            named["sentinel"] = self.scaling.hole
+        if storage.is_float:
+            named |= {f"{tenths}-tenths": Fraction(storage.held(tenths / 10)) for tenths in (-6, 1, 15)}
+            named["smallest"] = next_float(Fraction(0), storage)
+        else:
+            named |= {"below-minimum": self.scaling.low - 1, "above-maximum": self.scaling.high + 1}
+            named |= {f"half-{at}": 0x8001 << HALF * at for at in range(storage.halves)}
+        for name, value in named.items():
+            if value is None or low <= value <= high:
+                yield StateCase(name, {path: value if value is None or storage.is_float else int(value)})
+
+
+def _tested(keyword: str, condition: str, remark: str) -> list[str]:
+    """``if condition:``, over several lines where it is long, as the formatter has them."""
+    line = f"{keyword} {condition}:  # {remark}"
+    if len(line) <= LONGEST:
+        return [line]
+    inner = [condition] if len(condition) <= LONGEST else re.sub(r" (and|or) ", r"\n\1 ", condition).split("\n")
+    return [f"{keyword} (  # {remark}", *indented(inner), "):"]

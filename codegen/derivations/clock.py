@@ -1,0 +1,86 @@
+"""Time that the firmware counts: since it started, and since 1970 once something has said when that is."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from codegen.frozen import dataclass
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.step import Step
+from codegen.model.storage import Storage
+from codegen.model.unit import unit_named
+from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind, Trust
+from codegen.source import Place
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+CLOCK = "clock"
+"""The component of the state that tables reach by ``{clock: boot}`` and ``{clock: unix}``."""
+BOOT, UNIX = "boot", "unix"
+_DOCS = {
+    BOOT: "Time since the start.",
+    UNIX: "Time since 1970, UTC. Unknown until code sets it; from then on it is counted.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Clock(Derivation):
+    """Counted by the ticks of the board, in whole microseconds of 64 bits."""
+
+    @property
+    def counts_time(self) -> bool:
+        return True
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        yield DerivationFact("counted", "by the ticks of the board", "")
+
+    def words(self, quantity: Quantity) -> str:
+        return "counted by the ticks of the board" + ("" if quantity.initial is not None else ", once it is set")
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        yield "counted", "by ticks_us, whose turns ticks_ms counts: right while a message is built every 12 days"
+
+    def way(self, quantity: Quantity, system: "System") -> Iterator[Step]:
+        yield Step("source", self.words(quantity), (), ())
+
+
+def clock_component(place: Place) -> Component:
+    """The component; ``place`` is where what is said about it points to."""
+    specs = {name: QuantitySpec(place=place, doc=doc, unit="us") for name, doc in _DOCS.items()}
+    return Component(
+        name=CLOCK,
+        parts=(Instance(0, "", {}),),
+        first_number=None,
+        period_ms=None,
+        quantities={name: _counted(name, spec) for name, spec in specs.items()},
+        returns=None,
+        spec=ComponentSpec(place=place, doc="The clock of the firmware.", quantities=specs),
+        citation=None,
+        aspects={},
+    )
+
+
+def _counted(name: str, spec: QuantitySpec) -> Quantity:
+    low, high = Storage.UINT64.limits
+    return Quantity(
+        component=CLOCK,
+        name=name,
+        attribute=f"{name}_us",
+        kind=QuantityKind.NUMBER,
+        unit=unit_named("us"),
+        stored=unit_named("us"),
+        steps=Fraction(1),
+        storage=Storage.UINT64,
+        minimum=low,
+        maximum=high,
+        initial=0 if name == BOOT else None,
+        enum=None,
+        elements=None,
+        derivation=Clock(),
+        trust=Trust(None, None),
+        spec=spec,
+        citation=None,
+        aspects={},
+    )

@@ -1,0 +1,60 @@
+"""What the tables do with each quantity, before it is decided how the quantity is kept."""
+
+from collections.abc import Iterator, Mapping
+
+from codegen.frozen import dataclass
+from codegen.model.dialect import Dialect, WireField
+from codegen.model.spec import Spec
+from codegen.resolve.elements import answered_ranges
+
+
+@dataclass(frozen=True, slots=True)
+class Carriers:
+    """The ``fields`` that carry each quantity's value, by path, and the paths of those that are ``compared``.
+
+    What is compared, counted or spread over elements is done so in whole numbers of one word.
+    """
+
+    fields: Mapping[str, tuple[WireField, ...]]
+    compared: frozenset[str]
+
+
+def find_carriers(spec: Spec, dialect: Dialect) -> Carriers:
+    """Those of all tables; what cannot be found is reported where the tables are resolved."""
+    fields: dict[str, list[WireField]] = {}
+    compared = set(_compared(spec))
+    for population in spec.populations:
+        compared |= {path for path in (population.on_change, population.pages) if path}
+        compared |= {f"{name}.{one.lowest}" for name, one in population.represents.items() if one.lowest}
+        message = dialect.messages.get(population.message)
+        for key, answer in population.fields.items():
+            if answer.each is not None:
+                compared.add(answer.each)
+            if answer.state is None or message is None:
+                continue
+            if answer.split:
+                compared.add(answer.state)
+            fields.setdefault(answer.state, []).extend(field for field, _, _ in answered_ranges(key, message))
+    return Carriers({path: tuple(found) for path, found in fields.items()}, frozenset(compared))
+
+
+def _compared(spec: Spec) -> Iterator[str]:
+    """The paths that other quantities and the program look at."""
+    for component, written in spec.state.components.items():
+        for quantity in written.quantities.values():
+            for derivation in quantity.derivations:
+                name = getattr(derivation, derivation.KEY)
+                if isinstance(name, str):
+                    yield f"{component}.{name}"
+    if spec.vehicle is None:
+        return
+    yield from (f"vehicle.{name}" for name in _of_vehicle(spec))  # the program sets and reads them
+    for component, failsafe in spec.vehicle.failsafes.items():
+        for name in (failsafe.quantity, failsafe.health, failsafe.level, failsafe.used):
+            if name is not None:
+                yield f"{component}.{name}"
+
+
+def _of_vehicle(spec: Spec) -> Iterator[str]:
+    vehicle = spec.state.components.get("vehicle")
+    yield from vehicle.quantities if vehicle else ()
