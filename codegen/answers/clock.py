@@ -2,17 +2,17 @@
 
 from collections.abc import Iterator
 
-from codegen.answers.fitting import BAD_SOURCE, NO_SENTINEL, field_unit
+from codegen.answers.fitting import BAD_SOURCE, WITHHELD, field_unit, no_sentinel
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
-from codegen.derivations.clock import BOOT, CLOCK, UNIX
+from codegen.derivations.clock import BOOT, CLOCK
 from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.account import Aspect, Origins, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.known import Known, Value, kept_number, shown_value
 from codegen.model.payload_code import PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
+from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.step import Step
 from codegen.model.storage import HALF
 from codegen.model.unit import ratio, unit_named
@@ -27,13 +27,14 @@ _PARTS = {1: 0, _MS: 1, 10 * _MS: 10, 100 * _MS: 100, 1000 * _MS: 1000}
 class ClockAnswer(KindOfAnswer):
     """A clock of the state, cut to whole units of ``microseconds`` each; it wraps as the field does.
 
-    Unknown becomes ``unknown``: None for the time since the start, which is always known.
+    Unknown becomes ``unknown``, or the answer ``withholds`` the message; the time since the start is always known.
     """
 
     covers: Elements
     source: Quantity
     microseconds: int
     unknown: int | None
+    withholds: bool = False
 
     @classmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
@@ -57,13 +58,13 @@ class ClockAnswer(KindOfAnswer):
             return None
         source = scope.components[CLOCK].quantities[str(covers.written.clock or BOOT)]
         sentinel = field.sentinel.values[covers.first] if field.sentinel else None
-        if source.name == UNIX and sentinel is None:
-            message = f"the time since 1970 can be unknown, and {field.name} has no value that says so"
-            scope.report.add(
-                NO_SENTINEL, place, message, "add the sentinel to the corrections file, or send clock: boot"
-            )
+        can_be_unknown = source.initial is None
+        withholds = can_be_unknown and sentinel is None and scope.population.send is Send.WHILE_KNOWN
+        if can_be_unknown and sentinel is None and not withholds:
+            no_sentinel(covers, "clock", "the time since 1970", scope.report)
             return None
-        return cls(covers, source, int(steps), int(sentinel) if source.name == UNIX and sentinel is not None else None)
+        unknown = int(sentinel) if can_be_unknown and sentinel is not None else None
+        return cls(covers, source, int(steps), unknown, withholds)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -74,6 +75,11 @@ class ClockAnswer(KindOfAnswer):
     def carried(self) -> tuple[Quantity, ...]:
         """The same."""
         return (self.source,)
+
+    @property
+    def withheld_for(self) -> tuple[Quantity, ...]:
+        """The clock, where no number of the field means unknown."""
+        return self.quantities if self.withholds else ()
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """The whole units, as many of their bits as the field has."""
@@ -135,12 +141,15 @@ class ClockAnswer(KindOfAnswer):
         yield from origins.steps(self.source)
         words = self.words()
         yield Step("unit", f"{words.conversion}, {words.limits}", (), (str(self.covers.citation),))
+        if self.withholds:
+            yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
         """Which clock, its unit, and the sentinel."""
         yield Trait("source", f"{CLOCK}: {self.source.name}", Aspect.SOURCE)
         yield Trait("conversion", f"whole units of {self.microseconds} us", Aspect.CONVERSION)
-        yield Trait("unknown", "" if self.unknown is None else shown_value(self.unknown), Aspect.UNKNOWN)
+        unknown = "" if self.unknown is None else shown_value(self.unknown)
+        yield Trait("unknown", WITHHELD.text if self.withholds else unknown, Aspect.UNKNOWN)
 
     @property
     def varies(self) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.answers.filling import comment, origin
-from codegen.answers.fitting import NO_SENTINEL
+from codegen.answers.fitting import WITHHELD, no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.limits import check_reach, scaling_of
@@ -19,7 +19,7 @@ from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, kept_number, shown_value
 from codegen.model.payload_code import PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
+from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.reading import Reading, scaled
 from codegen.model.scaling import Scaling
 from codegen.model.step import Step
@@ -41,7 +41,8 @@ LONGEST = 112
 class CopiedAnswer(KindOfAnswer):
     """A value that is copied from the state, half by half. Unknown becomes ``unknown``.
 
-    Where ``unknown`` is None there is a value at all times: the initial one stands in for what is not known.
+    Where ``unknown`` is None there is a value at all times, since the initial one stands in for what is not known, or
+    the answer ``withholds`` the message.
     ``scaling`` has the factor 1, and the limits of what goes out.
     """
 
@@ -51,6 +52,7 @@ class CopiedAnswer(KindOfAnswer):
     source: Quantity
     scaling: Scaling
     unknown: int | float | None
+    withholds: bool = False
 
     @classmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
@@ -82,11 +84,9 @@ class CopiedAnswer(KindOfAnswer):
             scope.report.add(NOT_AS_KEPT, covers.written.at("state"), message, related=related)
             return None
         sentinel = field.sentinel.values[covers.first] if field.sentinel else None
-        if source.initial is None and sentinel is None:
-            message = f"{source.path} can be unknown, and {field.name} has no value that says so"
-            hint = "give the quantity an 'initial' value, or add the sentinel to the corrections file"
-            related = [(field.definition.place, f"{field.name} is declared here")]
-            scope.report.add(NO_SENTINEL, covers.written.at("state"), message, hint, related)
+        withholds = source.initial is None and sentinel is None and scope.population.send is Send.WHILE_KNOWN
+        if source.initial is None and sentinel is None and not withholds:
+            no_sentinel(covers, "state", source.path, scope.report)
             return None
         at_end = None if source.storage.is_float else sentinel  # beside a float are others that are much closer
         scaling = scaling_of(field, at_end, taken.bounds, Fraction(1), covers.written, scope.report)
@@ -97,7 +97,7 @@ class CopiedAnswer(KindOfAnswer):
         unknown = sentinel if source.initial is None else None
         written = float_bounds(taken.written, source.storage) if source.storage.is_float else taken.written
         check_reach(covers, written, scaling, unknown, scope.report)
-        return cls(covers, source, scaling, unknown)
+        return cls(covers, source, scaling, unknown, withholds)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
@@ -108,6 +108,11 @@ class CopiedAnswer(KindOfAnswer):
     def carried(self) -> tuple[Quantity, ...]:
         """The same."""
         return (self.source,)
+
+    @property
+    def withheld_for(self) -> tuple[Quantity, ...]:
+        """The source, where no number of the field means unknown."""
+        return self.quantities if self.withholds else ()
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """The number that is kept, or the sentinel."""
@@ -131,12 +136,15 @@ class CopiedAnswer(KindOfAnswer):
         source, covers = self.source, self.covers
         halves = [code.half(source, at) for at in range(source.storage.halves)]
         compared = [*halves[:-1], "value"]
-        tests = [*self._limited(compared), *self._hole(compared)]
+        tests: list[tuple[str, float | Fraction, str]] = [*self._limited(compared), *self._hole(compared)]
         lines = [comment(covers, origin(covers, source)), *([f"value = {halves[-1]}"] if tests else [])]
         instead = self.unknown if self.unknown is not None else source.initial
-        assert instead is not None
         why = "unknown" if self.unknown is not None else "until it is set"
-        for at, (condition, value, remark) in enumerate([(f"{halves[0]} >> {HALF}", instead, why), *tests]):
+        if instead is not None:
+            tests.insert(0, (f"{halves[0]} >> {HALF}", instead, why))
+        if not tests:
+            return [*lines, *code.copy(covers, halves, signed=source.storage.is_signed)]
+        for at, (condition, value, remark) in enumerate(tests):
             number = int(value) if covers.field.type.is_integer else float(value)
             lines += [
                 *_tested("elif" if at else "if", condition, remark),
@@ -166,13 +174,16 @@ class CopiedAnswer(KindOfAnswer):
         """The source, then its limits."""
         yield from origins.steps(self.source)
         yield from fitting(self.covers, self.scaling, self.words().conversion, self.unknown)
+        if self.withholds:
+            yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
         """Source, unit, limits and sentinel."""
         yield Trait("source", self.source.path, Aspect.SOURCE)
         yield conversion_trait(self.covers, self.source, self.scaling)
         yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
-        yield Trait("unknown", "" if self.unknown is None else shown_value(self.unknown), Aspect.UNKNOWN)
+        unknown = "" if self.unknown is None else shown_value(self.unknown)
+        yield Trait("unknown", WITHHELD.text if self.withholds else unknown, Aspect.UNKNOWN)
 
     def is_fact(self, component: Component) -> bool:
         """Unless it is a quantity of the component itself."""

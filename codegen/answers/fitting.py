@@ -5,6 +5,7 @@ from codegen.diagnostics import Report, Rule
 from codegen.measure import unknown_field_unit
 from codegen.model.answer import Elements
 from codegen.model.dialect import EnumDefinition, WireField
+from codegen.model.step import Step
 from codegen.model.unit import Unit
 from codegen.model.wire_unit import wire_unit
 
@@ -19,6 +20,21 @@ BAD_SOURCE = Rule(
     "bad-source",
     "A source does not fit its field: a boolean, a text field, or one value for several elements without split.",
 )
+
+
+WITHHELD = Step("unknown", "the message is withheld", ("no number of the field means unknown",), ())
+
+
+def no_sentinel(covers: Elements, key: str, what: str, report: Report) -> None:
+    """Report that ``what``, which stands under a key of the table, can be unknown and its field cannot say so."""
+    report.add(
+        NO_SENTINEL,
+        covers.written.at(key),
+        f"{what} can be unknown, and {covers.field.name} has no value that says so",
+        "give the quantity an 'initial' value, or withhold the message with 'send: while_known', or, where the "
+        "dialect states a sentinel in words, add it to the corrections file",
+        [(covers.field.definition.place, f"{covers.field.name} is declared here")],
+    )
 
 
 def field_enum(covers: Elements, key: str, scope: Scope) -> EnumDefinition | None:

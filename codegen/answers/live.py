@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.answers.filling import comment, fitted, origin, read, stand_in
-from codegen.answers.fitting import BAD_SOURCE, NO_SENTINEL
+from codegen.answers.fitting import BAD_SOURCE, WITHHELD, no_sentinel
 from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.limits import check_reach, scaling_of
@@ -76,14 +76,7 @@ class LiveAnswer(KindOfAnswer):
         may_be_unknown = isinstance(source, Quantity) and source.initial is None
         withholds = may_be_unknown and sentinel is None and scope.population.send is Send.WHILE_KNOWN
         if may_be_unknown and sentinel is None and not withholds:
-            report.add(
-                NO_SENTINEL,
-                covers.written.at(taken.key),
-                f"{covers.written.state} can be unknown, and {covers.field.name} has no value that says so",
-                "give the quantity an 'initial' value, or withhold the message with 'send: while_known', or, where the "
-                "dialect states a sentinel in words, add it to the corrections file",
-                [(covers.field.definition.place, f"{covers.field.name} is declared here")],
-            )
+            no_sentinel(covers, taken.key, source.path, report)
             return None
         scaling = scaling_of(covers.field, sentinel, taken.bounds, taken.factor, covers.written, report)
         if scaling is None:
@@ -205,7 +198,7 @@ class LiveAnswer(KindOfAnswer):
         yield from origins.steps(self.source)
         yield from fitting(self.covers, self.scaling, self.words().conversion, self.unknown)
         if self.withholds:
-            yield Step("unknown", "the message is withheld", ("no number of the field means unknown",), ())
+            yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
         """Source, scaling, limits and sentinel."""
@@ -213,7 +206,7 @@ class LiveAnswer(KindOfAnswer):
         yield conversion_trait(self.covers, self.source, self.scaling)
         yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
         unknown = "" if self.unknown is None else shown_value(self.unknown)
-        yield Trait("unknown", "the message is withheld" if self.withholds else unknown, Aspect.UNKNOWN)
+        yield Trait("unknown", WITHHELD.text if self.withholds else unknown, Aspect.UNKNOWN)
 
     def is_fact(self, component: Component) -> bool:
         """Unless it is a quantity of the component itself."""

@@ -20,7 +20,7 @@ class KnownWord(NamedTuple):
     component: str
     instance: int
     attribute: str
-    value: int
+    value: int | float
     expires: int | None
 
 
@@ -75,11 +75,12 @@ def _known(system: System) -> Iterator[KnownWord]:
     layout = word_layout(system)
     for quantity in quantities.values():
         places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
+        value = nominal(quantity)
         for instance in range(system.components[quantity.component].instances):
             yield KnownWord(
                 quantity.component,
                 instance,
                 quantity.attribute,
-                nominal(quantity),
+                value if isinstance(value, int) else float(value),
                 places[instance] if places else None,
             )
