@@ -101,7 +101,7 @@ class ClockAnswer(KindOfAnswer):
         divisor = _PARTS[self.microseconds]
         word = source.attribute if not divisor else f"{source.name}_ms"
         halves = [code.clock_half(word, at) for at in range(source.storage.halves)]
-        lines = [*code.clock(), self._comment()]
+        lines = [self._comment()]
         written = self._divided(code, halves, divisor) if divisor > 1 else code.copy(covers, halves, signed=False)
         if self.unknown is None:
             return [*lines, *written]

@@ -41,12 +41,8 @@ class PayloadCode(ABC):
         """
 
     @abstractmethod
-    def clock(self) -> list[str]:
-        """The statements that let the clocks of the state go on to now; nothing where that has been done."""
-
-    @abstractmethod
     def clock_half(self, word: str, at: int) -> str:
-        """A half of a word of the clocks, as ``half`` has it."""
+        """A half of a word of the clocks, as ``half`` has it; they have gone on to now."""
 
     @abstractmethod
     def is_set(self, quantity: Quantity) -> str:

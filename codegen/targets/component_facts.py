@@ -17,13 +17,14 @@ class QuantityFacts:
     """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other.
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
-    ``is_float``: it is kept as one, and MicroPython allocates where code sets it.
+    ``is_float``: it is kept as one, and MicroPython allocates where code sets it. ``samples`` are two plain values.
     """
 
     name: str
     attribute: str
     is_stored: bool
     is_float: bool
+    samples: tuple[float, float]
     elements: int | None
     numerator: int
     denominator: int
@@ -132,6 +133,7 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         attribute=quantity.attribute,
         is_stored=not quantity.is_computed,
         is_float=quantity.storage.is_float,
+        samples=_samples(quantity),
         elements=quantity.elements[0] if quantity.elements else None,
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
@@ -139,6 +141,14 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         stale_after_ms=quantity.trust.stale_after_ms if quantity.ages else None,
         stale_criterion=quantity.cited("stale_after"),
     )
+
+
+def _samples(quantity: Quantity) -> tuple[float, float]:
+    """5 and 7, or the ends of a range that does not have them; floats are whole numbers, too, where they can be."""
+    low, high = quantity.minimum, quantity.maximum
+    if low <= 5 and high >= 7:
+        return 5, 7
+    return (float(low), float(high)) if quantity.storage.is_float else (int(low), int(high))
 
 
 def _estimate(component: Component) -> EstimateFacts | None:

@@ -134,6 +134,7 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         *choices,
         *(["", *cleared] if cleared else []),
         *before,
+        *code.ticking(),
         *withheld,
         *body,
         *code.ending(),

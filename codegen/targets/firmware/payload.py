@@ -51,17 +51,16 @@ class SpelledCode(PayloadCode):
         """The word, which has no sign."""
         return self.word(quantity.component, quantity.attribute, str(at) if at else "")
 
-    def clock(self) -> list[str]:
-        """By the function for it, once in a message."""
-        if "tick" in self.uses:
-            return []
-        self.uses.add("tick")
-        self.words.setdefault(CLOCK, set())
-        return ["# The clocks go on to now.", self.tick(self.layout.blocks[CLOCK]), ""]
-
     def clock_half(self, word: str, at: int) -> str:
         """The word."""
+        self.uses.add("tick")
         return self.word(CLOCK, word, str(at) if at else "")
+
+    def ticking(self) -> list[str]:
+        """The statements that let the clocks go on to now, where the function reads one."""
+        if "tick" not in self.uses:
+            return []
+        return ["", "# The clocks go on to now.", self.tick(self.layout.blocks[CLOCK])]
 
     def tick(self, clock: Block) -> str:
         """The call of that function."""

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: e3e62210af869c29
+# Inputs: cd0d0a0b7e212205
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
@@ -84,13 +84,16 @@ def floating(place, halves, low=None, high=None, numerator=1, denominator=1):
 
 def _whole(words, about):
     """Return the number of which the words are the halves, or None."""
-    place, halves, low, _high = about
-    if words[place] == UNKNOWN:
+    at = about[0] + about[1] - 1
+    if words[about[0]] == UNKNOWN:
         return None
-    value = 0
-    for at in range(halves):
-        value |= words[place + at] << 16 * at
-    return value - (1 << 16 * halves) if low < 0 and words[place + halves - 1] >> 15 else value
+    value = words[at]
+    if about[2] < 0 and value >= 0x8000:
+        value -= 0x10000
+    while at > about[0]:
+        at -= 1
+        value = value << 16 | words[at]
+    return value
 
 
 def _keep(words, about, value):

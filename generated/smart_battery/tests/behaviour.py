@@ -317,7 +317,7 @@ def battery_steady_cycle_allocates_nothing():
 
 
 def every_value_allocates_nothing():
-    state = SystemState(log=Log())
+    state = known(SystemState(log=Log()))
     link = Link(Sink())
     values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
     quantities = (
