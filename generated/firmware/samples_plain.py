@@ -11,15 +11,15 @@ def battery_reading(board, read_u16, instance):
     failures = board.battery_failures
 
     def reading():
-        started = ticks_us()
+        us = ticks_us()
         total = read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
-        took = ticks_us() - started & 0x3FFFFFFF
-        if took > 2000:
-            return board.fail_battery(instance, took)
+        us = ticks_us() - us & 0x3FFFFFFF  # one variable: with one more all would lie on the heap
+        if us > 2000:
+            return board.fail_battery(instance, us)
         if failures[instance]:
             failures[instance] = 0
         return (total + 2) // 5

@@ -10,15 +10,15 @@ def battery_reading(board, read_u16):
     ticks_us = time.ticks_us
 
     def reading():
-        started = ticks_us()
+        us = ticks_us()
         total = read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
-        took = ticks_us() - started & 0x3FFFFFFF
-        if took > 2000:
-            return board.fail_battery(took)
+        us = ticks_us() - us & 0x3FFFFFFF  # one variable: with one more all would lie on the heap
+        if us > 2000:
+            return board.fail_battery(us)
         if board.battery_failures:
             board.battery_failures = 0
         return (total + 2) // 5
