@@ -82,8 +82,8 @@ def build_heartbeat(state):
 @micropython.viper
 def encode_heartbeat(link, state):
     """Return the frame of HEARTBEAT (0), FR-00074.1."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 9:
@@ -172,8 +172,8 @@ def build_battery_status(state, instance=0):
 @micropython.viper
 def battery_status_frame(link, state, instance: int):
     """Return the frame of BATTERY_STATUS (147), FR-00068.1."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 54:
@@ -391,8 +391,8 @@ def build_autopilot_version(state):
 @micropython.viper
 def encode_autopilot_version(link, state):
     """Return the frame of AUTOPILOT_VERSION (148), FR-00070.2."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 78:
@@ -501,8 +501,8 @@ def build_protocol_version(state):
 @micropython.viper
 def encode_protocol_version(link, state):
     """Return the frame of PROTOCOL_VERSION (300), FR-00070.2."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 22:
@@ -591,8 +591,8 @@ def build_battery_status_v2(state, instance=0):
 @micropython.viper
 def battery_status_v2_frame(link, state, instance: int):
     """Return the frame of BATTERY_STATUS_V2 (369), FR-00072.1."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 27:
@@ -780,8 +780,8 @@ def build_smart_battery_info(state, instance=0):
 @micropython.viper
 def smart_battery_info_frame(link, state, instance: int):
     """Return the frame of SMART_BATTERY_INFO (370), FR-00074.4."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 109:
@@ -940,8 +940,8 @@ def build_battery_info(state, instance=0):
 @micropython.viper
 def battery_info_frame(link, state, instance: int):
     """Return the frame of BATTERY_INFO (372), FR-00074.4."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 140:
@@ -1110,8 +1110,8 @@ def build_battery_cell_voltages(state, instance=0, page=0):
 @micropython.viper
 def battery_cell_voltages_frame(link, state, instance: int, page: int):
     """Return the frame of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    at, views = link.room
-    room_at = int(at)
+    room, views = link.room
+    room_at = int(room)
     wire = ptr8(room_at & -4)
     frame = ptr8(int(wire) - 12)
     if room_at & 1 == 0 and int(frame[0]) < 28:
