@@ -8,7 +8,7 @@ from codegen.model.payload_code import indented
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.payload import SpelledCode, byte_of, escaped, literal
 from codegen.targets.firmware.words import Block
-from codegen.targets.imports import in_brackets
+from codegen.targets.imports import LINE_LENGTH, in_brackets
 
 
 class MachineCode(SpelledCode):
@@ -134,7 +134,11 @@ class MachineCode(SpelledCode):
         self.uses.add("put_float")
         data = struct.pack(f"<{len(floats) + 1}I", *(offset // 4 | divisor << 6 for offset, divisor in floats), 0)
         literal = "".join(map(escaped, data))
-        return in_brackets("    put_floats", f'{at}, b"{literal}"', "").removeprefix("    ").split("\n    ")
+        lines = in_brackets("    put_floats", f'{at}, b"{literal}"', "").removeprefix("    ").split("\n    ")
+        if len(literal) < LINE_LENGTH - 24:
+            return lines
+        pieces = [f'    b"{"".join(map(escaped, data[start : start + 16]))}"' for start in range(0, len(data), 16)]
+        return ["put_floats(", f"    {at},", *pieces[:-1], f"{pieces[-1]},", ")"]
 
     def _use_side(self) -> None:
         self.texts["_FLOAT"] = "bytearray(8)"

@@ -71,7 +71,7 @@ def readings_view(system: System, layout: Layout, *, machine_code: bool) -> Read
                 if several
                 else f"4 * {block.base_constant}",
                 size=block.size_constant,
-                declared=tuple(code.pointers()),
+                declared=(*code.pointers(), *_clock(turn)),
                 is_read=is_read,
                 count=code.word(name, "count"),
                 asked=asked,
@@ -88,6 +88,11 @@ def readings_view(system: System, layout: Layout, *, machine_code: bool) -> Read
             constants += [ConstantView(block.size_constant, block.size)] if several else []
         constants += layout.constants(name, code.words[name], in_array=False)
     return ReadingsView(tuple(constants), tuple(views))
+
+
+def _clock(turn: list[str]) -> list[str]:
+    """The time, where a statement of the turn needs it."""
+    return ["now_ms = int(ticks())"] if any("now_ms" in line for line in turn) else []
 
 
 def _turn(component: Component, code: SpelledCode, asked: str, is_read: str) -> list[str]:
