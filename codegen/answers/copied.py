@@ -5,26 +5,21 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.answers.filling import comment, origin
-from codegen.answers.fitting import WITHHELD, no_sentinel
+from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
-from codegen.answers.kind import KindOfAnswer
 from codegen.answers.limits import check_reach, scaling_of
-from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_words, read_back, to_unit
+from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.account import StateCase
 from codegen.model.answer import Elements
-from codegen.model.dialect import Dialect
-from codegen.model.known import Known, Value, kept_number, shown_value
+from codegen.model.known import Known, Value, kept_number
 from codegen.model.payload_code import PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.reading import Reading, scaled
-from codegen.model.scaling import Scaling
-from codegen.model.step import Step
 from codegen.model.storage import HALF, Storage
-from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.model.vehicle import Quantity
 
 NOT_AS_KEPT = Rule(
     "not-as-kept",
@@ -38,21 +33,12 @@ LONGEST = 112
 
 
 @dataclass(frozen=True, slots=True)
-class CopiedAnswer(KindOfAnswer):
-    """A value that is copied from the state, half by half. Unknown becomes ``unknown``.
-
-    Where ``unknown`` is None there is a value at all times, since the initial one stands in for what is not known, or
-    the answer ``withholds`` the message.
-    ``scaling`` has the factor 1, and the limits of what goes out.
-    """
+class CopiedAnswer(LiveAnswer):
+    """A value that is copied from the state, half by half: the factor of its ``scaling`` is 1."""
 
     SHAPED_BY = frozenset({"min", "max"})
 
-    covers: Elements
     source: Quantity
-    scaling: Scaling
-    unknown: int | float | None
-    withholds: bool = False
 
     @classmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
@@ -99,21 +85,6 @@ class CopiedAnswer(KindOfAnswer):
         check_reach(covers, written, scaling, unknown, scope.report)
         return cls(covers, source, scaling, unknown, withholds)
 
-    @property
-    def quantities(self) -> tuple[Quantity, ...]:
-        """The source."""
-        return (self.source,)
-
-    @property
-    def carried(self) -> tuple[Quantity, ...]:
-        """The same."""
-        return (self.source,)
-
-    @property
-    def withheld_for(self) -> tuple[Quantity, ...]:
-        """The source, where no number of the field means unknown."""
-        return self.quantities if self.withholds else ()
-
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """The number that is kept, or the sentinel."""
         kept = kept_number(self.source, known)
@@ -124,6 +95,11 @@ class CopiedAnswer(KindOfAnswer):
         if self.scaling.beside is not None and value == self.scaling.hole:
             value = self.scaling.beside
         return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
+
+    @property
+    def makes_float(self) -> bool:
+        """The bits of a float are there."""
+        return False
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """All at most, and none where the value can be 0."""
@@ -164,52 +140,6 @@ class CopiedAnswer(KindOfAnswer):
         hole, beside = self.scaling.hole, self.scaling.beside
         if hole is not None and beside is not None and self.scaling.low <= hole <= self.scaling.high:
             yield equal(halves, hole, self.source.storage), beside, "would read as unknown"
-
-    def words(self) -> Words:
-        """The path of the source, and its limits on the wire."""
-        conversion = conversion_words(self.covers, self.source, self.scaling)
-        return Words(self.source.path, conversion, limit_words(self.scaling))
-
-    def way(self, origins: Origins) -> Iterator[Step]:
-        """The source, then its limits."""
-        yield from origins.steps(self.source)
-        yield from fitting(self.covers, self.scaling, self.words().conversion, self.unknown)
-        if self.withholds:
-            yield WITHHELD
-
-    def traits(self, position: int) -> Iterator[Trait]:
-        """Source, unit, limits and sentinel."""
-        yield Trait("source", self.source.path, Aspect.SOURCE)
-        yield conversion_trait(self.covers, self.source, self.scaling)
-        yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
-        unknown = "" if self.unknown is None else shown_value(self.unknown)
-        yield Trait("unknown", WITHHELD.text if self.withholds else unknown, Aspect.UNKNOWN)
-
-    def is_fact(self, component: Component) -> bool:
-        """Unless it is a quantity of the component itself."""
-        return self.source.component != component.name
-
-    def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
-        """The quantity."""
-        source, covers = self.source, self.covers
-        if source.component != component.name:
-            return
-        got = f'get("{covers.field.name}")'
-        uses = ("element",) if covers.field.is_array else ()
-        expression, used = scaled(
-            f"element({got}, {covers.first})" if covers.field.is_array else got, to_unit(source, self.scaling)
-        )
-        enum = source.enum.name if source.kind is QuantityKind.ENUM and source.enum else ""
-        yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, (*used, *uses))
-
-    def read_back(self) -> Iterator[ReadBack]:
-        """The quantity."""
-        yield read_back(self.covers, self.source, self.scaling)
-
-    @property
-    def varies(self) -> bool:
-        """With its source."""
-        return True
 
     def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
         """The ends of the range, beyond both, unknown, zero, every half on its own, and the sentinel."""
