@@ -5,11 +5,11 @@ from collections.abc import Iterator
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, field_unit, no_sentinel
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
-from codegen.derivations.clock import BOOT, CLOCK
 from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.account import Aspect, Origins, StateCase, Trait, Words
 from codegen.model.answer import Elements
+from codegen.model.clock import BOOT, CLOCK
 from codegen.model.known import Known, Value, kept_number, shown_value
 from codegen.model.payload_code import PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send

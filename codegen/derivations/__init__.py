@@ -7,6 +7,7 @@ of ``state.yaml`` that it is written with.
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from codegen.derivations.clock import clock_component
 from codegen.derivations.counts_returns import resolve_counts_returns
 from codegen.derivations.enabled_by import resolve_enabled_by
 from codegen.derivations.estimate import resolve_estimate
@@ -28,6 +29,8 @@ from codegen.model.derivation_spec import (
     WhileKnownSpec,
 )
 from codegen.model.vehicle import QuantityKind
+
+__all__ = ("KINDS", "clock_component", "resolve_derivation")
 
 KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivation | None]] = {
     MeasuredSpec: resolve_measured,

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
+from codegen.model.clock import BOOT, CLOCK, UNIX
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.step import Step
@@ -16,9 +17,6 @@ from codegen.source import Place
 if TYPE_CHECKING:
     from codegen.model.system import System
 
-CLOCK = "clock"
-"""The component of the state that tables reach by ``{clock: boot}`` and ``{clock: unix}``."""
-BOOT, UNIX = "boot", "unix"
 _DOCS = {
     BOOT: "Time since the start.",
     UNIX: "Time since 1970, UTC. Unknown until code sets it; from then on it is counted.",

@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.diff import behaviour_rules as rules
 from codegen.diff.subject import Fact, Subject, amount, cited
 from codegen.diff.trace_rules import CITATION, DOC
-from codegen.model.storage import HALF, SMALL_INT_MAX, Storage
+from codegen.model.storage import HALF, Storage
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Quantity
 
@@ -105,8 +105,7 @@ def _component(component: Component) -> Subject:
 
 def _quantity(quantity: Quantity) -> Subject:
     spec, stored, trust = quantity.spec, quantity.stored.name, quantity.trust
-    smallest = _limit(quantity.minimum, stored, is_written=spec.min is not None or quantity.enum is not None)
-    largest = _limit(quantity.maximum, stored, is_written=spec.max is not None or quantity.enum is not None)
+    smallest, largest = (_limit(limit, stored, quantity.storage) for limit in (quantity.minimum, quantity.maximum))
     facts = (
         Fact("unit", quantity.unit.name, rules.QUANTITY_UNIT, spec.at("unit")),
         Fact("kept", f"as {quantity.attribute} in {stored}{_width(quantity)}", rules.QUANTITY_UNIT, spec.at("stored")),
@@ -139,9 +138,9 @@ def _quantity(quantity: Quantity) -> Subject:
     )
 
 
-def _limit(limit: int | Fraction, stored: str, *, is_written: bool) -> str:
+def _limit(limit: int | Fraction, stored: str, storage: Storage) -> str:
     """A limit; nothing where it is only that of what holds the number."""
-    return amount(limit, stored) if is_written and abs(limit) != SMALL_INT_MAX else ""
+    return "" if limit in storage.limits else amount(limit, stored)
 
 
 def _width(quantity: Quantity) -> str:

@@ -19,6 +19,13 @@ class LinkKind(Enum):
     UDP = "udp"
 
 
+VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
+"""What the program writes into the component ``vehicle`` of the state, with the kind that it has to be.
+
+What cannot be armed has only the load to tell, and tells it where the state asks for it.
+"""
+
+
 @dataclass(frozen=True, slots=True)
 class BoardLink:
     """A link of the board; ``retry_ms`` is the time between two attempts to join the Wi-Fi, 0 for other links."""

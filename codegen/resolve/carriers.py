@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.frozen import dataclass
 from codegen.model.dialect import Dialect, WireField
+from codegen.model.program import VEHICLE_QUANTITIES
 from codegen.model.spec import Spec
 from codegen.resolve.elements import answered_ranges
 
@@ -48,13 +49,8 @@ def _compared(spec: Spec) -> Iterator[str]:
                     yield f"{component}.{name}"
     if spec.vehicle is None:
         return
-    yield from (f"vehicle.{name}" for name in _of_vehicle(spec))  # the program sets and reads them
+    yield from (f"vehicle.{name}" for name in VEHICLE_QUANTITIES)
     for component, failsafe in spec.vehicle.failsafes.items():
         for name in (failsafe.quantity, failsafe.health, failsafe.level, failsafe.used):
             if name is not None:
                 yield f"{component}.{name}"
-
-
-def _of_vehicle(spec: Spec) -> Iterator[str]:
-    vehicle = spec.state.components.get("vehicle")
-    yield from vehicle.quantities if vehicle else ()

@@ -8,7 +8,7 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_rate, read_time
 from codegen.model.dialect import Dialect
-from codegen.model.program import Program
+from codegen.model.program import VEHICLE_QUANTITIES, Program
 from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import unit_named
@@ -24,12 +24,6 @@ BAD_PROGRAM = Rule(
     "of the state with armed, ready, status, mode and load, failsafes need arming, parameters are saved in two files, "
     "and each action has a name of its own.",
 )
-VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", "mode": "number", "load": "number"}
-"""What the program writes into the component ``vehicle`` of the state, with the kind that it has to be.
-
-What cannot be armed has only the load to tell, and tells it where the state asks for it.
-"""
-
 LONGEST_PERIOD_US = (1 << 29) - 1
 """What the difference of two ticks_us() tells on a board."""
 

@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping
 
-from codegen.derivations.clock import CLOCK, clock_component
+from codegen.derivations import clock_component
 from codegen.derivations.surroundings import BAD_QUANTITY, UNKNOWN_QUANTITY, Surroundings
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import read_rate
+from codegen.model.clock import CLOCK
 from codegen.model.dialect import Dialect
 from codegen.model.population_spec import Rounding
 from codegen.model.spec import Requirement, Spec

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from codegen.derivations.clock import CLOCK
+from codegen.model.clock import CLOCK
 from codegen.model.price import default_rate, on_by_default
 from codegen.model.system import System
 from codegen.targets.component_facts import ComponentFacts, component_facts

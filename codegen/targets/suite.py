@@ -1,7 +1,7 @@
 """The generated test suite: cases as data, one runner for every interpreter, and the comparison with pymavlink."""
 
-from codegen.derivations.clock import CLOCK
 from codegen.frozen import dataclass
+from codegen.model.clock import CLOCK
 from codegen.model.system import System
 from codegen.targets.behaviour_checks import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
 from codegen.targets.cases_file import cases_text

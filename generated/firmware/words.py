@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 23dea8f379723cac
+# Inputs: d916278cdb9520a5
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; shown() has them in the units of people. To set an attribute to None, or one in
@@ -87,6 +87,7 @@ def aging(name, place, expires, after_ms):
 
     The word at `expires` has the time until which it is believed, unknown is for ever. Ticks are counted in 30 bits.
     """
+    back_ms = 0x3FFFFFFF - after_ms + 1  # so far back round the ticks: a sum with `after_ms` may be no small integer
 
     def get(self):
         until_ms = self.words[expires]
@@ -97,7 +98,7 @@ def aging(name, place, expires, after_ms):
 
     def put(self, value):
         setattr(self, name, value)
-        self.words[expires] = time.ticks_ms() - (0x40000000 - after_ms) & 0x3FFFFFFF  # a sum may be no small integer
+        self.words[expires] = time.ticks_ms() - back_ms & 0x3FFFFFFF
 
     return property(get, put)
 

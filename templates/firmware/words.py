@@ -85,6 +85,7 @@ def aging(name, place, expires, after_ms):
 
     The word at `expires` has the time until which it is believed, unknown is for ever. Ticks are counted in 30 bits.
     """
+    back_ms = 0x3FFFFFFF - after_ms + 1  # so far back round the ticks: a sum with `after_ms` may be no small integer
 
     def get(self):
         until_ms = self.words[expires]
@@ -95,7 +96,7 @@ def aging(name, place, expires, after_ms):
 
     def put(self, value):
         setattr(self, name, value)
-        self.words[expires] = time.ticks_ms() - (0x40000000 - after_ms) & 0x3FFFFFFF  # a sum may be no small integer
+        self.words[expires] = time.ticks_ms() - back_ms & 0x3FFFFFFF
 
     return property(get, put)
 

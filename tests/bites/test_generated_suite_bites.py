@@ -64,7 +64,7 @@ WRONG_FRAMES = [
     ("rounding-of-floats", "floats_plain.py", "(value + 1 + ((value >> 2) & 1)) >> 2", "value >> 2"),
     ("rounding-of-floats-in-machine-code", "floats_viper.py", "(value + 1 + ((value >> 2) & 1)) >> 2", "value >> 2"),
     ("divisor-of-a-float", "telemetry_viper.py", 'b"\\x00\\xfa', 'b"\\x00\\xfb'),
-    ("unknown-float", "telemetry_viper.py", "wire16[1] = 32704", "wire16[1] = 65472"),
+    ("unknown-float", "telemetry_viper.py", "wire16[1] = 0x7FC0", "wire16[1] = 0xFFC0"),
     ("samples", "samples_viper.py", "// 5", "// 4"),
 ]
 

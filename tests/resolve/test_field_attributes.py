@@ -117,7 +117,7 @@ def test_documents_explain_and_codec_say_it(satellites: Path, dialect: Dialect) 
     system = read_system(str(PROJECT / "specs" / "codegen.yaml"), Report())
     story = explain("GPS_RAW_INT.eph", system, Report())
     assert "unit         steps of 1E-2" in story
-    assert "conversion    * 100 = steps of 1E-2" in story
+    assert "kept in steps of 1E-2" in story
     assert "steps of 360/255 deg" in messages_text([dialect.messages["GPS_STATUS"]], 3)
 
 

@@ -3,8 +3,8 @@
 import struct
 from dataclasses import dataclass, field
 
-from codegen.derivations.clock import CLOCK
 from codegen.model.answer import Elements
+from codegen.model.clock import CLOCK
 from codegen.model.dialect import Kind
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.vehicle import Parameter, Quantity

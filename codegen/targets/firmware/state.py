@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Mapping
 
-from codegen.derivations.clock import CLOCK
 from codegen.frozen import dataclass
+from codegen.model.clock import CLOCK
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
 from codegen.model.system import System
