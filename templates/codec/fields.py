@@ -75,20 +75,9 @@ def text(message):
 
 def missing(message, name):
     """Return the error that a message has no such field."""
-    nearest = min([(_distance(name, known), known) for known in names(message)] or [(9, "")])
-    hint = f"; did you mean {nearest[1]}?" if nearest[0] <= (len(name) // 4 or 1) else ""
-    return KeyError(f"{message.NAME} has no field {name}{hint}")
+    from nearest import hint  # noqa: PLC0415  it takes heap only where somebody is told
 
-
-def _distance(one, other):
-    """Return how many letters have to be changed, put in or left out to get from one name to the other."""
-    row = list(range(len(other) + 1))
-    for letter in one:
-        before = row
-        row = [before[0] + 1]
-        for at in range(len(other)):
-            row.append(min(before[at] + (letter != other[at]), before[at + 1] + 1, row[at] + 1))
-    return row[-1]
+    return KeyError(f"{message.NAME} has no field {name}{hint(name, names(message))}")
 
 
 def get(message, name):

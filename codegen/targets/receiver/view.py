@@ -44,6 +44,7 @@ MODULES = frozenset(
         "mavlink",
         "message",
         "messages",
+        "nearest",
         "readings",
         "receiver",
         "sender",
