@@ -1,5 +1,5 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: 4bc21628c11b6ecf
+# Inputs: cbf5dc43c7d550aa
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
@@ -11,18 +11,18 @@ from struct import pack_into
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
 
-def to_steps(value, numerator, denominator=1):
+def to_steps(value, numerator, denominator=1, low=-LARGEST, high=LARGEST):
     """Return a number as whole steps of numerator / denominator each, or None for None and NaN: unknown.
 
-    A half is rounded away from zero; what is too large, infinity too, becomes the largest integer of the state.
+    A half is rounded away from zero; what is beyond a limit, infinity too, becomes the limit.
     """
     if value is None or value != value:  # noqa: PLR0124  only NaN differs from itself
         return None
     steps = value * numerator / denominator
-    if steps >= LARGEST:
-        return LARGEST
-    if steps <= -LARGEST:
-        return -LARGEST
+    if steps >= high:
+        return high
+    if steps <= low:
+        return low
     return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
 
 

@@ -61,7 +61,7 @@ def shown(place, numerator, denominator=1):
 
     def get(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
-        return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
+        return None if value == UNKNOWN else in_unit(value, numerator, denominator)
 
     def put(self, value, place=place, numerator=numerator, denominator=denominator):
         steps = to_steps(value, numerator, denominator)
@@ -75,7 +75,7 @@ def result(place, numerator, denominator=1):
 
     def get(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
-        return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
+        return None if value == UNKNOWN else in_unit(value, numerator, denominator)
 
     return property(get)
 
@@ -184,7 +184,7 @@ def shown_elements(first, count, numerator, denominator=1, own=None):
         return _Elements(self.words, first, count if own is None else self.words[own])
 
     def get(self):
-        return [None if value is None else _in_unit(value, numerator, denominator) for value in of(self)]
+        return [None if value is None else in_unit(value, numerator, denominator) for value in of(self)]
 
     def put(self, values):
         _fill(of(self), values, numerator, denominator)
@@ -192,7 +192,8 @@ def shown_elements(first, count, numerator, denominator=1, own=None):
     return property(get, put)
 
 
-def _in_unit(value, numerator, denominator):
+def in_unit(value, numerator, denominator):
+    """Return steps in the unit of people; a whole number stays one where these are the same."""
     return value if numerator == denominator else value * denominator / numerator
 
 

@@ -80,3 +80,25 @@ def test_what_is_beyond_a_limit_is_the_limit(boat):
     third = json.loads(done.stdout)[2]
     message = ardupilotmega.MAVLink(None).parse_buffer(bytearray(bytes.fromhex(third)))[0]
     assert message.roll == -3.1415927410125732
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_a_whole_number_of_64_bits_is_set_exactly(boat, interpreter):
+    """In the unit that it is kept in it never becomes a float, which has 53 bits at most; a fraction is rounded."""
+    script = (
+        SCRIPT.partition("gps, attitude =")[0]
+        + """
+clock, found = state.clock, []
+for value in (2**53 + 1, 2**64 - 1, 2**64, -1, 2.5, 1e30):
+    clock.unix = value
+    found.append(str(clock.unix_us))
+    found.append(str(clock.unix))
+clock.unix = float("nan")
+print(json.dumps(found + [clock.unix]))
+"""
+    )
+    (boat / "exact.py").write_text(script)
+    done = subprocess.run([str(BIN / interpreter), "exact.py"], cwd=boat, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    kept = [2**53 + 1, 2**64 - 1, 2**64 - 1, 0, 3, 2**64 - 1]
+    assert json.loads(done.stdout) == [*(str(value) for one in kept for value in (one, one)), None]

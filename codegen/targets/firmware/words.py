@@ -12,9 +12,6 @@ from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity
 
-UNKNOWN_TEXT = "-0x3FFFFFFF - 1"
-"""How the generated code spells unknown: viper does not compile -0x40000000 on 32-bit boards."""
-
 
 @dataclass(frozen=True, slots=True)
 class Block:

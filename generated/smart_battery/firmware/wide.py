@@ -1,5 +1,5 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: cd0d0a0b7e212205
+# Inputs: 315eff55dc2fee92
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
@@ -9,8 +9,8 @@ the limit.
 
 from struct import pack_into, unpack_from
 
-from conversion import limited
-from words import UNKNOWN
+from conversion import limited, to_steps
+from words import UNKNOWN, in_unit
 
 _data = bytearray(8)  # where a float and its bits are exchanged
 
@@ -31,20 +31,19 @@ def integer(place, halves, low, high):
 def shown_integer(place, halves, low, high, numerator, denominator=1):
     """Return an attribute in the unit of people, `numerator` / `denominator` steps of which make one.
 
-    It is as exact as the floats of the port: a board with floats of 32 bits has 7 digits.
+    It is as exact as the floats of the port, where a board with floats of 32 bits has 7 digits; a whole number in the
+    unit that is kept is exact.
     """
     about = place, halves, low, high
 
     def get(self):
         value = _whole(self.words, about)
-        return None if value is None else value * denominator / numerator
+        return None if value is None else in_unit(value, numerator, denominator)
 
     def put(self, value):
-        steps = None
-        if value is not None and value == value:  # noqa: PLR0124  only NaN differs from itself
-            steps = limited(value * numerator / denominator, low, high)
-            steps = int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
-        _keep(self.words, about, steps)
+        if numerator != denominator or not isinstance(value, int):
+            value = to_steps(value, numerator, denominator, low, high)
+        _keep(self.words, about, value)
 
     return property(get, put)
 
@@ -63,8 +62,7 @@ def floating(place, halves, low=None, high=None, numerator=1, denominator=1):
         for at in range(halves):
             _data[2 * at] = words[place + at] & 0xFF
             _data[2 * at + 1] = words[place + at] >> 8
-        value = unpack_from(code, _data)[0]
-        return value if numerator == denominator else value * denominator / numerator
+        return in_unit(unpack_from(code, _data)[0], numerator, denominator)
 
     def put(self, value):
         words = self.words

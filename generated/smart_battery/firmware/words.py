@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: d916278cdb9520a5
+# Inputs: 410cf2270aa4fb9c
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; shown() has them in the units of people. To set an attribute to None, or one in
@@ -63,7 +63,7 @@ def shown(place, numerator, denominator=1):
 
     def get(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
-        return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
+        return None if value == UNKNOWN else in_unit(value, numerator, denominator)
 
     def put(self, value, place=place, numerator=numerator, denominator=denominator):
         steps = to_steps(value, numerator, denominator)
@@ -77,7 +77,7 @@ def result(place, numerator, denominator=1):
 
     def get(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
-        return None if value == UNKNOWN else _in_unit(value, numerator, denominator)
+        return None if value == UNKNOWN else in_unit(value, numerator, denominator)
 
     return property(get)
 
@@ -186,7 +186,7 @@ def shown_elements(first, count, numerator, denominator=1, own=None):
         return _Elements(self.words, first, count if own is None else self.words[own])
 
     def get(self):
-        return [None if value is None else _in_unit(value, numerator, denominator) for value in of(self)]
+        return [None if value is None else in_unit(value, numerator, denominator) for value in of(self)]
 
     def put(self, values):
         _fill(of(self), values, numerator, denominator)
@@ -194,7 +194,8 @@ def shown_elements(first, count, numerator, denominator=1, own=None):
     return property(get, put)
 
 
-def _in_unit(value, numerator, denominator):
+def in_unit(value, numerator, denominator):
+    """Return steps in the unit of people; a whole number stays one where these are the same."""
     return value if numerator == denominator else value * denominator / numerator
 
 
