@@ -1,9 +1,9 @@
 """How many instances of a component there are: what every stage makes of that answer."""
 
-import shutil
 from pathlib import Path
 
 import pytest
+from edited_project import edited, system_of
 
 from codegen.diagnostics import Report
 from codegen.diff.system import compare_systems
@@ -22,30 +22,10 @@ TABLE, BOARD = "messages/video_stream_information.yaml", "board.yaml"
 COUNT = "count: {state: camera.instances,"
 
 
-def system_of(folder: Path, report: Report) -> System:
-    system = read_system(str(folder / "codegen.yaml"), report)
-    assert system is not None
-    return system
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A copy of the project."""
-    return Path(shutil.copytree(PROJECT, tmp_path / "specs"))
-
-
 @pytest.fixture(scope="module")
 def system() -> System:
     """The project as it is."""
     return system_of(PROJECT, Report())
-
-
-def edit(folder: Path, file: str, old: str, new: str) -> System:
-    """The project with one change."""
-    path = folder / file
-    assert path.read_text().count(old) == 1
-    path.write_text(path.read_text().replace(old, new))
-    return system_of(folder, Report())
 
 
 def count_of(system: System) -> Answer:
@@ -71,7 +51,7 @@ def test_it_is_told_in_words_and_read_back(system: System) -> None:
 
 def test_one_instance_less_changes_what_is_sent(system: System, folder: Path) -> None:
     """A reviewer of board.yaml is told what goes out now."""
-    fewer = edit(folder, BOARD, "    - {doc: Down., facts: {view: down}}\n", "")
+    fewer = edited(folder, (BOARD, "    - {doc: Down., facts: {view: down}}\n", ""))[0]
     told = {(change.rule.id, change.old, change.new) for change in compare_systems((system,), (fewer,)).changes}
     assert ("population-constant-changed", "value 3", "value 2") in told
 
@@ -114,5 +94,5 @@ def test_a_document_says_the_same(said: str, verdict: Verdict, system: System) -
 def test_a_quantity_of_that_name_comes_first(folder: Path) -> None:
     """A component may keep a number of its own under that name."""
     quantity = "    quantities:\n      instances: {doc: Of its own., min: 0, max: 9, initial: 5}\n"
-    system = edit(folder, "state.yaml", "    quantities:\n", quantity)
+    system = edited(folder, ("state.yaml", "    quantities:\n", quantity))[0]
     assert [one.path for one in count_of(system).quantities] == ["camera.instances"]

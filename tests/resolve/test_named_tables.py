@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from edited_project import system_of
 
 from codegen.diagnostics import Report
 from codegen.diff.change import Change
@@ -13,22 +14,10 @@ from codegen.diff.system import compare_systems
 from codegen.explain import explain
 from codegen.importing.existing import populated
 from codegen.model.system import System
-from codegen.pipeline import read_system, read_systems, read_trace
+from codegen.pipeline import read_systems, read_trace
 
 POSITION = "messages/global_position_int.yaml"
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
-
-
-def system_of(folder: Path, report: Report) -> System:
-    system = read_system(str(folder / "codegen.yaml"), report)
-    assert system is not None
-    return system
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A copy of the project."""
-    return Path(shutil.copytree(PROJECT, tmp_path / "specs"))
 
 
 @pytest.fixture(scope="module")

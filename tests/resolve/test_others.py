@@ -1,11 +1,10 @@
 """``others: unknown`` in a table: what it answers for, what it cannot answer for, and who is told."""
 
-import shutil
 from pathlib import Path
 
-import pytest
+from edited_project import edited
 
-from codegen.diagnostics import Diagnostic, Report
+from codegen.diagnostics import Report
 from codegen.diff.system import compare_systems
 from codegen.explain import explain
 from codegen.importing.comparison import Verdict, compare, comparison_text
@@ -16,31 +15,10 @@ from codegen.importing.of_system import sources_of
 from codegen.importing.proposal import propose
 from codegen.importing.stated import stated_fields
 from codegen.model.system import PopulatedMessage, System
-from codegen.pipeline import read_system
 from codegen.targets.expected import expected_fields
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
 BOW = "messages/bow.yaml"
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A copy of the project."""
-    return Path(shutil.copytree(PROJECT, tmp_path / "specs"))
-
-
-def edited(folder: Path, *changes: tuple[str, str]) -> tuple[System, list[Diagnostic]]:
-    """The project with changes of the table of the bow, and what is reported."""
-    path = folder / BOW
-    text = path.read_text()
-    for old, new in changes:
-        assert text.count(old) == 1, old
-        text = text.replace(old, new)
-    path.write_text(text)
-    report = Report()
-    system = read_system(str(folder / "codegen.yaml"), report)
-    assert system is not None
-    return system, list(report)
 
 
 def bow(system: System) -> PopulatedMessage:
@@ -58,7 +36,7 @@ def test_what_is_not_listed_is_the_sentinel(folder: Path) -> None:
 
 def test_each_field_without_a_sentinel_is_a_finding(folder: Path) -> None:
     """At the key, with the line of the dialect; none of them goes out as 0."""
-    _, findings = edited(folder, ("  lat: {constant: 1}\n", ""), ("  alt: {state: gps.altitude}\n", ""))
+    _, findings = edited(folder, (BOW, "  lat: {constant: 1}\n", ""), (BOW, "  alt: {state: gps.altitude}\n", ""))
     assert [(found.rule.id, found.place.line, found.message.split()[0]) for found in findings] == [
         ("no-sentinel", 6, "alt"),
         ("no-sentinel", 6, "lat"),
@@ -68,9 +46,9 @@ def test_each_field_without_a_sentinel_is_a_finding(folder: Path) -> None:
 
 def test_nothing_else_can_be_said_of_others(folder: Path) -> None:
     """A zero, say, is no value for unknown."""
-    _, findings = edited(folder, ("others: unknown", "others: 0"))
+    _, findings = edited(folder, (BOW, "others: unknown", "others: 0"))
     assert [found.rule.id for found in findings] == ["wrong-type"]
-    _, findings = edited(folder, ("others: 0", "others: zero"))
+    _, findings = edited(folder, (BOW, "others: 0", "others: zero"))
     assert [found.rule.id for found in findings] == ["unknown-choice"]
 
 
@@ -112,7 +90,7 @@ def test_explain_lists_what_nobody_answered(folder: Path) -> None:
 def test_a_field_that_is_listed_now_is_told(folder: Path) -> None:
     """The bytes are the same; that somebody has thought of it is new."""
     system, _ = edited(folder)
-    other, _ = edited(folder, ("fields:\n", "fields:\n  yaw: unknown\n"))
+    other, _ = edited(folder, (BOW, "fields:\n", "fields:\n  yaw: unknown\n"))
     changes = compare_systems((system,), (other,)).changes
     assert [(change.rule.id, change.subject, change.old) for change in changes] == [
         ("doc-changed", "bow.yaw", "answered by others")

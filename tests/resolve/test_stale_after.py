@@ -1,35 +1,18 @@
 """``stale_after`` of quantities that code sets: where it means something, and who is told."""
 
-import shutil
 from pathlib import Path
 
 import pytest
+from edited_project import edited
 
-from codegen.diagnostics import Diagnostic, Report
+from codegen.diagnostics import Report
 from codegen.diff.system import compare_systems
 from codegen.explain import explain
-from codegen.model.system import System
-from codegen.pipeline import read_system
 from codegen.targets.behaviour_checks import checks_of_behaviour
 from codegen.targets.firmware.words import word_layout
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
 ALTITUDE = "stored: mm, stale_after: 2 s"
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A copy of the project."""
-    return Path(shutil.copytree(PROJECT, tmp_path / "specs"))
-
-
-def edited(folder: Path, old: str, new: str) -> tuple[System | None, list[Diagnostic]]:
-    """The project with one change of its state, and what is reported."""
-    path = folder / "state.yaml"
-    assert path.read_text().count(old) == 1, old
-    path.write_text(path.read_text().replace(old, new))
-    report = Report()
-    return read_system(str(folder / "codegen.yaml"), report), list(report)
 
 
 @pytest.mark.parametrize(
@@ -52,7 +35,7 @@ def edited(folder: Path, old: str, new: str) -> tuple[System | None, list[Diagno
 )
 def test_where_it_says_nothing_it_is_an_error_at_its_line(old: str, new: str, said: str, folder: Path) -> None:
     """With the reason, never ignored."""
-    _, findings = edited(folder, old, new)
+    _, findings = edited(folder, ("state.yaml", old, new))
     found = [finding for finding in findings if said in finding.message]
     assert [finding.rule.id for finding in found] == ["bad-quantity"], findings
     line = (folder / "state.yaml").read_text().splitlines()[found[0].place.line - 1]
@@ -61,7 +44,7 @@ def test_where_it_says_nothing_it_is_an_error_at_its_line(old: str, new: str, sa
 
 def test_a_word_is_kept_of_those_that_age_only(folder: Path) -> None:
     """Their time of expiry; the one of the readings stays as it is."""
-    system, findings = edited(folder, "doc: The boat.", "doc: A boat.")
+    system, findings = edited(folder, ("state.yaml", "doc: The boat.", "doc: A boat."))
     assert not findings
     assert system is not None
     words = {name: block.offsets for name, block in word_layout(system).blocks.items()}
@@ -75,14 +58,14 @@ def test_a_word_is_kept_of_those_that_age_only(folder: Path) -> None:
 
 def test_it_is_told(folder: Path) -> None:
     """By explain, in reports of changes, and by a test of the generated suite for each."""
-    system, _ = edited(folder, "doc: The boat.", "doc: A boat.")
+    system, _ = edited(folder, ("state.yaml", "doc: The boat.", "doc: A boat."))
     assert system is not None
     story = explain("gps.altitude", system, Report())
     assert story is not None
     assert "2000 ms after it was set\n" in story
     names = {check.name for check in checks_of_behaviour(system)}
     assert {"gps_altitude_is_forgotten", "gps_satellites_is_forgotten"} <= names
-    other, _ = edited(folder, ALTITUDE, "stored: mm, stale_after: 3 s")
+    other, _ = edited(folder, ("state.yaml", ALTITUDE, "stored: mm, stale_after: 3 s"))
     assert other is not None
     changes = [change for change in compare_systems((system,), (other,)).changes if change.subject == "gps.altitude"]
     assert [(change.rule.id, change.old, change.new) for change in changes] == [

@@ -1,41 +1,22 @@
 """``send: while_known``: a message is withheld while something is unknown that one of its fields cannot say."""
 
-import shutil
 from pathlib import Path
 
 import pytest
+from edited_project import edited
 
-from codegen.diagnostics import Diagnostic, Report
+from codegen.diagnostics import Report
 from codegen.diff.system import compare_systems
 from codegen.explain import explain
 from codegen.model.known import Known
 from codegen.model.price import message_price
 from codegen.model.system import PopulatedMessage, System
-from codegen.pipeline import read_system
 from codegen.targets.cases import message_cases
 from codegen.targets.expected import expected_fields
 from codegen.targets.pages.example_state import example_states
 
 PROJECT = Path(__file__).resolve().parents[1] / "projects" / "named_tables" / "specs"
 TABLE = "messages/global_position_int.yaml"
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """A copy of the project."""
-    return Path(shutil.copytree(PROJECT, tmp_path / "specs"))
-
-
-def edited(folder: Path, *changes: tuple[str, str, str]) -> tuple[System, list[Diagnostic]]:
-    """The project with changes of its files, and what is reported."""
-    for file, old, new in changes:
-        path = folder / file
-        assert path.read_text().count(old) == 1, old
-        path.write_text(path.read_text().replace(old, new))
-    report = Report()
-    system = read_system(str(folder / "codegen.yaml"), report)
-    assert system is not None
-    return system, list(report)
 
 
 def table(system: System) -> PopulatedMessage:
