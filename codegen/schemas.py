@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, assert_never
 
+from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
@@ -43,6 +44,7 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "program.schema.json": ProgramProject,
     "state.schema.json": StateSpec,
     "board.schema.json": BoardSpec,
+    "board_model.schema.json": BoardModelSpec,
     "parameters.schema.json": ParametersSpec,
     "streams.schema.json": StreamsSpec,
     "vehicle.schema.json": VehicleSpec,

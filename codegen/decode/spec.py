@@ -7,10 +7,11 @@ import hashlib
 import os
 from typing import TypeVar
 
+from codegen.decode.board_model import FOLDER, OWN, board_model_path
 from codegen.decode.decoded import decoded
 from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
-from codegen.decode.record_file import decode_record_text
+from codegen.decode.record_file import decode_record_file, decode_record_text
 from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.scenario import SCENARIOS
 from codegen.decode.trace_lock import TRACE_LOCK
@@ -20,6 +21,7 @@ from codegen.load.markdown import parse_markdown
 from codegen.load.text import decode_text, read_bytes
 from codegen.load.trees import exists, file_names, is_file
 from codegen.load.yaml_tree import MappingNode, parse_yaml
+from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
@@ -116,6 +118,7 @@ class _SpecReader:
             return None
         state = self._fixed("state.yaml", StateSpec)
         board = self._fixed("board.yaml", BoardSpec)
+        board_model = None if board is None else self._board_model(board)
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
         vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
@@ -139,6 +142,7 @@ class _SpecReader:
             project=project,
             state=state,
             board=board,
+            board_model=board_model,
             parameters=parameters,
             streams=streams,
             vehicle=vehicle,
@@ -185,6 +189,18 @@ class _SpecReader:
     def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
         path = self._used(name)
         return self._record(path, cls, Place(path)) if exists(path) else None
+
+    def _board_model(self, board: BoardSpec) -> BoardModelSpec | None:
+        """What there is to know about the board; None where none is named, or after a finding."""
+        if board.board is None:
+            return None
+        place = board.at("board")
+        path = board_model_path(board.board, (self._folder, self._base), place, self._report)
+        if path is None:
+            return None
+        if os.path.dirname(path) == FOLDER:  # codegen itself, and no file of the specification
+            return decode_record_file(path, BoardModelSpec, self._report, place)
+        return self._record(path, BoardModelSpec, place)
 
     def _receiver(self) -> ReceiverSpec | None:
         """The receiver of the messages of this program; a further one does not repeat that of its base."""
@@ -286,7 +302,7 @@ class _SpecReader:
                 self._hashes[self._path(name)] = hashlib.sha256(data).hexdigest()
 
     def _report_unread(self) -> None:
-        for folder in ("", "messages", "dialects", "requirements"):
+        for folder in ("", "messages", "dialects", "requirements", OWN):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
                 by_others = () if self._program else READ_BY_OTHERS
@@ -303,6 +319,8 @@ class _SpecReader:
             return "the program does not list its message" if is_unused else "population tables end in .yaml"
         if folder == "dialects":
             return "name it under corrections in codegen.yaml"
+        if folder == OWN:
+            return f"name it in board.yaml: board: {os.path.splitext(name)[0]}"
         if not folder and name in READ_BY_OTHERS:
             return f"{name} lies beside the project file that lists the program"
         absent = [

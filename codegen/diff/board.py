@@ -22,6 +22,7 @@ def board_subjects(system: System) -> Iterator[Subject]:
 def _identity(system: System) -> Subject:
     project = system.spec.project
     board = system.spec.board
+    adc = system.board.adc if system.board else None
     facts = (
         Fact("system id", _number(system.system_id, system.system_parameter), rules.IDENTITY, project.at("system_id")),
         Fact(
@@ -32,7 +33,8 @@ def _identity(system: System) -> Subject:
         ),
         Fact("MAVLink", str(project.protocol), rules.IDENTITY, project.at("protocol")),
         Fact("machine code", "yes" if project.machine_code else "no", rules.PROGRAM, project.at("machine_code")),
-        Fact("board", f"{board.board}, {board.mcu}", rules.PROGRAM, board.at("board")),
+        Fact("board", system.board_name, rules.PROGRAM, board.at("board")),
+        Fact("inputs of the ADC", adc.opened if adc else "none", rules.PROGRAM, board.at("board")),
         Fact("name", project.project, DOC, project.at("project")),
     )
     name = system.spec.program or "project"

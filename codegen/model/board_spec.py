@@ -13,12 +13,14 @@ from codegen.source import Place, Written
 class AdcSpec(Written):
     """One ADC channel."""
 
-    gpio: int | None = described("GPIO number of the pin, 26 to 29 on RP2040 and RP2350.", default=None)
+    gpio: int | None = described("GPIO number of the pin.", default=None)
     pin: str | None = described(
         "Parameter that has the GPIO number of the pin; its default is used first.", default=None
     )
-    bits: int = described("Resolution of one count.")
-    reference: Amount = described("Voltage of full scale, such as 3.3 V.")
+    bits: int | None = described("Resolution of one count. Default: that of the board.", default=None)
+    reference: Amount | None = described(
+        "Voltage of full scale, such as 3.3 V. Default: that of the board.", default=None
+    )
     samples: int = described("Readings whose mean is one reading of the battery.", default=1)
     read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
@@ -34,7 +36,7 @@ class AdcSpec(Written):
 class LinkSpec(Written):
     """One link to ground stations: a serial port, the USB port, or UDP over Wi-Fi."""
 
-    uart: int | None = described("Number of the UART, 0 or 1.", default=None)
+    uart: int | None = described("Number of the UART.", default=None)
     usb: Literal[True] | None = described(
         "The USB port. MAVLink takes the place of the MicroPython prompt there.", default=None
     )
@@ -83,8 +85,11 @@ class InstanceSpec(Written):
 class BoardSpec(Written):
     """``board.yaml``: the board and what is connected to it."""
 
-    board: str = described("Name of the board.")
-    mcu: str = described("Name of the microcontroller.")
+    board: str | None = described(
+        "The board: a file of codegen/boards, or of the folder boards beside this one, without its ending (pico_2_w). "
+        "Without it no pin is known, and nothing can be connected to one.",
+        default=None,
+    )
     adc: Mapping[str, AdcSpec] = described("ADC channels by name.", default_factory=dict)
     links: Mapping[str, LinkSpec] = described("Links to ground stations by name.", default_factory=dict)
     facts: Mapping[str, Mapping[str, str | Fraction]] = described(

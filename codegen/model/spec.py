@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from codegen.frozen import dataclass
+from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.described import Amount, Verbatim, described
 from codegen.model.population_spec import PopulationSpec
@@ -278,6 +279,7 @@ class Spec:
     project: Project
     state: StateSpec
     board: BoardSpec
+    board_model: BoardModelSpec | None
     parameters: ParametersSpec
     streams: StreamsSpec
     vehicle: VehicleSpec | None

@@ -8,6 +8,7 @@ from enum import Enum
 
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer
+from codegen.model.board_model import BoardModel
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
@@ -123,6 +124,7 @@ class Generations:
 @dataclass(frozen=True, slots=True)
 class System:
     """Everything that is generated from, resolved. ``messages`` are in the order of their ids and names.
+    ``board`` is what is known about the board, where it is named.
 
     ``requirements`` has every document under its id and under each of its aliases. ``system_parameter`` sets the
     system id where the project says so; ``system_id`` is then its default. So it is with ``component_parameter``.
@@ -134,6 +136,7 @@ class System:
     system_parameter: Parameter | None
     component_id: int
     component_parameter: Parameter | None
+    board: BoardModel | None
     channels: Mapping[str, AdcChannel]
     parameters: Mapping[str, Parameter]
     components: Mapping[str, Component]
@@ -162,6 +165,11 @@ class System:
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
         """The tables of a message of the dialect, by its name."""
         return tuple(table for table in self.messages if table.wire.name == message)
+
+    @property
+    def board_name(self) -> str:
+        """``Raspberry Pi Pico 2 W (RP2350)``, or that any board will do."""
+        return f"{self.board.name} ({self.board.spec.mcu})" if self.board else "any board"
 
     def quantity(self, path: str) -> Quantity | None:
         """The quantity written as ``component.name``, or None."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_time
+from codegen.model.board_model import BoardModel, shown_pins
 from codegen.model.board_spec import BoardSpec, LinkSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.spec import Requirement
@@ -15,8 +16,9 @@ from codegen.source import Place
 
 BAD_LINK = Rule(
     "bad-link",
-    "A link cannot be built: its name is a lower-case identifier, a UART is 0 or 1 with tx, rx and baud, UDP has a "
-    "port, an address to start with, credentials and a retry time, and keys of one kind do not stand with another.",
+    "A link cannot be built: its name is a lower-case identifier, a UART is one of the board's with tx, rx and baud, "
+    "UDP has a port, an address to start with, credentials and a retry time, keys of one kind do not stand with "
+    "another, and the board has what it needs.",
 )
 _OF_KIND = {
     LinkKind.UART: ("tx", "rx", "baud"),
@@ -25,8 +27,10 @@ _OF_KIND = {
 }
 
 
-def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Report) -> tuple[BoardLink, ...]:
-    """The links in the order of board.yaml."""
+def resolve_links(
+    board: BoardSpec, model: BoardModel | None, index: Mapping[str, Requirement], report: Report
+) -> tuple[BoardLink, ...]:
+    """The links in the order of board.yaml; ``model`` is what is known about the board."""
     links = []
     taken: dict[str, tuple[str, Place]] = {}
     for name, spec in board.links.items():
@@ -34,6 +38,10 @@ def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Re
         _check_shared(name, spec, taken, report)
         kind = LinkKind.UART if spec.uart is not None else LinkKind.USB if spec.usb else LinkKind.UDP
         problems = list(_link_problems(name, kind, spec))
+        if model is not None:
+            problems += _board_problems(kind, spec, model)
+        elif kind is LinkKind.UART and board.board is None:
+            problems.append(("uart", f"the UART of {name} is on no known board: say which, such as board: pico_2_w"))
         for key, message in problems:
             report.add(BAD_LINK, spec.at(key), message)
         retry = 0
@@ -45,8 +53,8 @@ def resolve_links(board: BoardSpec, index: Mapping[str, Requirement], report: Re
 
 
 def _check_shared(name: str, spec: LinkSpec, taken: dict[str, tuple[str, Place]], report: Report) -> None:
-    """Whether a link takes a port or a pin that an earlier one, or its own other end, takes already."""
-    for key, what in (("uart", "UART {}"), ("usb", "the USB port"), ("tx", "GPIO {}"), ("rx", "GPIO {}")):
+    """Whether a link takes a port that an earlier one takes already."""
+    for key, what in (("uart", "UART {}"), ("usb", "the USB port")):
         value = getattr(spec, key)
         if value is None:
             continue
@@ -69,9 +77,30 @@ def _link_problems(name: str, kind: LinkKind, spec: LinkSpec) -> Iterator[tuple[
                 yield key, f"{key} says nothing about a link over {kind.value}"
     if spec.to is not None and not re.fullmatch(r"\d{1,3}(\.\d{1,3}){3}", spec.to):
         yield "to", f"{spec.to} is not an address such as 255.255.255.255: to look up a name would block the vehicle"
-    limits = {"uart": (0, 1), "udp": (1, 65535), "local_port": (0, 65535), "tx": (0, 29), "rx": (0, 29)}
-    limits |= {"baud": (300, 3000000), "buffer": (280, 65536)}
+    limits = {"udp": (1, 65535), "local_port": (0, 65535), "baud": (300, 3000000), "buffer": (280, 65536)}
     for key, (low, high) in limits.items():
         value = getattr(spec, key)
         if value is not None and not low <= value <= high:
             yield key, f"{key} of {name} is {value}, not {low} to {high}"
+
+
+def _board_problems(kind: LinkKind, spec: LinkSpec, model: BoardModel) -> Iterator[tuple[str, str]]:
+    """What a link needs that the board lacks."""
+    if kind is LinkKind.USB and not model.spec.usb:
+        yield "usb", f"the {model.name} has no USB port of its own: its prompt is on a UART"
+    if kind is LinkKind.UDP and not model.spec.wifi:
+        yield "udp", f"the {model.name} has no Wi-Fi"
+    if spec.uart is None:
+        return
+    uart = model.uarts.get(spec.uart)
+    if uart is None:
+        yield "uart", f"the {model.name} has {_numbers(model)} for links, and no UART {spec.uart}"
+        return
+    for key, pin, pins in (("tx", spec.tx, uart.tx & model.free), ("rx", spec.rx, uart.rx & model.free)):
+        if pin is not None and pin not in pins:
+            yield key, f"{key} of UART {spec.uart} is GPIO {shown_pins(pins)} on the {model.name}, not {pin}"
+
+
+def _numbers(model: BoardModel) -> str:
+    """``UART 0 and 1``."""
+    return f"UART {shown_pins(frozenset(model.uarts))}" if model.uarts else "no UART"

@@ -8,6 +8,7 @@ from codegen.model.dialect import Dialect
 from codegen.model.spec import Spec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.resolve.board_model import resolve_board_model
 from codegen.resolve.citation import index_requirements
 from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.generations import resolve_generations
@@ -33,7 +34,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     index = index_requirements(spec.requirements)
     instances = resolve_instances(spec, report)
     parameters = resolve_parameters(spec.parameters, ParameterFamilies(spec, instances, report), index, report)
-    channels = resolve_channels(spec.board, spec.parameters, parameters, index, report)
+    board = resolve_board_model(spec.board_model, report)
+    channels = resolve_channels(spec.board, board, spec.parameters, parameters, index, report)
     streams = resolve_streams(spec, dialect, parameters, index, report)
     components = resolve_components(spec, dialect, instances, channels, parameters, index, report)
     parts = Parts(spec, dialect, parameters, components, streams, index)
@@ -64,7 +66,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         components=components,
         streams=streams,
         messages=tuple(sorted(messages, key=lambda message: (message.wire.id, message.name))),
-        links=resolve_links(spec.board, index, report),
+        board=board,
+        links=resolve_links(spec.board, board, index, report),
         program=program,
         requirements=index,
         generations=generations,

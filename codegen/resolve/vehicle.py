@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import DAY_S, find_unit, read_amount, read_rate, read_time
+from codegen.model.board_model import BoardModel, shown_pins
 from codegen.model.board_spec import AdcSpec, BoardSpec
 from codegen.model.dialect import Dialect
 from codegen.model.spec import ParameterSpec, ParametersSpec, ParameterType, Requirement, Spec, StreamSpec
@@ -18,8 +19,8 @@ from codegen.source import Place
 
 BAD_ADC = Rule(
     "bad-adc",
-    "An ADC channel cannot be built: the RP2040 and RP2350 have ADC inputs on GPIO 26 to 29, "
-    "a count has 8 to 12 bits, and a mean needs 1 to 64 samples. A parameter that has the pin stays within them.",
+    "An ADC channel cannot be built: its pin is an input of the board's converter, a count has 8 bits to as many as "
+    "the converter has, and a mean needs 1 to 64 samples. A parameter that has the pin takes such numbers only.",
 )
 BAD_PARAMETER = Rule(
     "bad-parameter",
@@ -37,24 +38,33 @@ UNKNOWN_PARAMETER = Rule("unknown-parameter", "A table names a parameter that pa
 
 def resolve_channels(
     board: BoardSpec,
+    model: BoardModel | None,
     written: ParametersSpec,
     parameters: Mapping[str, Parameter],
     index: Mapping[str, Requirement],
     report: Report,
 ) -> dict[str, AdcChannel]:
-    """The ADC channels by name."""
-    channels = {}
+    """The ADC channels by name; ``model`` is what is known about the board."""
+    channels: dict[str, AdcChannel] = {}
+    converter = model.adc if model else None
+    if model is None or converter is None:
+        if model is not None or board.board is None:  # else what is wrong with the board has been reported
+            _report_no_converter(board, model, report)
+        return channels
     for name, spec in board.adc.items():
         citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
-        reference = read_amount(spec.reference, unit_named("V"), spec.at("reference"), report)
+        reference: Fraction | None = converter.reference
+        if spec.reference is not None:
+            reference = read_amount(spec.reference, unit_named("V"), spec.at("reference"), report)
+        bits = converter.bits if spec.bits is None else spec.bits
         limit = None
         if spec.read_limit is not None:
             limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
         pin = None if spec.pin is None else find_parameter(spec.pin, spec.at("pin"), written, parameters, report)
-        gpio = _gpio(name, spec, pin, report)
+        gpio = _gpio(name, spec, pin, model, converter.pins & model.free, report)
         sane = gpio is not None
         for key, value, low, high in (
-            ("bits", spec.bits, 8, 12),
+            ("bits", bits, 8, converter.bits),
             ("samples", spec.samples, 1, 64),
         ):
             if not low <= value <= high:
@@ -69,8 +79,8 @@ def resolve_channels(
             name=name,
             gpio=gpio,
             pin=pin,
-            bits=spec.bits,
-            full_scale=(1 << spec.bits) - 1,
+            bits=bits,
+            full_scale=(1 << bits) - 1,
             reference=reference,
             samples=spec.samples,
             read_limit_us=limit,
@@ -81,17 +91,29 @@ def resolve_channels(
     return channels
 
 
-def _gpio(name: str, spec: AdcSpec, pin: Parameter | None, report: Report) -> int | None:
-    """The GPIO of a channel, at first; None where it is wrong, or where the parameter that has it is."""
+def _report_no_converter(board: BoardSpec, model: BoardModel | None, report: Report) -> None:
+    for name, spec in board.adc.items():
+        message = f"{model.name} has no converter for {name}" if model else f"the pin of {name} is on no known board"
+        report.add(BAD_ADC, spec.place, message, None if model else "say which board it is, such as board: pico_2_w")
+
+
+def _gpio(
+    name: str, spec: AdcSpec, pin: Parameter | None, model: BoardModel, inputs: frozenset[int], report: Report
+) -> int | None:
+    """The GPIO of a channel, one of ``inputs``, at first; None where it is wrong, or the parameter that has it is."""
     if spec.gpio is not None:
-        if 26 <= spec.gpio <= 29:
+        if spec.gpio in inputs:
             return spec.gpio
-        report.add(BAD_ADC, spec.at("gpio"), f"gpio of {name} is {spec.gpio}, not 26 to 29")
+        message = f"gpio of {name} is {spec.gpio}, not {shown_pins(inputs)}"
+        if spec.gpio in model.taken:
+            message += f": the {model.name} needs it for {model.taken[spec.gpio]}"
+        report.add(BAD_ADC, spec.at("gpio"), message)
         return None
     if pin is None:
         return None
-    if pin.step != 1 or pin.minimum < 26 or pin.maximum > 29:
-        message = f"{pin.name} is not a GPIO number from 26 to 29"
+    accepted = pin.choices or range(pin.minimum, pin.maximum + 1)
+    if pin.step != 1 or not inputs.issuperset(accepted):
+        message = f"{pin.name} takes other numbers than those of inputs of the {model.name}, {shown_pins(inputs)}"
         related = [(pin.spec.at("max"), f"{pin.name} is declared here")]
         report.add(BAD_ADC, spec.at("pin"), message, related=related)
         return None

@@ -1,34 +1,86 @@
-"""Pins that more than one instance is read from."""
+"""Pins that are used twice: by inputs of the converter, and by UARTs."""
 
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
+from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter
+from codegen.source import Place
 
 RULE = Rule(
     "shared-pin",
-    "Two instances of a component are read from the same pin, so that both show one voltage. Give each a pin of its "
-    "own, by a parameter for_each instance and the defaults in board.yaml, or switch one off by default.",
+    "Two parts are connected to the same pin: two instances of a component, so that both show one value, two UARTs, or "
+    "a UART and an input of the converter. Give each a pin of its own, an instance by a parameter for_each instance "
+    "and the defaults in board.yaml, or switch one off by default.",
 )
 
 
+@dataclass(frozen=True, slots=True)
+class _Use:
+    """What is connected to a pin: ``owner`` in words, where that is written, the pins that could be taken instead."""
+
+    gpio: int
+    owner: str
+    place: Place
+    others: frozenset[int]
+    parameter: str
+    named: Place | None = None
+
+
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every measured quantity, with the pins of the instances that are switched on by default."""
+    """Every pin in use, with what is switched on by default."""
+    uses = [*_converter(system), *_links(system)]
+    taken = {use.gpio for use in uses}
+    owners: dict[int, _Use] = {}
+    for use in uses:
+        first = owners.setdefault(use.gpio, use)
+        if first is use:
+            continue
+        free = sorted(use.others - taken)
+        taken |= set(free[:1])  # so that no two hints name the same pin
+        related = [(first.place, f"{first.owner} takes it here")]
+        related += [] if use.named is None else [(use.named, "the ADC channel is named here")]
+        message = f"{first.owner} and {use.owner} are both on GPIO {use.gpio}"
+        yield Diagnostic(use.place, RULE, message, _hint(use, free, system), tuple(related))
+
+
+def _hint(use: _Use, free: list[int], system: System) -> str:
+    assert system.board is not None
+    if not free:
+        return f"no other pin of the {system.board.name} that could take its place is free"
+    return f"{use.parameter}: {free[0]}" if use.parameter else f"GPIO {free[0]} is free"
+
+
+def _converter(system: System) -> Iterator[_Use]:
+    """The inputs of each instance that is switched on by default; one channel may serve several components."""
+    seen: set[tuple[str, int]] = set()
     for name, quantity, conversion in system.measured():
         component = system.components[name]
         channel = conversion.channel
-        owners: dict[int, int] = {}
+        assert system.board is not None
+        assert system.board.adc is not None
+        inputs = system.board.adc.pins & system.board.free
         for number, gpio in enumerate(system.gpios(component, channel)):
-            if _is_off(system, component, number):
+            is_shared = not number and (channel.name, gpio) in seen
+            if is_shared or _is_off(system, component, number):
                 continue
-            owner = owners.setdefault(gpio, number)
-            if owner != number:
-                message = f"{name} {owner + 1} and {number + 1} are both read from GPIO {gpio}"
-                written = system.spec.board.instances.get(name, ())
-                place = written[number].place if number < len(written) else component.spec.place
-                related = ((quantity.spec.at("adc"), "the ADC channel is named here"),)
-                yield Diagnostic(place, RULE, message, _hint(component, channel.pin, number), related)
+            seen.add((channel.name, gpio))
+            written = system.spec.board.instances.get(name, ())
+            place = written[number].place if number < len(written) else component.spec.place
+            owner = f"{name} {number + 1}" if component.instances > 1 else name
+            parameter = _parameter(channel.pin, number)
+            yield _Use(gpio, owner, place, inputs, parameter, quantity.spec.at("adc"))
+
+
+def _links(system: System) -> Iterator[_Use]:
+    for link in system.links:
+        uart = None if system.board is None or link.spec.uart is None else system.board.uarts.get(link.spec.uart)
+        if uart is None or system.board is None:
+            continue
+        for key, pin, pins in (("tx", link.spec.tx, uart.tx), ("rx", link.spec.rx, uart.rx)):
+            if pin is not None:
+                yield _Use(pin, f"{key} of {link.name}", link.spec.at(key), pins & system.board.free, key)
 
 
 def _is_off(system: System, component: Component, number: int) -> bool:
@@ -40,7 +92,8 @@ def _is_off(system: System, component: Component, number: int) -> bool:
     return system.parameters.get(own, switch).default == 0
 
 
-def _hint(component: Component, pin: Parameter | None, number: int) -> str:
-    if pin is None or not pin.siblings:
-        return f"let a parameter with for_each: {component.name} have the pin"
-    return f"defaults: {{{pin.siblings[number]}: 27}}"
+def _parameter(pin: Parameter | None, number: int) -> str:
+    """The parameter whose default is the pin of an instance."""
+    if pin is None:
+        return ""
+    return pin.siblings[number] if pin.siblings else pin.name

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 374aa94b5341b3ef
+# Inputs: 1c0bafcc83732ecd
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

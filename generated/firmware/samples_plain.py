@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 4eac590dd4a043f3
+# Inputs: a68ac682b4329d7a
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 4eac590dd4a043f3
+# Inputs: a68ac682b4329d7a
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time
@@ -8,6 +8,8 @@ mock_time.install()
 
 import machine  # noqa: E402  the clock has to be in place before the firmware looks at it
 from board import Board  # noqa: E402
+
+machine.adc_pins = (26, 27, 28)
 
 
 class MockBoard(Board):

@@ -9,6 +9,8 @@ import mock_time
 
 FULL_SCALE = 4095  # counts of the 12 bit converter
 
+adc_pins = None  # GPIO numbers with an ADC, which the board sets; None for any
+
 _inputs = {}
 _chip = [b"\xe6\x61\x38\x52\x83\x1b\x2c\x21"]
 
@@ -70,9 +72,9 @@ class AnalogInput:
 
 
 def analog(gpio):
-    """Return the script of the ADC input on this GPIO, 26 to 29."""
+    """Return the script of the ADC input on this GPIO."""
     if gpio not in _inputs:
-        if not 26 <= gpio <= 29:
+        if adc_pins is not None and gpio not in adc_pins:
             raise ValueError(f"GPIO {gpio} has no ADC")
         _inputs[gpio] = AnalogInput()
     return _inputs[gpio]
@@ -105,6 +107,11 @@ class Pin:
         self.pull = pull
         self._level = 1 if value else 0
 
+    @property
+    def number(self):
+        """The GPIO number; of a pin that is called by name, the number in it: 19 of X19."""
+        return self.id if isinstance(self.id, int) else int(self.id[1:])
+
     def value(self, level=None):
         """Return the level, or set it."""
         if level is None:
@@ -126,10 +133,13 @@ class Pin:
 
 
 class ADC:
-    """An ADC input, by pin, GPIO number (26 to 29) or channel (0 to 3)."""
+    """An ADC input, by pin, GPIO number (26 to 29) or channel (0 to 3); `atten` is what an ESP32 asks for."""
 
-    def __init__(self, pin):
-        number = pin.id if isinstance(pin, Pin) else pin
+    ATTN_11DB = 3
+
+    def __init__(self, pin, atten=None):
+        self.atten = atten
+        number = pin.number if isinstance(pin, Pin) else pin
         self._input = analog(number + 26 if 0 <= number <= 3 and not isinstance(pin, Pin) else number)
         if self._input.absent:
             raise OSError(errno.ENODEV)

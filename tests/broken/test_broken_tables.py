@@ -257,20 +257,40 @@ CASES = [
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    baud: §9600\n", "a link over udp"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    local_port: §65536\n", "0 to 65535"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    buffer: §279\n", "280 to 65536"),
-    Case("bad-link", "board.yaml", LINK, "  radio: {uart: §2, tx: 0, rx: 1, baud: 57600}\n" + LINK, "0 to 1"),
-    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: §30, rx: 1, baud: 57600}\n" + LINK, "0 to 29"),
-    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: §-1, baud: 57600}\n" + LINK, "0 to 29"),
+    Case(
+        "bad-link",
+        "board.yaml",
+        LINK,
+        "  radio: {uart: §2, tx: 0, rx: 1, baud: 57600}\n" + LINK,
+        "UART 0 and 1 for links",
+    ),
+    Case(
+        "bad-link",
+        "board.yaml",
+        LINK,
+        "  radio: {uart: 0, tx: §30, rx: 1, baud: 57600}\n" + LINK,
+        "0, 2, 12, 14, 16, 18 and 28",
+    ),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: §-1, baud: 57600}\n" + LINK, "not -1"),
     Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: 1, baud: §299}\n" + LINK, "300 to 3000000"),
     Case("bad-link", "board.yaml", LINK, "  §radio: {uart: 0, tx: 0, rx: 1}\n" + LINK, "needs baud"),
     Case("bad-link", "board.yaml", LINK, "  cable: {usb: true, tx: §0}\n" + LINK, "a link over usb"),
     Case("bad-link", "board.yaml", LINK, "  cable: {usb: true, to: §255.255.255.255}\n" + LINK, "a link over usb"),
     Case(
-        "bad-link", "board.yaml", LINK, RADIO + "  other: {uart: §0, tx: 4, rx: 5, baud: 9600}\n" + LINK, "radio takes"
+        "bad-link",
+        "board.yaml",
+        LINK,
+        RADIO + "  other: {uart: §0, tx: 12, rx: 13, baud: 9600}\n" + LINK,
+        "radio takes",
     ),
     Case(
-        "bad-link", "board.yaml", LINK, RADIO + "  other: {uart: 1, tx: 4, rx: §1, baud: 9600}\n" + LINK, "radio takes"
+        "shared-pin",
+        "board.yaml",
+        LINK,
+        "  radio: {uart: 1, tx: §26, rx: 5, baud: 57600}\n" + LINK,
+        "battery 1 and tx of radio are both on GPIO 26",
     ),
-    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: §0, baud: 9600}\n" + LINK, "takes already"),
+    Case("bad-link", "board.yaml", LINK, "  radio: {uart: 0, tx: 0, rx: §0, baud: 9600}\n" + LINK, "rx of UART 0 is"),
     Case("bad-link", "board.yaml", LINK, "  a: {usb: true}\n  b: {usb: §true}\n" + LINK, "a takes already"),
     Case("bad-time", "board.yaml", "retry: 5 s", "retry: §0 s"),
     Case("wrong-type", "board.yaml", LINK, "  cable: {usb: §false}\n" + LINK),
@@ -388,9 +408,9 @@ CASES = [
     Case("unknown-parameter", "vehicle.yaml", "after: BATT_LOW_TIMER", "after: §BATT_LOW_TIME", "BATT_LOW_TIMER"),
     Case("unknown-parameter", "vehicle.yaml", "minimum_to_arm: BATT_ARM_VOLT", "minimum_to_arm: §BATT_ARM_VOLTS"),
     # pins by parameter
-    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_CAPACITY", "not a GPIO number"),
-    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_VOLT_MULT", "not a GPIO number"),
-    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "gpio: §30", "26 to 29"),
+    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_CAPACITY", "26 to 28"),
+    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "pin: §BATT_VOLT_MULT", "26 to 28"),
+    Case("bad-adc", "board.yaml", "pin: BATT_VOLT_PIN", "gpio: §30", "26 to 28"),
     Case("one-of-keys", "board.yaml", "pin: BATT_VOLT_PIN", "gpio: 26\n    §pin: BATT_VOLT_PIN"),
     Case("one-of-keys", "board.yaml", "    pin: BATT_VOLT_PIN\n", "", "none is given", at="board.yaml:6:3"),
     # streams
@@ -644,7 +664,7 @@ def test_everything_is_reported_in_one_run(tmp_path, monkeypatch, capsys):
 
 
 FOLLOW_UPS = [
-    ("board.yaml", "    bits: 12\n", "", "missing-key"),
+    ("board.yaml", "board: pico_2_w\n", "board: pico_3_w\n", "unknown-board"),
     ("parameters.yaml", "    default: 1\n    min: 1\n", "    min: 1\n", "missing-key"),
     ("parameters.yaml", "    default: 3.5\n", "    default: 1e9\n", "bad-parameter"),
     ("streams.yaml", "    doc: Detailed battery telemetry.\n", "", "missing-key"),

@@ -144,7 +144,7 @@ EDITS: dict[str, tuple[str, str, str, list[str]]] = {
         "specs/board.yaml",
         "samples: 4",
         "samples: 8",
-        ["specs/board.yaml:8:14: warning adc-channel-changed: adc.pack: samples 4 -> samples 8"],
+        ["specs/board.yaml:7:14: warning adc-channel-changed: adc.pack: samples 4 -> samples 8"],
     ),
     "identity": (
         "specs/codegen.yaml",

@@ -61,6 +61,13 @@ UNSEEN = {
     "Instance.number": "the place in the list",
     "Receiver.messages": "named by their own tables",
     "Conversion.channel": "has its own attributes",
+    "BoardModel.spec": "what was written",
+    "BoardModel.pins": "what can be connected; what is connected is compared",
+    "BoardModel.taken": "what can be connected; what is connected is compared",
+    "BoardModel.uarts": "what can be connected; what is connected is compared",
+    "Converter.pins": "what can be connected; what is connected is compared",
+    "Converter.bits": "a default, compared with the channels",
+    "Converter.reference": "a default, compared with the channels",
     "Parameter.instance": "part of the family, compared with the component",
     "FixedAnswer.meaning": "words for the value that is compared",
 }

@@ -31,7 +31,7 @@ def repository(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "specs" / "messages").mkdir()
     texts = {
         "codegen.yaml": "project: p\ndialect: dialects/m.xml\nmachine_code: false\ncomponent_id: A\n",
-        "board.yaml": "board: b\nmcu: m\n",
+        "board.yaml": "board: pico\n",
         "parameters.yaml": "parameters: {}\n",
         "streams.yaml": "streams:\n  only: {doc: d, rate: 1 Hz}\n",
         "state.yaml": "components:\n  vehicle: {doc: d, quantities: {x: {doc: d, initial: 1}}}\n",
@@ -49,7 +49,7 @@ def repository(tmp_path_factory: pytest.TempPathFactory) -> Path:
         )
         if number == 2:
             git(folder, "checkout", "-q", "-b", "work")
-            (folder / "specs" / "board.yaml").write_text("board: c\nmcu: m\n")
+            (folder / "specs" / "board.yaml").write_text("board: pico_2\n")
         if number == 3:
             (folder / "specs" / "messages" / "m.yaml").write_text(
                 texts["messages/m.yaml"].replace("1}}", "1}, b: {constant: 2}}")

@@ -87,6 +87,7 @@ def test_adc_presents_12_bits_as_16(firmware: SimpleNamespace) -> None:
 def test_adc_is_named_by_pin_gpio_or_channel(firmware: SimpleNamespace) -> None:
     """All three reach the same input; a pin without an ADC is refused as on the board."""
     machine = firmware.machine
+    machine.adc_pins = (26, 27, 28, 29)
     machine.analog(27).source = 9
     assert [machine.ADC(name).read_u16() >> 4 for name in (27, 1, machine.Pin(27))] == [9, 9, 9]
     for name in (25, 30, 4, -1, machine.Pin(1)):

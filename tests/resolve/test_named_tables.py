@@ -76,7 +76,7 @@ def test_a_generation_has_no_message_of_several_tables(folder: Path) -> None:
     """Who receives one could not tell which generation it is of."""
     streams = folder / "streams.yaml"
     streams.write_text(streams.read_text() + "generations:\n  gps: {doc: d, old: [bow], new: [stern], send: both}\n")
-    found = findings(folder, "board.yaml", "Pico 2", "Pico")
+    found = findings(folder, "board.yaml", "pico_2", "pico")
     assert [rule for rule, _, _ in found if rule == "bad-generations"] == ["bad-generations"] * 2
 
 

@@ -8,7 +8,7 @@ GOOD = {
         "      mode: {doc: Mode., enum: E, initial: E_ONE}\n      armed: {doc: Armed., boolean: true, initial: false}\n"
     ),
     "board": (
-        "board: Pico\nmcu: RP2350\nadc:\n  pack: {gpio: 26, bits: 12, reference: 3.3 V}\n"
+        "board: pico_2\nadc:\n  pack: {gpio: 26, bits: 12, reference: 3.3 V}\n"
         "facts:\n  battery: {cells: 3, kind: LIPO}\n"
         "links:\n  a: {uart: 0, tx: 0, rx: 1, baud: 57600}\n  b: {usb: true}\n"
         "  c: {udp: 14550, to: 10.0.0.1, credentials: w.json, retry: 5 s, local_port: 1, buffer: 512}\n"
@@ -103,9 +103,9 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
         [("wrong-type", 2, 28), ("wrong-type", 2, 45), ("wrong-type", 2, 76)],
         True,
     ),
-    ("board", "board: b\nmcu: m\nadc: {a: {gpio: 1, bits: 2, reference: fast}}\n", [("wrong-type", 3, 40)], True),
-    ("board", "board: b\nmcu: m\nfacts: {b: {c: true}}\n", [("wrong-type", 3, 16)], True),
-    ("board", "board: b\nmcu: m\nfacts: {b: 1}\n", [("wrong-type", 3, 12)], True),
+    ("board", "board: b\nadc: {a: {gpio: 1, bits: 2, reference: fast}}\n", [("wrong-type", 2, 40)], True),
+    ("board", "board: b\nfacts: {b: {c: true}}\n", [("wrong-type", 2, 16)], True),
+    ("board", "board: b\nfacts: {b: 1}\n", [("wrong-type", 2, 12)], True),
     (
         "parameters",
         "parameters:\n  A: {doc: d, default: a, max: 2, step: 1}\n",
@@ -159,10 +159,10 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("vehicle", VEHICLE.replace("chunk: 64", "chunk: big"), [("wrong-type", 2, 33)], False),
     ("vehicle", VEHICLE.replace("[a, b]", "a"), [("wrong-type", 2, 18)], False),
     ("vehicle", VEHICLE.replace("services: {fastest: 10 Hz}\n", ""), [("missing-key", 1, 1)], False),
-    ("board", "board: b\nmcu: m\nlinks: {a: {usb: false}}\n", [("wrong-type", 3, 18)], True),
-    ("board", "board: b\nmcu: m\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 3, 24)], True),
-    ("board", "board: b\nmcu: m\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 3, 9)], True),
-    ("board", "board: b\nmcu: m\ndischarge_curves: {L: {4 V: full}}\n", [("wrong-type", 3, 29)], True),
+    ("board", "board: b\nlinks: {a: {usb: false}}\n", [("wrong-type", 2, 18)], True),
+    ("board", "board: b\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 2, 24)], True),
+    ("board", "board: b\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 2, 9)], True),
+    ("board", "board: b\ndischarge_curves: {L: {4 V: full}}\n", [("wrong-type", 2, 29)], True),
     (
         "parameters",
         "parameters:\n  A: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int64, values: {1: 2}}\n",

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from codegen.frozen import dataclass
+from codegen.model.board_model import MOST_BITS, BoardModel
 from codegen.model.board_spec import AdcSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
@@ -16,12 +17,12 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 class ReaderView:
     """The ADC channel of one component: ``shift`` turns the 16 bits of read_u16() into counts.
 
-    ``spare_bits`` are the bits of the 12 bit converter that a count leaves out, ``pin`` is the attribute of the
-    parameter that has the pin. ``before`` are the lines that find ``input``, the number of the pin, and ``indent`` is
-    how deep within them it is set up. Of several instances ``at`` is the index, ``also`` a further argument that names
-    one, ``only`` the one argument and ``leading`` the first of several, else "". ``zeros`` and ``nones`` are the first
-    values, for each of them; ``absent`` and ``failed`` are arguments of what is logged. What takes a reading is made
-    with ``given``, for which the board has ``passed``, and counts in ``failures``.
+    ``spare_bits`` are the bits of the mocked converter that a count leaves out, ``pin`` is the attribute of the
+    parameter that has the pin. ``before`` are the lines that find the number of the pin, ``opened`` is the expression
+    that opens its input, and ``indent`` is how deep within them it is set up. Of several instances ``at`` is the index,
+    ``also`` a further argument that names one, ``only`` the one argument and ``leading`` the first of several, else "".
+    ``zeros`` and ``nones`` are the first values, for each of them; ``absent`` and ``failed`` are arguments of what is
+    logged. What takes a reading is made with ``given``, for which the board has ``passed``, and counts in ``failures``.
     """
 
     component: str
@@ -30,7 +31,7 @@ class ReaderView:
     gpios: tuple[int, ...]
     pin: str | None
     before: tuple[str, ...]
-    input: str
+    opened: str
     indent: str
     at: str
     also: str
@@ -65,19 +66,20 @@ class LinkView:
 
 @dataclass(frozen=True, slots=True)
 class BoardView:
-    """The board, its readers and its links.
+    """The board, its readers and its links; ``hardware`` is its name with that of the microcontroller.
 
     ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
-    is whether the time of a reading is limited.
+    is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures.
     """
 
     board: str
-    mcu: str
+    hardware: str
     readers: tuple[ReaderView, ...]
     head: tuple[str, ...]
     links: tuple[LinkView, ...]
     has_pins: bool
     is_timed: bool
+    adc_pins: tuple[int, ...]
 
 
 def board_view(system: System) -> BoardView:
@@ -86,16 +88,17 @@ def board_view(system: System) -> BoardView:
         _reader(system.components[component], conversion.channel, system)
         for component, _, conversion in system.measured()
     )
-    links = tuple(_link(link) for link in system.links)
+    links = tuple(_link(link, system.board) for link in system.links)
     has_pins = any(_pin_parameters(system))
     return BoardView(
-        board=prose(system.spec.board.board),
-        mcu=prose(system.spec.board.mcu),
+        board=prose(system.board.name if system.board else system.board_name),
+        hardware=prose(system.board_name),
         readers=readers,
         head=(*_imports(readers, links, has_pins=has_pins), *_readings(system, readers), *_families(system)),
         links=links,
         has_pins=has_pins,
         is_timed=any(reader.read_limit_us is not None for reader in readers),
+        adc_pins=tuple(sorted(system.board.adc.pins & system.board.free)) if system.board and system.board.adc else (),
     )
 
 
@@ -136,6 +139,8 @@ def _switch(component: Component) -> Parameter | None:
 def _reader(component: Component, channel: AdcChannel, system: System) -> ReaderView:
     name, several = component.name, component.instances > 1
     has_variable = several or channel.pin is not None
+    assert system.board is not None
+    assert system.board.adc is not None
     title = f"{name} {{instance + 1}}" if several else f"the {name}"
     literal = "f" if several else ""
     also = ", instance" if several else ""
@@ -146,7 +151,7 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
         gpios=system.gpios(component, channel),
         pin=parameter_attribute(channel.pin.name) if channel.pin else None,
         before=_lines_before(component, channel),
-        input="gpio" if has_variable else str(channel.gpio),
+        opened=system.board.adc.opened.replace("{gpio}", "gpio" if has_variable else str(channel.gpio)),
         indent="    " if several else "",
         at="[instance]" if several else "",
         also=also,
@@ -161,7 +166,7 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
         + ('", gpio, ":"' if has_variable else f' {channel.gpio}:"'),
         failed=f'{literal}"error: {title}\'s ADC"',
         shift=16 - channel.bits,
-        spare_bits=12 - channel.bits,
+        spare_bits=MOST_BITS - channel.bits,
         full_scale=channel.full_scale,
         samples=channel.samples,
         half=channel.samples // 2,
@@ -183,13 +188,15 @@ def _lines_before(component: Component, channel: AdcChannel) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def _link(link: BoardLink) -> LinkView:
+def _link(link: BoardLink, board: BoardModel | None) -> LinkView:
     spec = link.spec
     name = quoted(link.name)
     citation = str(link.citation or "")
     if link.kind is LinkKind.UART:
-        arguments = (name, f"{spec.uart}", f"tx={spec.tx}", f"rx={spec.rx}", f"baud={spec.baud}", f"size={spec.buffer}")
-        return LinkView("serial_port", "open_uart", arguments, citation)
+        tells_pins = board is not None and board.tells_uart_pins
+        pins = (f"tx={spec.tx}", f"rx={spec.rx}") if tells_pins else ()
+        arguments = (name, f"{spec.uart}", *pins, f"baud={spec.baud}", f"size={spec.buffer}")
+        return LinkView("serial_port", "open_uart" if tells_pins else "open_fixed_uart", arguments, citation)
     if link.kind is LinkKind.USB:
         return LinkView("serial_port", "open_usb", (name, f"size={spec.buffer}"), citation)
     udp = (

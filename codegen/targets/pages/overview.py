@@ -74,7 +74,7 @@ def overview_page(system: System, origin: Origin, cited: Iterable[str]) -> Overv
         project=system.spec.project.project,
         origin=origin,
         navigation=navigation(system, "index.html"),
-        board=f"{system.spec.board.board} ({system.spec.board.mcu})",
+        board=system.board_name,
         facts=(
             ("Dialect", system.dialect.name),
             ("Protocol", f"MAVLink {system.spec.project.protocol}"),

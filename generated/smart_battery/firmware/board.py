@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: af321acb957fb487
+# Inputs: 0c2449d9b61062c7
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import machine

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: 0023c9460f86a34c
+# Inputs: bb0f7809b386d147
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/serial_port.py: do not edit.
-# Inputs: 71bfbb86ca49c865
+# Inputs: 2bfcff7074e3e222
 """Ports on a UART or on USB, where bytes may go and come in parts.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -122,31 +122,48 @@ class StreamPort:
 
 def open_uart(name, id, tx, rx, baud, size):  # noqa: A002 - the board's own argument name
     """Return a port on a UART: GPIO numbers of its pins, `baud` bits per second, buffers of `size` bytes each way."""
-    guard = Guard()
-    uart = None
-    with guard:
+
+    def opened():
         import machine  # noqa: PLC0415 - not every host has one
 
-        uart = machine.UART(
-            id, baudrate=baud, tx=machine.Pin(tx), rx=machine.Pin(rx), timeout=0, rxbuf=size, txbuf=size
-        )
-    port = StreamPort(name, uart, size)
+        pins = {"tx": machine.Pin(tx), "rx": machine.Pin(rx)}
+        return machine.UART(id, baudrate=baud, timeout=0, rxbuf=size, txbuf=size, **pins)
+
+    return _port(name, opened, size)
+
+
+def open_fixed_uart(name, id, baud, size):  # noqa: A002 - the board's own argument name
+    """Return a port on a UART whose pins are its own, as on a pyboard: received bytes wait in `size` bytes."""
+
+    def opened():
+        import machine  # noqa: PLC0415 - not every host has one
+
+        return machine.UART(id, baudrate=baud, timeout=0, rxbuf=size)
+
+    return _port(name, opened, size)
+
+
+def _port(name, opened, size):
+    guard = Guard()
+    stream = None
+    with guard:
+        stream = opened()
+    port = StreamPort(name, stream, size)
     port.problem = guard.error
     return port
 
 
 def open_usb(name, size):
     """Return a port on the board's USB serial line; from then on a byte 3 that arrives is no Ctrl-C any more."""
-    guard = Guard()
-    usb = None
-    with guard:
+
+    def opened():
         import micropython  # noqa: PLC0415
 
         usb = _Usb(sys.stdin, sys.stdout)
         micropython.kbd_intr(-1)
-    port = StreamPort(name, usb, size)
-    port.problem = guard.error
-    return port
+        return usb
+
+    return _port(name, opened, size)
 
 
 class _Usb:

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: af321acb957fb487
+# Inputs: 0c2449d9b61062c7
 """What is done with each reading of a component, in plain Python, for ports without machine code."""
 
 from micropython import const

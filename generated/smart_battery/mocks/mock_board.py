@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: 0023c9460f86a34c
+# Inputs: bb0f7809b386d147
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time
@@ -8,6 +8,8 @@ mock_time.install()
 
 import machine  # noqa: E402  the clock has to be in place before the firmware looks at it
 from board import Board  # noqa: E402
+
+machine.adc_pins = (26, 27, 28)
 
 
 class MockBoard(Board):

@@ -120,31 +120,48 @@ class StreamPort:
 
 def open_uart(name, id, tx, rx, baud, size):  # noqa: A002 - the board's own argument name
     """Return a port on a UART: GPIO numbers of its pins, `baud` bits per second, buffers of `size` bytes each way."""
-    guard = Guard()
-    uart = None
-    with guard:
+
+    def opened():
         import machine  # noqa: PLC0415 - not every host has one
 
-        uart = machine.UART(
-            id, baudrate=baud, tx=machine.Pin(tx), rx=machine.Pin(rx), timeout=0, rxbuf=size, txbuf=size
-        )
-    port = StreamPort(name, uart, size)
+        pins = {"tx": machine.Pin(tx), "rx": machine.Pin(rx)}
+        return machine.UART(id, baudrate=baud, timeout=0, rxbuf=size, txbuf=size, **pins)
+
+    return _port(name, opened, size)
+
+
+def open_fixed_uart(name, id, baud, size):  # noqa: A002 - the board's own argument name
+    """Return a port on a UART whose pins are its own, as on a pyboard: received bytes wait in `size` bytes."""
+
+    def opened():
+        import machine  # noqa: PLC0415 - not every host has one
+
+        return machine.UART(id, baudrate=baud, timeout=0, rxbuf=size)
+
+    return _port(name, opened, size)
+
+
+def _port(name, opened, size):
+    guard = Guard()
+    stream = None
+    with guard:
+        stream = opened()
+    port = StreamPort(name, stream, size)
     port.problem = guard.error
     return port
 
 
 def open_usb(name, size):
     """Return a port on the board's USB serial line; from then on a byte 3 that arrives is no Ctrl-C any more."""
-    guard = Guard()
-    usb = None
-    with guard:
+
+    def opened():
         import micropython  # noqa: PLC0415
 
         usb = _Usb(sys.stdin, sys.stdout)
         micropython.kbd_intr(-1)
-    port = StreamPort(name, usb, size)
-    port.problem = guard.error
-    return port
+        return usb
+
+    return _port(name, opened, size)
 
 
 class _Usb:

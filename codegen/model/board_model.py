@@ -1,0 +1,113 @@
+"""What a kind of board has: its pins, converters and ports. ``codegen/boards/*.yaml``, and the project's own."""
+
+from collections.abc import Mapping
+from enum import StrEnum
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.described import Amount, Verbatim, described
+from codegen.source import Written
+
+MOST_BITS = 12
+"""Bits of the widest converter: a mean of samples that have more would not be a small integer of every port."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConverterSpec(Written):
+    """The analog-to-digital converter of a board."""
+
+    pins: Verbatim = described("GPIO numbers that it measures, such as 26..28, 32.")
+    bits: int = described("Resolution of one count.")
+    reference: Amount = described("Voltage of full scale, such as 3.3 V.")
+    opened: str = described("The Python expression that opens an input; {gpio} stands for the number of its pin.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UartSpec(Written):
+    """One UART of a board."""
+
+    tx: Verbatim = described("GPIO numbers that can be its output, such as 0, 12, 16.")
+    rx: Verbatim = described("GPIO numbers that can be its input.")
+
+
+class UartPins(StrEnum):
+    """Whether the pins of a UART are said when it is opened."""
+
+    CHOSEN = "chosen"
+    FIXED = "fixed"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoardModelSpec(Written):
+    """A kind of board, as its YAML file states it."""
+
+    name: str = described("Name of the board, for people.")
+    mcu: str = described("Name of the microcontroller.")
+    source: str = described("Where all of this is stated: datasheets, and the documentation of its MicroPython.")
+    architecture: str = described("What mpy-cross compiles machine code for, such as armv7emsp.")
+    pins: Verbatim = described("GPIO numbers that exist, such as 0..22, 26..28.")
+    taken: Mapping[str, str] = described(
+        "GPIO numbers that the board needs for itself, each with what for.", default_factory=dict
+    )
+    adc: ConverterSpec | None = described("Its converter.", default=None)
+    uarts: Mapping[str, UartSpec] = described("UARTs by number.", default_factory=dict)
+    uart_pins: UartPins = described(
+        "chosen: tx and rx are told to machine.UART; fixed: each UART has its own.", default=UartPins.CHOSEN
+    )
+    usb: bool = described("Whether MicroPython's prompt is on a USB port, which can be a link.")
+    wifi: bool = described("Whether it has Wi-Fi.")
+
+
+@dataclass(frozen=True, slots=True)
+class Converter:
+    """The converter: the GPIO numbers that it measures, the bits of a count, the volts of full scale.
+
+    ``opened`` is the Python expression that opens an input, with ``{gpio}`` for the number of its pin.
+    """
+
+    pins: frozenset[int]
+    bits: int
+    reference: Fraction
+    opened: str
+
+
+@dataclass(frozen=True, slots=True)
+class Uart:
+    """The GPIO numbers that can be the output and the input of a UART."""
+
+    tx: frozenset[int]
+    rx: frozenset[int]
+
+
+@dataclass(frozen=True, slots=True)
+class BoardModel:
+    """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for."""
+
+    name: str
+    pins: frozenset[int]
+    taken: Mapping[int, str]
+    adc: Converter | None
+    uarts: Mapping[int, Uart]
+    spec: BoardModelSpec
+
+    @property
+    def free(self) -> frozenset[int]:
+        """The GPIO numbers that a project may use."""
+        return self.pins - self.taken.keys()
+
+    @property
+    def tells_uart_pins(self) -> bool:
+        """Whether the pins of a UART are arguments when it is opened."""
+        return self.spec.uart_pins is UartPins.CHOSEN
+
+
+def shown_pins(pins: frozenset[int]) -> str:
+    """``26 to 28 and 32``, in the order of the numbers."""
+    runs: list[list[int]] = []
+    for pin in sorted(pins):
+        if runs and runs[-1][-1] == pin - 1:
+            runs[-1].append(pin)
+        else:
+            runs.append([pin])
+    words = [word for run in runs for word in ([f"{run[0]} to {run[-1]}"] if len(run) > 2 else map(str, run))]
+    return ", ".join(words[:-1]) + " and " + words[-1] if len(words) > 1 else "".join(words)
