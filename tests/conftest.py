@@ -5,6 +5,8 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
+import uuid
 from pathlib import Path
 
 import pytest
@@ -12,8 +14,10 @@ from hypothesis import settings
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# What an earlier run kept would hide what a test changes in codegen; tests of the cache give it a folder of their own.
-os.environ["CODEGEN_CACHE"] = "off"
+# A cache that is new with each run, for all workers: what an earlier run kept is no evidence. Tests of the cache give it a
+# folder of their own.
+CACHE = Path(tempfile.gettempdir()) / f"codegen-tests-{os.environ.setdefault('CODEGEN_TEST_RUN', uuid.uuid4().hex)}"
+os.environ["CODEGEN_CACHE"] = str(CACHE)
 
 # No timed assertions: a busy machine is no fault of the code, and a failure must be the same for everybody.
 settings.register_profile("codegen", deadline=None, derandomize=True, database=None)
@@ -22,6 +26,12 @@ settings.load_profile("codegen")
 # What a shell runs in the background ignores Ctrl-C, and so would every program that a test starts and interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Let the process that began the run take the cache away."""
+    if not hasattr(session.config, "workerinput"):
+        shutil.rmtree(CACHE, ignore_errors=True)
 
 
 @pytest.fixture(scope="session")
