@@ -14,7 +14,7 @@ from hypothesis import settings
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# A cache that is new with each run, for all workers: what an earlier run kept is no evidence. Tests of the cache give it
+# A cache that is new with each run, for all workers: what an earlier run kept is no evidence. Tests of the cache have
 # a folder of their own.
 CACHE = Path(tempfile.gettempdir()) / f"codegen-tests-{os.environ.setdefault('CODEGEN_TEST_RUN', uuid.uuid4().hex)}"
 os.environ["CODEGEN_CACHE"] = str(CACHE)
