@@ -8,10 +8,12 @@ from typing import TypeVar, cast
 from codegen.cache import entry, keep_object, kept_object, pickled
 from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.programs import ListedProgram, list_programs
+from codegen.decode.reach import folders_of
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
 from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report
+from codegen.load.confined import confined
 from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.text import read_bytes, read_text
 from codegen.load.trees import exists
@@ -41,7 +43,8 @@ _Made = TypeVar("_Made")
 
 def read_system(project_file: str, report: Report) -> System | None:
     """The resolved and checked system of a project; None if too little could be read to resolve anything."""
-    return _checked(decode_spec(project_file, report), None, report)
+    with confined(folders_of(project_file)):
+        return _checked(decode_spec(project_file, report), None, report)
 
 
 def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
@@ -51,9 +54,12 @@ def read_systems(project_file: str, report: Report) -> tuple[System, ...]:
     """
     main = read_system(project_file, report)
     systems = [] if main is None else [main]
-    for program in list_programs(project_file, report):
+    with confined(folders_of(project_file)):
+        programs = list_programs(project_file, report)
+    for program in programs:
         found = Report()
-        system = _checked(decode_program(program, found), main.dialect if main else None, found)
+        with confined(folders_of(project_file)):
+            system = _checked(decode_program(program, found), main.dialect if main else None, found)
         known = {_said(finding) for finding in report}
         report.extend(_told(finding, program) for finding in found if _said(finding) not in known)
         if system is not None:

@@ -45,19 +45,23 @@ def run(arguments: argparse.Namespace) -> int:
     if project is None and not arguments.documents:
         return report_no_project()
     from codegen.cli.findings import print_findings
+    from codegen.decode.reach import folders_of
     from codegen.diagnostics import Report
+    from codegen.load.confined import confined
 
     report = Report()
     if arguments.documents:
         files = _check_documents(arguments, project, report)
     else:
         assert project is not None
-        files = _check_project(project, report)
+        with confined(folders_of(project)):
+            files = _check_project(project, report)
     if project is not None:
         from codegen.cli.waived import waivers_of, with_waivers
 
         waivers = waivers_of(project)
-        report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
+        with confined(folders_of(project)):
+            report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
     print_findings(report, arguments.format)
     return report.exit_code
 
@@ -68,6 +72,7 @@ def _check_project(project: str, report: "Report") -> list[str]:
 
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
+    pipeline.read_trace_lock(project, report)
     if report.has_errors:
         return []  # what documents say could not be compared with what is meant
     pipeline.check_documents(systems, report)

@@ -7,6 +7,7 @@ from typing import TextIO
 
 from codegen.diagnostics import Report
 from codegen.findings.as_json import findings_json
+from codegen.findings.shortened import shortened
 from codegen.findings.text import closing_line, finding_text
 
 FORMATS = ("text", "json", "github", "sarif")
@@ -14,13 +15,14 @@ FORMATS = ("text", "json", "github", "sarif")
 
 
 def print_findings(report: Report, form: str = "text") -> None:
-    """Print the findings to stdout, sorted and each once, in one of ``FORMATS``.
+    """Print the findings to stdout, sorted and each once, in one of ``FORMATS``; of one kind not more than tell enough.
 
     As text, how many there are goes to stderr; where there are none, nothing is printed.
     """
     if form == "text":
         _print_text(report)
         return
+    report = shortened(report)
     if form == "json":
         text = findings_json(report)
     elif form == "github":
@@ -43,7 +45,7 @@ def repository_root() -> str:
 
 def _print_text(report: Report) -> None:
     is_coloured = wants_colour(sys.stdout)
-    for finding in report:
+    for finding in shortened(report):
         print(finding_text(finding, is_coloured=is_coloured))
     closing = closing_line(report)
     if closing:

@@ -18,8 +18,8 @@ from codegen.decode.trace_lock import TRACE_LOCK
 from codegen.decode.waivers import WAIVERS
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
-from codegen.load.text import decode_text, read_bytes
-from codegen.load.trees import exists, file_names, is_file
+from codegen.load.text import FILE_NOT_READABLE, decode_text, read_bytes
+from codegen.load.trees import exists, file_names, is_file, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
@@ -345,6 +345,9 @@ class _SpecReader:
     def _listed(self, folder: str, endings: tuple[str, ...], below: str | None = None) -> list[str]:
         """The files of a folder with one of the endings, by name; hidden files (of editors) are left out."""
         path = os.path.join(below or self._folder, folder).rstrip(os.sep)
+        why = why_not_listed(path)
+        if why is not None:
+            self._report.add(FILE_NOT_READABLE, Place(path), f"the folder {shown_path(path)} cannot be read: {why}")
         return [
             os.path.join(path, name) for name in file_names(path) if name.endswith(endings) and not name.startswith(".")
         ]

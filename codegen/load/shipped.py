@@ -38,6 +38,11 @@ def is_shipped(path: str) -> bool:
     return path in _shipped().values()
 
 
+def shipped_folders() -> tuple[str, ...]:
+    """The folders that the XML files of the shipped dialects lie in."""
+    return tuple({os.path.dirname(path) for path in _shipped().values()})
+
+
 def dialect_path(
     written: str, folder: str, unknown: Rule, place: Place, report: Report, *, is_file: bool
 ) -> str | None:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from codegen.diagnostics import Report, Rule
+from codegen.load.confined import is_outside
 from codegen.load.trees import is_in_tree, tree_content
 from codegen.source import Place, shown_path
 
@@ -32,6 +33,14 @@ FILE_NOT_UTF8 = Rule(
 FILE_TOO_LARGE = Rule(
     "file-too-large",
     "The file is far larger than any specification. Check that the path names the intended file.",
+    unreadable=True,
+)
+
+OUTSIDE_PROJECT = Rule(
+    "outside-project",
+    "A path of the specification leads out of the project: out of the folder above that of codegen.yaml, by its own or "
+    "by a link. Nothing there is read, so that no report quotes a file that is not the project's. Where it is meant, "
+    "list the folder under outside in codegen.yaml.",
     unreadable=True,
 )
 
@@ -94,6 +103,10 @@ def _read_bytes(path: str, report: Report, asked_at: Place | None, most: int | N
         if content is None:
             report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
         return content
+    if is_outside(path):
+        hint = "if it is meant, list its folder in codegen.yaml: outside: [...]"
+        report.add(OUTSIDE_PROJECT, place, f"{shown} lies outside of the project", hint)
+        return None
     try:
         # Looking first keeps a pipe or a device from blocking the run.
         mode = os.stat(path).st_mode

@@ -76,6 +76,19 @@ def file_names(folder: str) -> list[str]:
         return []
 
 
+def why_not_listed(folder: str) -> str | None:
+    """Why the names in a folder cannot be read; None where they can, and where there is no folder."""
+    if _found(folder) is not None or not os.path.lexists(folder):
+        return None
+    try:
+        with os.scandir(folder):
+            return None
+    except NotADirectoryError:
+        return None
+    except OSError as problem:
+        return problem.strerror or str(problem)
+
+
 def is_folder(path: str) -> bool:
     """Whether there is a folder, or a link to one."""
     found = _found(path)

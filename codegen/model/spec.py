@@ -36,6 +36,11 @@ class Project(Written):
     )
     corrections: tuple[str, ...] = described("YAML files that correct attributes of the dialect.", default=())
     output: str = described("Folder that the generated files go to.", default="../generated")
+    outside: tuple[str, ...] = described(
+        "Folders outside of the project, which is the folder above this one, that files may be read from, and that the "
+        "output may lie in.",
+        default=(),
+    )
     tests: tuple[str, ...] = described(
         "Folders with tests written by hand, in which codegen trace looks for what they show.", default=("../tests",)
     )

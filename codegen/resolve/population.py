@@ -19,6 +19,7 @@ from codegen.model.vehicle import Component, Parameter, Stream
 from codegen.resolve.citation import cite
 from codegen.resolve.elements import answered_elements
 from codegen.resolve.generations import resolve_on_change
+from codegen.resolve.quantity import LONGEST_NAME
 from codegen.resolve.represent import resolve_representations
 from codegen.resolve.scope import ResolvedScope
 
@@ -106,7 +107,7 @@ def _check_name(population: PopulationSpec, parts: Parts, report: Report) -> Non
     if name is None:
         return
     problem, hint = None, None
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+    if not re.fullmatch(rf"[a-z][a-z0-9_]{{0,{LONGEST_NAME - 1}}}", name):
         problem, hint = "is no name of a table", "write it like 'position' or 'wind_speed'"
     elif name.upper() == population.message:
         problem = "says nothing: a table is called like its message anyway"

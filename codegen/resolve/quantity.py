@@ -30,12 +30,13 @@ _RESERVED_QUANTITIES = {
     "gone",
     "has_returned",
 }
+LONGEST_NAME = 64
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}
 
 
 def is_name(name: str) -> bool:
-    """Whether the generated code can use a name as it is."""
-    return bool(_IDENTIFIER.fullmatch(name)) and not keyword.iskeyword(name)
+    """Whether the generated code can use a name as it is: MicroPython's have 255 characters at most, with all parts."""
+    return len(name) <= LONGEST_NAME and bool(_IDENTIFIER.fullmatch(name)) and not keyword.iskeyword(name)
 
 
 def resolve_quantity(around: Surroundings, index: Mapping[str, Requirement]) -> Quantity | None:

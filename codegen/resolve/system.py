@@ -25,7 +25,7 @@ from codegen.source import Place
 BAD_PROJECT = Rule(
     "bad-project",
     "codegen.yaml sets a value that cannot be: system and component id are 1 to 255, and those of the parameters that "
-    "set them, the protocol is 1 or 2, and the output goes to a folder of its own.",
+    "set them, the protocol is 1 or 2, and the output goes to a folder of its own in the project.",
 )
 
 
@@ -81,6 +81,11 @@ def _check_output(spec: Spec, report: Report) -> None:
     if os.path.commonpath([output, spec.folder]) == output:
         message = f"the output folder {project.output} is, or contains, the folder of the specification"
         report.add(BAD_PROJECT, project.at("output"), message, "give the output a folder of its own: ../generated")
+    allowed = (os.path.dirname(spec.folder), *(os.path.join(spec.folder, each) for each in project.outside))
+    if not any(os.path.commonpath([output, os.path.normpath(each)]) == os.path.normpath(each) for each in allowed):
+        message = f"the output folder {project.output} lies outside of the project"
+        hint = f"if it is meant, list it in codegen.yaml: outside: [{project.output}]"
+        report.add(BAD_PROJECT, project.at("output"), message, hint)
     if project.protocol not in (1, 2):
         report.add(BAD_PROJECT, project.at("protocol"), f"protocol {project.protocol} is not 1 or 2")
 

@@ -37,6 +37,9 @@ class Pipeline:
     def check_scenarios(self, _project_file: str, _system: object, _report: Report) -> None:
         """There are no scenarios."""
 
+    def read_trace_lock(self, _project_file: str, _report: Report) -> None:
+        """There is no lock file."""
+
     def check_documents(self, _systems: object, _report: Report) -> None:
         """There are no documents."""
 

@@ -135,7 +135,7 @@ def test_records_know_their_places() -> None:
     assert table.fields["energy_consumed"].at("unknown") == Place(FILE, 7, 20)
     assert table.fields["flags"].at("flags[1]") == Place(FILE, 8, 22)
     board, _ = decoded("board", GOOD["board"])
-    assert board.at("facts.battery.kind") == Place(FILE, 6, 29)
+    assert board.at("facts.battery.kind") == Place(FILE, 5, 29)
     corrections, _ = decoded("corrections", GOOD["corrections"])
     assert corrections.corrections[0].place == Place(FILE, 2, 5)
     assert corrections.corrections[0].at("set.units") == Place(FILE, 4, 35)

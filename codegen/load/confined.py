@@ -1,0 +1,28 @@
+"""Where the files of a specification may lie: a finding quotes what it is about, and must not quote anything else."""
+
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+
+_ALLOWED: list[tuple[str, ...]] = []
+
+
+@contextmanager
+def confined(folders: Iterable[str]) -> Iterator[None]:
+    """Let only files below these folders be read meanwhile, wherever links lead."""
+    _ALLOWED.append(tuple(sorted({os.path.realpath(folder) for folder in folders})))
+    try:
+        yield
+    finally:
+        _ALLOWED.pop()
+
+
+def is_outside(path: str) -> bool:
+    """Whether a file of the disk lies, links followed, in none of the folders that may be read."""
+    if not _ALLOWED:
+        return False
+    try:
+        real = os.path.realpath(path)
+    except (OSError, ValueError):
+        return False  # it cannot be read either
+    return not any(real == folder or real.startswith(folder.rstrip(os.sep) + os.sep) for folder in _ALLOWED[-1])

@@ -1,0 +1,138 @@
+"""A specification reaches no further than its project: nothing outside is read, quoted or written.
+
+And what cannot be read is never taken for empty.
+"""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+from codegen.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+HIDDEN = "do not: [quote this\n"
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project of one message, in a folder with something beside it that is nobody's business."""
+    folder = tmp_path / "above" / "project"
+    shutil.copytree(ROOT / "tests" / "projects" / "minimal" / "specs", folder / "specs")
+    (tmp_path / "secret").write_text(HIDDEN)
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def edit(path: Path, text: str) -> None:
+    """Add lines to a file."""
+    path.write_text(path.read_text() + text)
+
+
+@pytest.mark.parametrize(
+    ("lines", "place"),
+    [
+        ("programs: {x: ../../../secret}\n", "codegen.yaml"),
+        ("overlays: [../../../secret]\n", "codegen.yaml"),
+        ("corrections: [../../../secret]\n", "codegen.yaml"),
+        ("known: [../../../secret]\n", "codegen.yaml"),
+    ],
+)
+def test_a_path_that_leads_outside(lines: str, place: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is a finding where it stands, and nothing of the file is printed."""
+    edit(project / "specs" / "codegen.yaml", lines)
+    assert main(["check"]) == 2
+    printed = "".join(capsys.readouterr())
+    assert f"specs/{place}" in printed
+    assert " error outside-project: " in printed
+    assert "quote this" not in printed
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["messages/one.yaml", "requirements/R-9.md", "state.yaml", "scenarios.yaml", "waivers.yaml", "trace.lock.yaml"],
+)
+def test_a_link_that_leads_outside(name: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The same of a link, which a pull request can bring."""
+    path = project / "specs" / name
+    path.unlink(missing_ok=True)
+    path.symlink_to(project.parents[1] / "secret")
+    assert main(["check"]) == 2
+    printed = "".join(capsys.readouterr())
+    assert " error outside-project: " in printed
+    assert "quote this" not in printed
+
+
+def test_an_included_dialect_that_leads_outside(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Includes are paths, too."""
+    (project / "specs" / "own.xml").write_text("<mavlink><include>../../../secret</include></mavlink>")
+    edit(project / "specs" / "codegen.yaml", "overlays: [own.xml]\n")
+    assert main(["check"]) == 2
+    printed = "".join(capsys.readouterr())
+    assert "specs/own.xml:1:10: error outside-project: " in printed
+    assert "quote this" not in printed
+
+
+@pytest.mark.parametrize("output", ["../../made", "/etc/made"])
+def test_output_that_lies_outside(output: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is refused, and nothing is written there."""
+    edit(project / "specs" / "codegen.yaml", f"output: {output}\n")
+    assert main(["build"]) == 1
+    assert "lies outside of the project" in "".join(capsys.readouterr())
+    assert not (project / "specs" / output).exists()
+
+
+def test_what_is_listed_is_meant(project: Path) -> None:
+    """Folders under outside are read, and may hold the output."""
+    (project.parents[1] / "shared").mkdir()
+    (project.parents[1] / "shared" / "empty.xml").write_text("<mavlink><messages></messages></mavlink>")
+    edit(
+        project / "specs" / "codegen.yaml",
+        "overlays: [../../../shared/empty.xml]\noutput: ../../made\noutside: [../../../shared, ../../made]\n",
+    )
+    assert main(["build"]) == 0
+    assert (project.parent / "made" / "firmware" / "telemetry.py").exists()
+
+
+def test_a_folder_that_cannot_be_read_is_not_empty(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A link that leads in circles stands in for permissions, which do not bind everybody."""
+    shutil.rmtree(project / "specs" / "messages")
+    os.symlink("messages", project / "specs" / "messages")
+    assert main(["check"]) == 2
+    assert "specs/messages:1:1: error file-not-readable: the folder specs/messages" in "".join(capsys.readouterr())
+
+
+@pytest.mark.parametrize("text", ["accepted: {a: [}\n", "unheard: of\n", "\x00\x01"])
+def test_a_lock_file_that_is_damaged(text: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It is found by check, not only by trace."""
+    (project / "specs" / "trace.lock.yaml").write_text(text)
+    assert main(["check"]) in (1, 2)
+    assert "specs/trace.lock.yaml:" in "".join(capsys.readouterr())
+
+
+def test_many_findings_of_one_kind_are_counted(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A hundred are shown, one line tells how many there are beside them."""
+    edit(project / "specs" / "parameters.yaml", "".join(f"  P{number}: {{}}\n" for number in range(1000)))
+    text = (project / "specs" / "parameters.yaml").read_text()
+    (project / "specs" / "parameters.yaml").write_text(text.replace("parameters: {}", "parameters:"))
+    assert main(["check"]) == 1
+    printed = capsys.readouterr()
+    lines = [line for line in printed.out.splitlines() if " error missing-key: " in line]
+    assert len(lines) == 101
+    assert lines[-1].startswith("specs/parameters.yaml:22:")
+    assert lines[-1].endswith("4,900 more of these, of which this is the first, are not shown")
+    assert printed.err.startswith("5000 errors")
+
+
+@pytest.mark.parametrize("file", ["state.yaml", "messages"])
+def test_a_name_that_micropython_could_not_hold(file: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It has at most 255 characters with all its parts: 64 for each are enough."""
+    path = project / "specs" / file
+    if path.is_dir():
+        path = next(iter(sorted(path.glob("*.yaml"))))
+        edit(path, f"as: {'n' * 65}\n")
+    else:
+        edit(path, f"      {'n' * 65}: {{doc: d, initial: 0}}\n")
+    assert main(["check"]) == 1
+    assert "n" * 65 in capsys.readouterr().out
