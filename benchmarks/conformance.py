@@ -166,7 +166,10 @@ Where pymavlink is no yardstick:
 
 No dialect has ids above 65535: the third byte of an id comes up in unknown messages only.
 
-No board was compared. Where MicroPython has floats of 32 bits, `set()` and `get()` of a double cannot carry more.
+No board was compared. On most, floats have 32 bits, and doubles are more than these ([codec.md](codec.md#doubles)).
+`tests/codec/test_conformance.py` compares messages with doubles on words of 32 bits, with a `struct` that goes by
+floats of 32 bits as those of boards do: what such a float is not goes out by `set_ratio()` and is compared with
+`ratio()`.
 """
 
 

@@ -406,8 +406,11 @@ def _carries_float(code, value):
     # CPython refuses what is too large, MicroPython makes it infinite.
     if not isinstance(value, (int, float, bool)):
         return False
+    carried = bytearray(8)
     try:
-        carried = struct.unpack("<" + code, struct.pack("<" + code, float(value)))[0]
+        number = float(value)
+        # A double carries whole numbers that are no float of a board.
+        pack_into("<" + code, carried, 0, value if code == "d" else number)
     except OverflowError:
         return False
-    return abs(carried) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)
+    return abs(unpack_from("<" + code, carried)[0]) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)

@@ -9,7 +9,7 @@ from pathlib import Path
 import conformance_oracle as oracle
 import pytest
 from conformance_cases import write_cases
-from conformance_run import MICROPYTHON32, compare, generate, run_cases
+from conformance_run import MICROPYTHON32, SINGLE_FLOATS, compare, generate, run_cases
 from conformance_values import TEXTS
 
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
@@ -71,6 +71,18 @@ def test_words_of_32_bits_make_no_difference(dialects: Dialects, tmp_path: Path,
     outcome = compare(dialect, tmp_path, messages, rounds=1, forms=("plain",), interpreter=MICROPYTHON32)
     assert not outcome.differences
     assert outcome.counts["encode"]
+
+
+@pytest.mark.parametrize("name", ["common", "python_array_test", "test"])
+def test_floats_of_32_bits_make_no_difference(dialects: Dialects, tmp_path: Path, name: str) -> None:
+    """Messages with doubles on words of 32 bits, where struct reads and writes doubles as boards do."""
+    dialect, _ = dialects[name]
+    messages = [message for message in dialect.messages if any(item.code == "d" for item in message.fields)]
+    assert messages
+    board = {"interpreter": MICROPYTHON32, "modules": (SINGLE_FLOATS,)}
+    outcome = compare(dialect, tmp_path, messages, rounds=4, forms=("plain",), **board)
+    assert not outcome.differences
+    assert outcome.counts["special floats"]
 
 
 def test_every_kind_of_case_comes_up(dialects: Dialects, tmp_path: Path) -> None:

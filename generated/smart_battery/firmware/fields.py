@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: af76afa62436a634
+# Inputs: 547fd5606612e42d
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -408,8 +408,11 @@ def _carries_float(code, value):
     # CPython refuses what is too large, MicroPython makes it infinite.
     if not isinstance(value, (int, float, bool)):
         return False
+    carried = bytearray(8)
     try:
-        carried = struct.unpack("<" + code, struct.pack("<" + code, float(value)))[0]
+        number = float(value)
+        # A double carries whole numbers that are no float of a board.
+        pack_into("<" + code, carried, 0, value if code == "d" else number)
     except OverflowError:
         return False
-    return abs(carried) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)
+    return abs(unpack_from("<" + code, carried)[0]) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)
