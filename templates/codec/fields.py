@@ -413,4 +413,5 @@ def _carries_float(code, value):
         pack_into("<" + code, carried, 0, value if code == "d" else number)
     except OverflowError:
         return False
-    return abs(unpack_from("<" + code, carried)[0]) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)
+    carried = unpack_from("<" + code, carried)[0]
+    return abs(carried) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)

@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 547fd5606612e42d
+# Inputs: 626dff0ee1b926ac
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -415,4 +415,5 @@ def _carries_float(code, value):
         pack_into("<" + code, carried, 0, value if code == "d" else number)
     except OverflowError:
         return False
-    return abs(unpack_from("<" + code, carried)[0]) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)
+    carried = unpack_from("<" + code, carried)[0]
+    return abs(carried) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)
