@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: 852c1d2cf05913d8
+# Inputs: e8c0bea11c4d8f33
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -13,7 +13,8 @@ from struct import pack_into, unpack_from
 from message import keep
 
 _INFINITY = float("inf")
-_bytes, _len, _list, _type = bytes, len, list, type  # found here, they are found sooner than among the built-in names
+# Found here, they are found sooner than among the built-in names.
+_bytes, _len, _list, _tuple, _type = bytes, len, list, tuple, type
 _OWN = ("wire", "live")  # what a message keeps as attributes, and shows
 _LAYOUTS = {}
 _FORGOTTEN = {}  # payloads of messages that know nothing
@@ -253,7 +254,7 @@ def _unknown(field):
 def _put_elements(payload, field, values):  # noqa: C901  a call takes as long as two elements
     form, at, count, sentinels, low, high = field
     kind_of = _type
-    if kind_of(values) is not _list:
+    if kind_of(values) is not _list and kind_of(values) is not _tuple:
         values = _elements(values)
     length = _len(values)
     if length != count:
