@@ -41,6 +41,8 @@ EXPECTED: dict[str, dict[str, Any] | None] = {
     "after 2 s": {"time_usec": 1790000002123456, "lon": 1396900000, "satellites_visible": 9},
     "after more than 2 s": None,
     "again": {"time_usec": 1790000002124456, "lon": 1396900000, "satellites_visible": 255},
+    # A millisecond after 2 ** 64 - 1 us.
+    "when the clock begins again": {"time_usec": 999, "lat": -353632621},
     "without a rate": None,
     # 0.1 is 0x3DCCCCCD as a float of 32 bits, -0.6 is 0xBF19999A; 2 ** 24 + 1 lies between two floats.
     "attitude": {
@@ -126,6 +128,9 @@ def test_its_documents_hold(boat: Path) -> None:
         assert done.returncode == 0, done.stdout
         assert ": warning " not in done.stdout
     assert "14 criteria" in done.stdout
+    for topic, words in (("ATTITUDE.pitch", " -3.4028235e+38..3.4028235e+38\n"), ("gps.lon", " -180..180 deg\n")):
+        command = [str(BIN / "codegen"), "explain", topic]
+        assert words in subprocess.run(command, cwd=boat, capture_output=True, text=True, check=True).stdout
 
 
 def exact(interpreter: str, boat: Path, script: str) -> Any:

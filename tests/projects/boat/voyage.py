@@ -73,6 +73,9 @@ def sail():
     tell("after more than 2 s", encode, state)
     position(state)
     tell("again", encode, state)
+    state.clock.boot_us = 2**64 - 1
+    pass_ms(1)
+    tell("when the clock begins again", encode, state)
 
 
 def roll():
