@@ -43,7 +43,7 @@ benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
 	$(BIN)/python benchmarks/report.py
 
 # About three minutes; docs/conformance.md says what was compared with pymavlink.
-conformance: $(INSTALLED)
+conformance: $(INSTALLED) $(MICROPYTHON32)
 	$(BIN)/python benchmarks/conformance.py --write
 
 # The generated folder is committed and belongs to `codegen build --clean`: it stays. So does what codegen keeps in the

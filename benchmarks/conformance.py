@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import pymavlink
 
@@ -77,12 +78,19 @@ class Row:
 HEAD = ["dialect", "messages", "frames", "encoded", "decoded", "of them MAVLink 1", "result"]
 
 
-def compare(name: str, rounds: int, seed: int) -> tuple[Row, set[str]]:
-    """Compare a whole dialect in both forms of the frames; tell its messages, too."""
+BOARD = {"forms": ("plain",), "interpreter": conformance.MICROPYTHON32, "modules": (conformance.SINGLE_FLOATS,)}
+"""What stands in for a board: words of 32 bits without machine code, and floats of 32 bits where struct is asked."""
+
+WITH_DOUBLES = ("common", "python_array_test", "test")
+"""The dialects that state messages with fields of type double."""
+
+
+def compare(name: str, rounds: int, seed: int, **where: Any) -> tuple[Row, set[str]]:
+    """Compare a whole dialect in both forms of the frames, or where the keywords say; tell its messages, too."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         dialect = read_dialect(name, folder)
-        outcome = conformance.compare(dialect, folder, dialect.messages, rounds, seed=seed)
+        outcome = conformance.compare(dialect, folder, dialect.messages, rounds, seed=seed, **where)
     facts = {repr((message.description, message.fields)) for message in dialect.messages}
     return Row(name, len(dialect.messages), outcome, dialect.made), facts
 
@@ -139,6 +147,13 @@ case.
 All of it is done twice, with machine code (`frames_viper.py`) and without (`frames_plain.py`); the numbers are those of
 both together.
 
+Most boards have words and floats of 32 bits. Dialects with doubles, which are more than these floats, are compared once
+more on a MicroPython with such words, whose `struct` reads and writes doubles by way of such floats, as that of a board
+does. What is no such float goes out by `doubles.set_ratio()` and is compared with `doubles.ratio()`
+([codec.md](codec.md#doubles)):
+
+{board}
+
 ## What is compared
 
 Encoded: fields are set by name with `set()`, and the frame has to be that of pymavlink. Decoded: a frame of pymavlink
@@ -166,11 +181,11 @@ Where pymavlink is no yardstick:
 
 No dialect has ids above 65535: the third byte of an id comes up in unknown messages only.
 
-No board was compared. Where MicroPython has floats of 32 bits, `set()` and `get()` of a double cannot carry more.
+No board was compared; what stands in for one has floats of 64 bits outside of `struct`.
 """
 
 
-def page(rows: Sequence[Row], distinct: int, rounds: int) -> str:
+def page(rows: Sequence[Row], board: Sequence[Row], distinct: int, rounds: int) -> str:
     """docs/conformance.md."""
     together = total(rows)
     counts = together.outcome.counts
@@ -184,9 +199,10 @@ def page(rows: Sequence[Row], distinct: int, rounds: int) -> str:
         distinct=distinct,
         rounds=rounds,
         table=table([HEAD, *(row.cells for row in rows), together.cells]),
+        board=table([HEAD, *(row.cells for row in board)]),
         kinds=table(kinds, left=(0, 2)),
         refused=f"{counts['refused']:,}",
-        undone=_undone(rows),
+        undone=_undone([*rows, *board]),
     )
 
 
@@ -219,21 +235,29 @@ def main() -> int:
         if unknown := [name for name in chosen if name not in names]:
             parser.error(f"pymavlink ships no dialect {', '.join(unknown)}")
         names = tuple(chosen)
-    rows = []
+    rows, board = [], []
     distinct: set[str] = set()
     for name in names:
         row, facts = compare(name, arguments.rounds, arguments.seed)
         rows.append(row)
         distinct |= facts
-        print(f"{name}: {row.messages} messages, {row.cells[-1]}", flush=True)
-        for difference in row.outcome.differences:
-            print(f"    {difference}", flush=True)
+        tell(name, row)
+        if name in WITH_DOUBLES:
+            board.append(compare(name, arguments.rounds, arguments.seed, **BOARD)[0])
+            tell(f"{name}, 32 bits", board[-1])
     together = total(rows)
     print(f"\n{table([HEAD, *(row.cells for row in rows), together.cells])}\n\n{len(distinct)} different messages")
     if arguments.write:
         PAGE.parent.mkdir(exist_ok=True)
-        PAGE.write_text(page(rows, len(distinct), arguments.rounds), encoding="utf-8")
-    return 1 if together.outcome.different else 0
+        PAGE.write_text(page(rows, board, len(distinct), arguments.rounds), encoding="utf-8")
+    return 1 if together.outcome.different or total(board).outcome.different else 0
+
+
+def tell(name: str, row: Row) -> None:
+    """Print what a comparison brought."""
+    print(f"{name}: {row.messages} messages, {row.cells[-1]}", flush=True)
+    for difference in row.outcome.differences:
+        print(f"    {difference}", flush=True)
 
 
 if __name__ == "__main__":

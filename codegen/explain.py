@@ -317,6 +317,7 @@ def _quantity(quantity: Quantity, system: System) -> str:
     facts = [
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
         *quantity.derivation.story(quantity, system),
+        ("range", _range(quantity)),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
         ("unknown", quantity.lost),
         ("sent in", ", ".join(fields)),
@@ -324,6 +325,12 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("declared at", quantity.spec.place.shown()),
     ]
     return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+
+
+def _range(quantity: Quantity) -> str:
+    """The limits that the table states, in the unit of the quantity; what is beyond them becomes the limit."""
+    low, high = ("" if limit is None else decimal(limit) for limit in (quantity.spec.min, quantity.spec.max))
+    return f"{low}..{high} {quantity.unit.name}".rstrip() if low or high else ""
 
 
 def _requirement(topic: str, system: System) -> str | None:

@@ -38,10 +38,15 @@ def conversion_words(covers: Elements, source: Quantity | Parameter, scaling: Sc
 
 def limit_words(scaling: Scaling, arrow: str = "->") -> str:
     """``0..65534``, and what a value becomes that would read as unknown."""
-    text = f"{decimal(scaling.low)}..{decimal(scaling.high)}"
+    text = f"{_limit(scaling.low)}..{_limit(scaling.high)}"
     if scaling.hole is not None and scaling.beside is not None:
         text += f", {decimal(scaling.hole)} {arrow} {decimal(scaling.beside)}"
     return text
+
+
+def _limit(value: Fraction) -> str:
+    """A limit, the largest float not with all of its digits."""
+    return decimal(value) if abs(value) < 10**20 else f"{float(value):.8g}"
 
 
 def fitting(

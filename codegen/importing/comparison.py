@@ -9,8 +9,10 @@ from codegen.diagnostics import Report
 from codegen.frozen import dataclass
 from codegen.importing.answer import Sources, Target, field_answer
 from codegen.importing.proposal import Proposal, ReadAnswer
-from codegen.model.dialect import Kind, WireMessage
+from codegen.measure import read_amount, read_real
+from codegen.model.dialect import Kind, WireField, WireMessage
 from codegen.model.population_spec import FieldAnswer
+from codegen.model.wire_unit import wire_unit
 from codegen.resolve.elements import answered_ranges
 from codegen.source import Place
 
@@ -153,7 +155,20 @@ def fixed_number(answer: FieldAnswer, target: Target, sources: Sources) -> Numbe
     if isinstance(answer.constant, Fraction):
         is_whole = target.field.type.is_integer and answer.constant.denominator == 1
         return int(answer.constant) if is_whole else float(answer.constant)
-    return answer.constant if target.field.type.kind is Kind.CHAR else None
+    if answer.constant is None or target.field.type.kind is Kind.CHAR:
+        return answer.constant
+    return _amount(answer.constant, target.field)
+
+
+def _amount(written: str, field: WireField) -> Number | None:
+    """What goes out for an amount, such as 50 cm; None where the field does not carry it."""
+    unit = wire_unit(field)
+    if unit is None:
+        return None
+    if not field.type.is_integer:
+        return read_real(written, unit, field.definition.place, Report())
+    value = read_amount(written, unit, field.definition.place, Report())
+    return None if value is None or value.denominator != 1 else int(value)
 
 
 def answer_text(answer: FieldAnswer) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from codegen.model.clock import CLOCK
 from codegen.model.system import System
 from codegen.model.vehicle import Citation, Cited, Parameter
 from codegen.source import Place, Written
@@ -57,6 +58,8 @@ def _messages(system: System, symbols: Symbols) -> Iterator[Row]:
 
 def _state(system: System, symbols: Symbols) -> Iterator[Row]:
     for component in system.components.values():
+        if component.name == CLOCK:
+            continue  # the firmware's own: fields ask for it
         found = symbols.component(component)
         yield from _cited(Kind.COMPONENT, component.name, component, component.spec, found)
         for quantity in component.quantities.values():

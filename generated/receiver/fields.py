@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: af76afa62436a634
+# Inputs: e8c0bea11c4d8f33
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -13,7 +13,8 @@ from struct import pack_into, unpack_from
 from message import keep
 
 _INFINITY = float("inf")
-_bytes, _len, _type = bytes, len, type  # found here, they are found sooner than among the built-in names
+# Found here, they are found sooner than among the built-in names.
+_bytes, _len, _list, _tuple, _type = bytes, len, list, tuple, type
 _OWN = ("wire", "live")  # what a message keeps as attributes, and shows
 _LAYOUTS = {}
 _FORGOTTEN = {}  # payloads of messages that know nothing
@@ -252,14 +253,12 @@ def _unknown(field):
 
 def _put_elements(payload, field, values):  # noqa: C901  a call takes as long as two elements
     form, at, count, sentinels, low, high = field
-    try:
-        length = _len(values)
-    except TypeError:
+    kind_of = _type
+    if kind_of(values) is not _list and kind_of(values) is not _tuple:
         values = _elements(values)
-        length = _len(values)
+    length = _len(values)
     if length != count:
         raise ValueError(f"takes {count} values, not {length}")
-    kind_of = _type
     if sentinels and None in values:
         if kind_of(sentinels) is _bytes:
             payload[at : at + _len(sentinels)] = sentinels
@@ -282,17 +281,19 @@ def _put_elements(payload, field, values):  # noqa: C901  a call takes as long a
 
 def _elements(value):
     try:
-        return list(value)
+        return _list(value)
     except TypeError:
         raise ValueError(f"is an array and cannot be {value!r}") from None
 
 
 def _demand(field, value):
     """Refuse a number that the field cannot carry."""
-    if _type(value) is _type(field[4]) and field[4] <= value <= field[5]:
+    low, high = field[4], field[5]
+    if _type(value) is _type(low) and low <= value <= high:
         return
     code = field[0][-1]
-    if not (_carries_float if code in "fd" else _carries_integer)(code, value):
+    # MicroPython's struct wraps what is too large, and its bool is no kind of int.
+    if not (_carries_float(code, value) if code in "fd" else isinstance(value, (int, bool)) and low <= value <= high):
         raise ValueError(f"cannot carry {value!r}")
 
 
@@ -304,7 +305,7 @@ def places(message, names):
     fields = _laid_out(message.FIELDS)  # not kept: most messages with live fields never need it again
     kinds = [[], [], [], []]
     count = 0
-    for part in names:
+    for part in (names,) if _type(names) is str else names:
         name, _, element = part.partition("[")
         if name not in fields:
             raise missing(message, name)
@@ -396,20 +397,16 @@ def _is_ascii(text):
     return all(byte < 0x80 for byte in text)
 
 
-def _carries_integer(code, value):
-    # MicroPython's struct wraps what is too large, and its bool is no kind of int.
-    if not isinstance(value, (int, bool)):
-        return False
-    low, high = _NUMBERS[code][2:]
-    return low <= value <= high
-
-
 def _carries_float(code, value):
     # CPython refuses what is too large, MicroPython makes it infinite.
     if not isinstance(value, (int, float, bool)):
         return False
+    carried = bytearray(8)
     try:
-        carried = struct.unpack("<" + code, struct.pack("<" + code, float(value)))[0]
+        number = float(value)
+        # A double carries whole numbers that are no float of a board.
+        pack_into("<" + code, carried, 0, value if code == "d" else number)
     except OverflowError:
         return False
+    carried = unpack_from("<" + code, carried)[0]
     return abs(carried) != _INFINITY or (isinstance(value, float) and abs(value) == _INFINITY)

@@ -1,10 +1,11 @@
 # Generated from templates/codec/nearest.py: do not edit.
-# Inputs: 18b6407b7b47eaa7
+# Inputs: 2634632a82794df4
 """What somebody may have meant by a name that is wrong."""
 
 
 def hint(name, known):
     """Return the name that is nearest, as the end of an error; nothing where none is near."""
+    name = str(name)
     nearest = min([(_distance(name, other), other) for other in known] or [(9, "")])
     return f"; did you mean {nearest[1]}?" if nearest[0] <= (len(name) // 4 or 1) else ""
 

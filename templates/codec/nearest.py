@@ -3,6 +3,7 @@
 
 def hint(name, known):
     """Return the name that is nearest, as the end of an error; nothing where none is near."""
+    name = str(name)
     nearest = min([(_distance(name, other), other) for other in known] or [(9, "")])
     return f"; did you mean {nearest[1]}?" if nearest[0] <= (len(name) // 4 or 1) else ""
 

@@ -32,7 +32,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "checks": GROUND,
     "resolve": {"answers", "derivations", "measure", "model", *GROUND},
     "rules": {"checks", "measure", "resolve", "model", *GROUND},
-    "importing": {"load", "decode", "resolve", "model", *GROUND},
+    "importing": {"load", "decode", "measure", "resolve", "model", *GROUND},
     "template_files": set(),
     "render": {"cache", "tool", "template_files"},
     "schemas": {"model", *GROUND},

@@ -8,6 +8,7 @@ text, or [hex] where they are bytes.
 
 import json
 import math
+import struct
 import sys
 
 import frames
@@ -19,6 +20,8 @@ from receiver import Receiver
 SHOWN = 25
 COUNTERS = ("received", "signed", "refused", "unknown", "crc_errors", "dropped")
 V1, V2 = 1, 2
+INFINITY = float("inf")
+HAS_DOUBLES = struct.unpack("<d", b"\0\0\0\0\0\0\xf0\x47")[0] != INFINITY  # 2 ** 128 is beyond floats of 32 bits
 
 counts = {}
 differences = []
@@ -78,6 +81,48 @@ def plain(field, value):
     return value
 
 
+def put(message, field, value):
+    """Set a field by name, and where floats have 32 bits by fractions the doubles that are no such float."""
+    if field[1] != "d" or HAS_DOUBLES:
+        message.set(field[0], plain(field, value))
+        return
+    doubles = __import__("doubles")  # a codec without doubles has none
+    items = value if field[2] else [value]
+    floats = [single(item) for item in items]
+    message.set(field[0], floats if field[2] else floats[0])
+    for index, item in enumerate(items):
+        if isinstance(item, list):
+            doubles.set_ratio(message, field[0], *fraction(item), index)
+
+
+def single(item):
+    """Return the float of 32 bits that is nearest to a float of JSON."""
+    return struct.unpack("<f", struct.pack("<f", number(item)))[0]
+
+
+def fraction(item):
+    """Return numerator and denominator of a float of JSON."""
+    mantissa, exponent = item
+    return (mantissa << exponent, 1) if exponent > 0 else (mantissa, 1 << -exponent)
+
+
+def check_doubles(message, field, value):
+    """Compare doubles where floats have 32 bits: the nearest float, the whole number beyond all, and the fraction."""
+    doubles = __import__("doubles")
+    found = message.raw(field[0])
+    for index, item in enumerate(value if field[2] else [value]):
+        one = found[index] if field[2] else found
+        expected = single(item)
+        if isinstance(item, list):
+            numerator, denominator = fraction(item)
+            if abs(expected) == INFINITY:
+                expected = numerator
+            top, bottom = doubles.ratio(message, field[0], index)
+            expect("ratio(" + field[0] + ")", top * denominator, numerator * bottom)
+        if not is_same(one, expected):
+            differ("raw(" + field[0] + ")", one, expected)
+
+
 def is_same(found, expected):
     """Compare values as they are on the wire: NaN is NaN, a list is a tuple, types count."""
     if isinstance(expected, list):
@@ -92,6 +137,9 @@ def is_same(found, expected):
 def check_values(subject, message, values):
     """Compare raw() of every field."""
     for field, value in zip(subject.fields, values):  # noqa: B905 - MicroPython has no strict
+        if field[1] == "d" and not HAS_DOUBLES:
+            check_doubles(message, field, value)
+            continue
         expected = plain(field, value)
         found = message.raw(field[0])
         if not is_same(found, expected):
@@ -210,7 +258,7 @@ class Run:
         is_new = bool(sequence & 1)
         message = subject.cls() if is_new else subject.scratch
         for field, value in zip(subject.fields, values):  # noqa: B905
-            message.set(field[0], plain(field, value))
+            put(message, field, value)
         self.encoded(message, version, sequence, frame)
         self.decoded(subject, frame, is_new, expected or values, values)
         count(kind)
@@ -274,7 +322,7 @@ class Run:
         for field, value in zip(subject.fields, values):  # noqa: B905
             # A field of which one element is live needs the others, too.
             if field[0] not in bases or any(name.startswith(field[0] + "[") for name in names):
-                message.set(field[0], plain(field, value))
+                put(message, field, value)
         for place, value in enumerate(numbers[0]):
             message.live[place] = value
         self.encoded(message, version, sequence, frame)

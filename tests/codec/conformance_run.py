@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,7 @@ FORMS = ("viper", "plain")
 CONFORM = Path(__file__).with_name("conform.py")
 MICROPYTHON = Path(sys.executable).with_name("micropython")
 MICROPYTHON32 = MICROPYTHON.with_name("micropython32")  # benchmarks/micropython32
+SINGLE_FLOATS = Path(__file__).with_name("single_floats")  # what stands in for floats of 32 bits
 
 
 @dataclass
@@ -61,8 +62,12 @@ def compare(
     forms: Collection[str] = FORMS,
     seed: int = 1,
     interpreter: Path = MICROPYTHON,
+    modules: Sequence[Path] = (),
 ) -> Outcome:
-    """Compare messages of a dialect, of which the codec has all, with pymavlink; the frames in each of `forms`."""
+    """Compare messages of a dialect, of which the codec has all, with pymavlink; the frames in each of `forms`.
+
+    In `modules` the interpreter looks for modules before all else.
+    """
     outcome = Outcome()
     cases = folder / f"{dialect.name}.cases"
     write_cases(cases, dialect, messages, seed, rounds)
@@ -73,18 +78,20 @@ def compare(
             outcome.differences += errors
             outcome.different += len(errors)
             continue
-        result = run_cases(codec, cases, interpreter)
+        result = run_cases(codec, cases, interpreter, modules)
         assert result["form"] == form
         outcome.add(form, result)
     cases.unlink()
     return outcome
 
 
-def run_cases(codec: Path, cases: Path, interpreter: Path = MICROPYTHON) -> dict[str, Any]:
+def run_cases(
+    codec: Path, cases: Path, interpreter: Path = MICROPYTHON, modules: Sequence[Path] = ()
+) -> dict[str, Any]:
     """Run the cases on MicroPython with the codec of a folder."""
     done = subprocess.run(
         [str(interpreter), "-X", "heapsize=256m", str(CONFORM), str(cases)],
-        env=os.environ | {"MICROPYPATH": str(codec)},
+        env=os.environ | {"MICROPYPATH": os.pathsep.join(map(str, (*modules, codec)))},
         capture_output=True,
         text=True,
         check=False,

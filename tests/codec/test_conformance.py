@@ -9,7 +9,7 @@ from pathlib import Path
 import conformance_oracle as oracle
 import pytest
 from conformance_cases import write_cases
-from conformance_run import MICROPYTHON32, compare, generate, run_cases
+from conformance_run import MICROPYTHON32, SINGLE_FLOATS, compare, generate, run_cases
 from conformance_values import TEXTS
 
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
@@ -17,6 +17,7 @@ from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
 LARGEST = "all"
 PARTS = 8
 NAMES = (LARGEST, *(name for name in shipped_dialect_names() if name != LARGEST))
+WITH_DOUBLES = ["common", "python_array_test", "test"]
 CHUNKS = [(name, part) for name in NAMES for part in range(PARTS if name == LARGEST else 1)]
 
 Dialects = dict[str, tuple[oracle.Dialect, list[oracle.Message]]]
@@ -71,6 +72,24 @@ def test_words_of_32_bits_make_no_difference(dialects: Dialects, tmp_path: Path,
     outcome = compare(dialect, tmp_path, messages, rounds=1, forms=("plain",), interpreter=MICROPYTHON32)
     assert not outcome.differences
     assert outcome.counts["encode"]
+
+
+@pytest.mark.parametrize("name", WITH_DOUBLES)
+def test_floats_of_32_bits_make_no_difference(dialects: Dialects, tmp_path: Path, name: str) -> None:
+    """Messages with doubles on words of 32 bits, where struct reads and writes doubles as boards do."""
+    dialect, _ = dialects[name]
+    messages = [message for message in dialect.messages if any(item.code == "d" for item in message.fields)]
+    assert messages
+    board = {"interpreter": MICROPYTHON32, "modules": (SINGLE_FLOATS,)}
+    outcome = compare(dialect, tmp_path, messages, rounds=4, forms=("plain",), **board)
+    assert not outcome.differences
+    assert outcome.counts["special floats"]
+
+
+def test_no_other_dialect_states_doubles() -> None:
+    """Those above, and of benchmarks/conformance.py, are all."""
+    texts = {name: Path(str(shipped_dialect_path(name))).read_text(encoding="utf-8") for name in NAMES}
+    assert sorted(name for name, text in texts.items() if 'type="double' in text) == WITH_DOUBLES
 
 
 def test_every_kind_of_case_comes_up(dialects: Dialects, tmp_path: Path) -> None:

@@ -158,11 +158,49 @@ def test_what_is_no_field_is_told_with_the_nearest(message: SimpleNamespace) -> 
             reach("nope")
     with pytest.raises(KeyError, match=r"SAMPLE has no field cels; did you mean cells\?"):
         type(message)(live=("cels[0]",))
+    with pytest.raises(KeyError, match="SAMPLE has no field 5"):
+        message.get(5)
     for reach in (lambda name: getattr(message, name), lambda name: setattr(message, name, 1)):
         with pytest.raises(AttributeError, match=r"^SAMPLE has no field levl; did you mean level\?$"):
             reach("levl")
         with pytest.raises(AttributeError, match=r"^SAMPLE has no field nope$"):
             reach("nope")
+
+
+def test_values_of_the_wrong_kind_are_refused_in_words(message: SimpleNamespace, exercise: Exercise) -> None:
+    """Text for numbers and the like: no error of Python's own, which would not name the field; nothing is written."""
+    for name, value, words in (
+        ("id", [1], r"cannot carry \[1\]"),
+        ("id", "1", "cannot carry '1'"),
+        ("id", b"1", "cannot carry b'1'"),
+        ("id", 1j, "cannot carry 1j"),
+        ("cells", 5, "is an array and cannot be 5"),
+        ("cells", "abc", "cannot carry 'a'"),
+        ("cells", {}, "takes 3 values, not 0"),
+        ("cells", [[1], 2, 3], r"cannot carry \[1\]"),
+        ("text", 5, "cannot carry 5: neither text nor bytes"),
+        ("text", ["a"], r"cannot carry \['a'\]: neither text nor bytes"),
+        ("text", "Gruß", "cannot carry 'Gruß': text is ASCII"),
+        ("text", "seventh", "takes up to 6 characters, not 7"),
+        ("level", "high", "cannot carry 'high'"),
+    ):
+        before = bytes(message.wire)
+        with pytest.raises(ValueError, match=rf"^SAMPLE\.{name} {words}"):
+            message.set(name, value)
+        assert message.wire == before
+    message.set("cells", b"abc")
+    assert message.cells == (97, 98, 99)
+    refused = exercise("refusals", cases=[("3H=65535", "abc"), ("3H=65535", {"hex": "616263"}), ("3H", "abc")])
+    assert refused == [["ValueError", True], [None, True], ["ValueError", True]]
+
+
+def test_one_live_field_needs_no_tuple(message: SimpleNamespace) -> None:
+    """A text is a name, and not the names that its letters would be."""
+    live = type(message)(live="id")
+    live.live[0] = 7
+    assert live.id == 7
+    with pytest.raises(KeyError, match="SAMPLE has no field ids; did you mean id"):
+        type(message)(live="ids")
 
 
 def test_update_writes_several_fields(message: SimpleNamespace) -> None:

@@ -8,6 +8,7 @@ from codegen.diagnostics import Report
 from codegen.importing.drift import drift
 from codegen.importing.stated import stated_fields
 from codegen.model.system import System
+from codegen.pipeline import read_system
 
 DOCUMENT = Path(__file__).parents[2] / "specs" / "requirements" / "FR-00068-battery-status-telemetry.md"
 
@@ -43,3 +44,29 @@ def test_drift_is_found_by_line(system: System, old: str, new: str, finding: str
     report.extend([*stated.findings, *drift(stated, [system])])
     found = [f"{one.place.line}:{one.place.column}: {one.rule.severity} {one.rule.id}: {one.message}" for one in report]
     assert any(line.startswith(finding) for line in found), found
+
+
+BOAT = Path(__file__).parents[1] / "projects" / "boat" / "specs"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "findings"),
+    [
+        ("| 50 cm |", "| 500 mm |", []),
+        ("| 50 cm |", "| 51 cm |", ["min_distance is {constant: 51 cm} here, but {constant: 0.5 m} in the population table"]),
+        ("| 8 deg |", "| 8.5 deg |", ["horizontal_fov is {constant: 8.5 deg} here, but", "vertical_fov is {constant: 8.5 deg}"]),
+    ],
+)  # fmt: skip
+def test_an_amount_in_another_unit_is_the_same(old: str, new: str, findings: list[str]) -> None:
+    """What goes out is compared, and not how it is written: the table of the boat has 0.5 m."""
+    system = read_system(str(BOAT / "codegen.yaml"), Report())
+    assert system is not None
+    (path,) = (BOAT / "requirements").iterdir()
+    text = path.read_text()
+    assert old in text
+    report = Report()
+    stated = stated_fields(text.replace(old, new), str(path))
+    report.extend([*stated.findings, *drift(stated, [system])])
+    found = [one.message for one in report]
+    assert len(found) == len(findings), found
+    assert all(wanted in one for wanted, one in zip(findings, found, strict=True)), found

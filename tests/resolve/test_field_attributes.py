@@ -23,6 +23,7 @@ from codegen.model.unit import NUMBER, Unit, ratio
 from codegen.model.wire_unit import wire_unit
 from codegen.pipeline import read_system
 from codegen.targets.codec.layout import messages_text
+from codegen.targets.codec.page import page_text
 from codegen.targets.pages.value_text import value_text
 
 PROJECT = Path(__file__).parents[1] / "projects" / "satellites"
@@ -119,6 +120,7 @@ def test_documents_explain_and_codec_say_it(satellites: Path, dialect: Dialect) 
     assert "unit         steps of 1E-2" in story
     assert "kept in steps of 1E-2" in story
     assert "steps of 360/255 deg" in messages_text([dialect.messages["GPS_STATUS"]], 3)
+    assert "| eph | uint16 | steps of 1E-2 |" in page_text("common", [dialect.messages["GPS_RAW_INT"]], [])
 
 
 @pytest.mark.parametrize(
@@ -205,6 +207,12 @@ def test_a_default_is_what_nobody_sets(dialect: Dialect) -> None:
         for match in re.finditer(r'<field[^>]* default="([^"]*)"', Path(str(shipped_dialect_path(name))).read_text())
     ]
     assert set(defaults) == {"0"}
+
+
+def test_no_field_has_an_increment() -> None:
+    """docs/tables.md says that none has one, and that it means nothing."""
+    texts = [Path(str(shipped_dialect_path(name))).read_text(encoding="utf-8") for name in shipped_dialect_names()]
+    assert not [match for text in texts for match in re.findall(r"<field[^>]* increment=", text)]
 
 
 def test_explain_tells_all_of_them() -> None:

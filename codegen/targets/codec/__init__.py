@@ -15,7 +15,7 @@ def render_codec(
     dialect: Dialect, messages: Sequence[WireMessage], enums: Sequence[EnumDefinition], *, machine_code: bool = True
 ) -> dict[str, str]:
     """The files of a codec for ``messages`` (at least one) and ``enums`` of a dialect."""
-    files = runtime_files("", "signing", *([MACHINE_CODE] if machine_code else []))
+    files = runtime_files("", messages, "signing", *([MACHINE_CODE] if machine_code else []))
     origin = Origin((f"dialect {prose(dialect.name)}",), wire_digest(messages))
     files["messages.py"] = headed(messages_text(messages, dialect.version), origin)
     files["enums.py"] = headed(enums_text(enums), origin)

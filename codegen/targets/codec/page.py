@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from codegen.model.dialect import EnumDefinition, Kind, WireField, WireMessage
 from codegen.targets.codec.layout import type_text, unknown_text
+from codegen.targets.codec.runtime import has_doubles
 from codegen.targets.naming import class_names
 from codegen.template_files import filled
 
@@ -20,6 +21,7 @@ def page_text(dialect: str, messages: Sequence[WireMessage], enums: Sequence[Enu
         "field": field.name,
         "value": '"text"' if field.type.kind is Kind.CHAR else f"[1] * {field.count}" if field.is_array else "1",
         "live": _live(messages, classes),
+        "doubles": _doubles(messages),
         "longest": max(message.length for message in messages),
         "enums": _enums(enums),
         "messages": "".join(_message(message, classes[message.name]) for message in messages),
@@ -33,6 +35,18 @@ def _live(messages: Iterable[WireMessage], classes: Mapping[str, str]) -> str:
     if not _is_live(field):
         return ""
     return filled("codec/live_page.md.in", {"class_name": classes[message.name], "field": field.name})
+
+
+def _doubles(messages: Iterable[WireMessage]) -> str:
+    """The section about doubles; empty where no message has one."""
+    if not has_doubles(messages):
+        return ""
+    message, field = _example(messages, _is_double)
+    return filled("codec/doubles_page.md.in", {"name": message.name, "field": field.name})
+
+
+def _is_double(field: WireField) -> bool:
+    return field.type.code == "d"
 
 
 def _is_simple(field: WireField) -> bool:

@@ -1,5 +1,8 @@
 """The part of the codec that is the same for every dialect: links, messages and frames."""
 
+from collections.abc import Iterable
+
+from codegen.model.dialect import WireMessage
 from codegen.targets.origin import headed, origin_of_text
 from codegen.template_files import copied
 
@@ -8,16 +11,27 @@ MODULES = ("checksum", "fields", "frames", "frames_plain", "mavlink", "message",
 
 MACHINE_CODE = "frames_viper"
 
+DOUBLES = "doubles"
+"""The module that comes with messages that have fields of type double."""
 
-def runtime_files(folder: str, *more: str) -> dict[str, str]:
-    """The modules, and ``more`` of templates/codec, by path; ``folder`` is "" or ends in a slash."""
+
+def runtime_files(folder: str, messages: Iterable[WireMessage], *more: str) -> dict[str, str]:
+    """The modules for ``messages``, and ``more`` of templates/codec, by path; ``folder`` is "" or ends in a slash."""
     files = {}
-    for module in sorted((*MODULES, *more)):
+    doubles = [DOUBLES] if has_doubles(messages) else []
+    for module in sorted((*MODULES, *more, *doubles)):
         text = copied(f"codec/{module}.py")
         if module == "frames" and MACHINE_CODE not in more:
             text = _without_machine_code(text)
+        if module == "fields" and doubles:
+            text = with_doubles(text)
         files[f"{folder}{module}.py"] = headed(text, origin_of_text(f"templates/codec/{module}.py", text))
     return files
+
+
+def has_doubles(messages: Iterable[WireMessage]) -> bool:
+    """Whether any of the messages has a field of type double."""
+    return any(field.type.code == "d" for message in messages for field in message.fields)
 
 
 def _without_machine_code(text: str) -> str:
@@ -25,3 +39,13 @@ def _without_machine_code(text: str) -> str:
     before, _, rest = text.partition("try:\n")
     _, _, after = rest.partition("\n    from frames_plain")
     return f"{before}from frames_plain{after}"
+
+
+def with_doubles(text: str) -> str:
+    """A module with its numbers read and written by doubles.py, which is exact where a board's floats are not."""
+    before, imported, after = text.partition("from struct import pack_into, unpack_from\n\n")
+    assert imported
+    others = after.splitlines(keepends=True)
+    at = sum(line.startswith("from ") and line < "from doubles" for line in others)
+    others.insert(at, "from doubles import pack_into, unpack_from\n")
+    return before.rstrip("\n") + "\n\n" + "".join(others)

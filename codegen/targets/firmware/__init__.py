@@ -4,7 +4,7 @@ from codegen.model.dialect import WireMessage
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.codec.layout import messages_text
-from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
+from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
@@ -55,7 +55,7 @@ def render_firmware(system: System) -> dict[str, str]:
         fast = functions_view(system, layout, machine_code=True)
         views["telemetry_viper.py"] = (fast, written, wires)
     accelerated = [MACHINE_CODE] if machine_code else []
-    files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
+    files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
     optional = {
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
@@ -67,6 +67,9 @@ def render_firmware(system: System) -> dict[str, str]:
     for name, is_used in optional.items():
         if not is_used:
             del files[f"firmware/{name}.py"]
+    if view.has_wide and has_doubles(system.wires):
+        text = with_doubles(copied("firmware/wide.py"))
+        files["firmware/wide.py"] = headed(text, origin_of_text("templates/firmware/wide.py", text))
     files["firmware/messages.py"] = headed(
         messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
     )

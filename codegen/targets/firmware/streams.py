@@ -13,6 +13,9 @@ from codegen.targets.firmware.sending import SentView, WayView, read_places, sen
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.naming import parameter_attribute
 
+_ROOM = 100
+"""Columns of a literal in one line; what it is called stands before it."""
+
 
 @dataclass(frozen=True, slots=True)
 class StreamView:
@@ -198,13 +201,14 @@ def _sent(message: PopulatedMessage, system: System) -> SentView:
 
 
 def _names(names: Iterable[str]) -> str:
-    """A tuple of names."""
+    """A tuple of names, in one line if it has room beside what it is called."""
     listed = list(names)
-    return f"({', '.join(listed)}{',' * (len(listed) == 1)})"
+    line = f"({', '.join(listed)}{',' * (len(listed) == 1)})"
+    return line if len(line) <= _ROOM else "(\n" + "".join(f"    {name},\n" for name in listed) + ")"
 
 
 def _tuple(values: list[int] | list[int | None]) -> str:
-    return str(tuple(values))
+    return _names(str(value) for value in values)
 
 
 def stream_views(system: System) -> tuple[StreamView, ...]:

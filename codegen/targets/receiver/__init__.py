@@ -22,7 +22,7 @@ def render_receiver(system: System) -> dict[str, str]:
     sources = [specification_file(system, f"{name}.yaml") for name in ("receiver", "state", "streams", "parameters")]
     sources += [specification_file(system, "board.yaml"), *tables]
     accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
-    files = {**copied_files(_FOLDER), **runtime_files(f"{_FOLDER}/", *accelerated)}
+    files = {**copied_files(_FOLDER), **runtime_files(f"{_FOLDER}/", wires, *accelerated)}
     files[f"{_FOLDER}/messages.py"] = headed(
         messages_text(wires, system.dialect.version), origin_of(system, tables, wires)
     )
