@@ -117,6 +117,7 @@ class CopiedAnswer(LiveAnswer):
         instead = self.unknown if self.unknown is not None else source.initial
         why = "unknown" if self.unknown is not None else "until it is set"
         if instead is not None:
+            assert not isinstance(instead, str)
             tests.insert(0, (f"{halves[0]} >> {HALF}", instead, why))
         if not tests:
             return [*lines, *code.copy(covers, halves, signed=source.storage.is_signed)]

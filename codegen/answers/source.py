@@ -57,7 +57,9 @@ def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
     """The unit of the field, if the kind of the source fits the kind of the field."""
     place = covers.written.at(key)
     if covers.field.type.kind is Kind.CHAR:
-        report.add(BAD_SOURCE, place, f"{covers.field.name} is a text, the source is a number")
+        what = "parameters are numbers" if isinstance(source, Parameter) else f"{source.path} is a number"
+        hint = "it takes a constant, a fact of the board, or a quantity that says how many bytes it keeps: text: 16"
+        report.add(BAD_SOURCE, place, f"{covers.field.name} is a text, and {what}", hint)
         return None
     if isinstance(source, Quantity) and source.kind is QuantityKind.BOOLEAN:
         report.add(BAD_SOURCE, place, f"{source.path} is a boolean", "use it in 'flags': ENTRY if component.quantity")

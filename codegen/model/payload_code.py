@@ -69,6 +69,13 @@ class PayloadCode(ABC):
         """Write a text that is known at build time, or that of the instance, and NULs behind it."""
 
     @abstractmethod
+    def letters(self, covers: "Elements", quantity: Quantity, *, unknown: bool) -> list[str]:
+        """Write a text that is stored, cut at a character where the field is shorter, and NULs behind it.
+
+        ``unknown``: it may be unknown, and is empty then.
+        """
+
+    @abstractmethod
     def chip(self, covers: "Elements") -> list[str]:
         """Write the number of the chip in hex, as much of it as the field holds."""
 

@@ -5,6 +5,7 @@ from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
+from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
@@ -60,7 +61,7 @@ def render_firmware(system: System) -> dict[str, str]:
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
-        "wide": view.has_wide,
+        **{name: name in view.modules for name in VIEWS.values()},
         "clock_plain": plain.ticks,
         "clock_viper": plain.ticks and machine_code,
     }

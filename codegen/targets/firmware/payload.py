@@ -153,14 +153,31 @@ class SpelledCode(PayloadCode):
     def text(self, covers: Elements, value: str | tuple[str, ...]) -> list[str]:
         """From a constant of the module; of texts that differ each is as long as the longest."""
         values = (value,) if isinstance(value, str) else value
-        length = max(map(len, values))
+        data = [text.encode() for text in values]
+        length = max(map(len, data))
         if not length:
             return []
         name = self._text_constant(covers)
-        padded = [text.encode("ascii") + bytes(length - len(text)) for text in values]
-        literals = [f'b"{"".join(map(escaped, data))}"' for data in padded]
+        literals = [f'b"{"".join(map(escaped, one.ljust(length, bytes(1))))}"' for one in data]
         self.texts[name] = literals[0] if len(literals) == 1 else f"({', '.join(literals)})"
         return self.copied(covers, name if len(literals) == 1 else f"{name}[instance]", length)
+
+    def letters(self, covers: Elements, quantity: Quantity, *, unknown: bool) -> list[str]:
+        """By the place of each byte. ``value`` is how many there are; where a character begins, a text can be cut."""
+        letter = f"{self.word(quantity.component, quantity.attribute, '(place >> 1)')} >> ((place & 1) << 3)"
+        end = min(quantity.length, covers.count)
+        lines = [f"place = {end}"]
+        if end < quantity.length:
+            lines += [f"while ({letter}) & 0xC0 == 0x80:  # amid a character", "    place -= 1"]
+            end_of_text = "value = place"
+        else:
+            lines, end_of_text = [], f"value = {end}"
+        lines.append(end_of_text)
+        if unknown:
+            lines += [f"if {self.is_unknown(quantity)}:", "    value = 0"]
+        start = f"place = {covers.first}"
+        copied = indented([*self.store_at(covers, "place", letter), "place += 1"])
+        return [*lines, start, "while place < value:", *copied, *self.rest(covers, 0)]
 
     def chip(self, covers: Elements) -> list[str]:
         """From a constant of the module, too, made when it is imported."""

@@ -11,11 +11,12 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
-    WIDE,
+    VIEWS,
     AttributeView,
     initial_words,
     joined,
     known_words,
+    text_attribute,
     wide_attributes,
 )
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
@@ -100,7 +101,10 @@ class ComponentView:
 
 @dataclass(frozen=True, slots=True)
 class StateView:
-    """The module: what it imports, the constants of its words, and the components in order."""
+    """The module: what it imports, the constants of its words, and the components in order.
+
+    ``modules`` are those of views that not every state has.
+    """
 
     imports: tuple[str, ...]
     reading_imports: tuple[str, ...]
@@ -109,7 +113,7 @@ class StateView:
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
     has_estimate: bool
-    has_wide: bool
+    modules: frozenset[str]
     is_measured: bool
     waiting: int = WAITING
 
@@ -123,7 +127,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
-    names |= {("wide" if word in WIDE else "words", word) for word in words}
+    names |= {(VIEWS.get(word, "words"), word) for word in words}
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -147,7 +151,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         components=components,
         families=_families(system),
         has_estimate=has_estimate,
-        has_wide=bool(words & WIDE),
+        modules=frozenset(VIEWS[word] for word in words & VIEWS.keys()),
         is_measured=bool(measured),
     )
 
@@ -268,6 +272,9 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
         return
     if quantity.kind is QuantityKind.BOOLEAN:
         yield AttributeView(quantity.attribute, f"truth({place})", above, "")
+        return
+    if quantity.kind is QuantityKind.TEXT:
+        yield text_attribute(quantity, place, above, f"A text, {known_words(quantity)}{cited}")
         return
     if quantity.storage is not Storage.SMALL:
         yield from wide_attributes(quantity, place, above, f"{shown}, {known_words(quantity)}{cited}")
