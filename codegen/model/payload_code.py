@@ -99,6 +99,10 @@ class PayloadCode(ABC):
         """Write the value of an expression into the half ``at`` of an element, or into one of a single byte."""
 
     @abstractmethod
+    def is_written(self, covers: "Elements", value: int) -> str:
+        """Whether an element was written that has this number: a condition."""
+
+    @abstractmethod
     def store_at(self, covers: "Elements", place: str, value: str) -> list[str]:
         """Write the value of an expression into the element ``place``, an expression, counted from the field's first.
 

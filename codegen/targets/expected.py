@@ -32,7 +32,7 @@ def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier
 
 def is_withheld(message: PopulatedMessage, known: Known) -> bool:
     """Whether nothing is sent while the state is ``known``."""
-    return any(known[quantity.path] is None for _, quantity in message.withheld_for)
+    return any(answer.is_withheld(known) for answer in message.answers)
 
 
 def expected_fields(message: PopulatedMessage, known: Known, instance: int = 0, page: int = 0) -> dict[str, Wire]:

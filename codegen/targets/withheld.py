@@ -77,13 +77,12 @@ def _known(system: System) -> Iterator[KnownWord]:
     layout = word_layout(system)
     for quantity in quantities.values():
         places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
-        value = _written(nominal_values(quantity, 0))
         for instance in range(system.components[quantity.component].instances):
             yield KnownWord(
                 quantity.component,
                 instance,
                 quantity.attribute,
-                value,
+                _written(nominal_values(quantity, instance)),
                 places[instance] if places else None,
             )
 

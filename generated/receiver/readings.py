@@ -1,5 +1,5 @@
 # Generated from templates/receiver/readings.py: do not edit.
-# Inputs: d1ac3f986c538239
+# Inputs: 1b0063b8414389eb
 """What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
@@ -81,9 +81,9 @@ def text(value):
         value = bytes(value[:end])
     if isinstance(value, bytes):
         try:
-            value = str(value, "utf-8")
-        except (UnicodeError, ValueError):
-            pass
+            return str(value, "utf-8") or None
+        except ValueError:
+            return value
     return value or None
 
 

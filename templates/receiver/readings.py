@@ -79,9 +79,9 @@ def text(value):
         value = bytes(value[:end])
     if isinstance(value, bytes):
         try:
-            value = str(value, "utf-8")
-        except (UnicodeError, ValueError):
-            pass
+            return str(value, "utf-8") or None
+        except ValueError:
+            return value
     return value or None
 
 

@@ -142,6 +142,18 @@ class SpelledCode(PayloadCode):
         """As two bytes, or one."""
         return self.put(covers.offset + 2 * at, min(covers.field.type.size, 2), value)
 
+    def is_written(self, covers: Elements, value: int) -> str:
+        """Half by half, the low one first, which differs most often."""
+        halves = enumerate(_halves(covers, value))
+        size = min(covers.field.type.size, 2)
+        return " and ".join(f"{self.got(covers.offset + 2 * n, size)} == {_hex(half)}" for n, half in halves)
+
+    def got(self, offset: int, size: int) -> str:
+        """One or two bytes that have been written at an offset of the payload: an expression."""
+        if size == 1:
+            return f"wire[{offset}]"
+        return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
+
     def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
         """Write a whole number of so many bytes at an offset of the payload."""
         raise NotImplementedError

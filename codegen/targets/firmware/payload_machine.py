@@ -45,6 +45,14 @@ class MachineCode(SpelledCode):
             return [f"wire32[{offset // 4}] = {value}"]
         return self._by_bytes(offset, size, value)
 
+    def got(self, offset: int, size: int) -> str:
+        """Two bytes in one piece, where they begin at an even place."""
+        if size == 2 and offset % 2 == 0:
+            self.uses.add("wire16")
+            return f"wire16[{offset // 2}]"
+        self.uses.add("wire")
+        return SpelledCode.got(self, offset, size)
+
     def flags(self, covers: Elements, mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
         """In one number, or where small integers do not carry it in numbers of 16 bits."""
         bits = 8 * covers.field.type.size
