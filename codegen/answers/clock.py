@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from codegen.answers.filling import tested
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, field_unit, no_sentinel
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
@@ -117,8 +118,8 @@ class ClockAnswer(KindOfAnswer):
         lines = [self._comment()]
         written = self._divided(code, halves, divisor) if divisor > 1 else code.copy(covers, halves, signed=False)
         if self.hole is not None:
-            passed = f"if {code.is_written(covers, self.hole)}:  # would read as unknown"
-            written = [*written, passed, *indented(code.store(covers, self.beside, over=True))]
+            passed = tested("if", code.is_written(covers, self.hole), "would read as unknown")
+            written = [*written, *passed, *indented(code.store(covers, self.beside, over=True))]
         if self.unknown is None:
             return [*lines, *written]
         unknown = code.store(covers, self.unknown, over=True)

@@ -1,10 +1,9 @@
 """A quantity that no small integer holds: its halves go to the wire as they are kept."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.answers.filling import comment, origin
+from codegen.answers.filling import comment, origin, tested
 from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
 from codegen.answers.limits import check_reach, scaling_of
@@ -27,9 +26,6 @@ NOT_AS_KEPT = Rule(
     "unit, an integer in integer fields and a float in float fields of its size. For a field of another unit, keep a "
     "quantity of its own in that unit.",
 )
-
-LONGEST = 112
-"""Characters of a line in the body of a function."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +120,7 @@ class CopiedAnswer(LiveAnswer):
         for at, (condition, value, remark) in enumerate(tests):
             number = int(value) if covers.field.type.is_integer else float(value)
             lines += [
-                *_tested("elif" if at else "if", condition, remark),
+                *tested("elif" if at else "if", condition, remark),
                 *indented(code.store(covers, number, over=True)),
             ]
         return [*lines, "else:", *indented(code.copy(covers, halves, signed=source.storage.is_signed))]
@@ -166,12 +162,3 @@ class CopiedAnswer(LiveAnswer):
         for name, value in named.items():
             if value is None or low <= value <= high:
                 yield StateCase(name, {path: value if value is None or storage.is_float else int(value)})
-
-
-def _tested(keyword: str, condition: str, remark: str) -> list[str]:
-    """``if condition:``, over several lines where it is long, as the formatter has them."""
-    line = f"{keyword} {condition}:  # {remark}"
-    if len(line) <= LONGEST:
-        return [line]
-    inner = [condition] if len(condition) <= LONGEST else re.sub(r" (and|or) ", r"\n\1 ", condition).split("\n")
-    return [f"{keyword} (  # {remark}", *indented(inner), "):"]

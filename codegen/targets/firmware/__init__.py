@@ -62,7 +62,6 @@ def render_firmware(system: System) -> dict[str, str]:
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
         **{name: name in view.modules for name in VIEWS.values()},
-        "clock_plain": plain.ticks,
         "clock_viper": plain.ticks and machine_code,
     }
     for name, is_used in optional.items():
@@ -82,6 +81,8 @@ def _program_files(system: System) -> dict[str, str]:
     if program is None:
         return {}
     files = {f"firmware/{name}": _program_file(system, program, name) for name in plain_files(_PROGRAM)}
+    if not program.takes_time:
+        del files["firmware/clock_service.py"]
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)

@@ -8,7 +8,7 @@ from codegen.model.storage import Storage
 from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.targets.naming import quoted
 
-VIEWS = {**dict.fromkeys(("integer", "shown_integer", "floating"), "wide"), "text": "letters"}
+VIEWS = {**dict.fromkeys(("integer", "shown_integer", "floating"), "wide"), "text": "letters", "ticking": "clock_plain"}
 """The modules of those views that are there only where something needs them, by the view."""
 
 
