@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.answers.filling import comment, origin, tested
 from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
-from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
@@ -79,6 +79,8 @@ class CopiedAnswer(LiveAnswer):
         unknown = sentinel if source.initial is None else None
         written = float_bounds(taken.written, source.storage) if source.storage.is_float else taken.written
         check_reach(covers, written, scaling, unknown, scope.report)
+        carried = taken.bounds if source.storage.is_float else Bounds(scaling.low, scaling.high)
+        check_declared(covers, taken, carried, scope.report)
         return cls(covers, source, scaling, unknown, withholds)
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:

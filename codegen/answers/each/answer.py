@@ -7,7 +7,7 @@ from codegen.answers.each.reading import cell_readings
 from codegen.answers.filling import comment, fitted, origin
 from codegen.answers.fitting import WITHHELD
 from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
-from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
 from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_cases, limit_words, sentinel_cases
 from codegen.answers.scope import Scope
 from codegen.answers.source import taken
@@ -85,6 +85,7 @@ class EachAnswer(KindOfAnswer):
         if scaling is None:
             return None
         check_reach(covers, found.written, scaling, unknown, report)
+        check_declared(covers, found, Bounds(scaling.low, scaling.high), report)
         return cls(covers, quantity, written.first, scaling, unknown, is_paged, fallback, room, withholds)
 
     @property
