@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from codegen.model.answer import Elements
 from codegen.model.clock import CLOCK
 from codegen.model.dialect import Kind
+from codegen.model.letters import words_of
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.firmware.words import Block, Layout, differ
@@ -175,21 +176,42 @@ class SpelledCode(PayloadCode):
         return self.copied(covers, name if len(literals) == 1 else f"{name}[instance]", length)
 
     def letters(self, covers: Elements, quantity: Quantity, *, unknown: bool) -> list[str]:
-        """By the place of each byte. ``value`` is how many there are; where a character begins, a text can be cut."""
-        letter = f"{self.word(quantity.component, quantity.attribute, '(place >> 1)')} >> ((place & 1) << 3)"
+        """Word by word, of two bytes each; ``value`` is how many go out. A text can be cut where a character begins."""
         end = min(quantity.length, covers.count)
-        lines = [f"place = {end}"]
-        if end < quantity.length:
-            lines += [f"while ({letter}) & 0xC0 == 0x80:  # amid a character", "    place -= 1"]
-            end_of_text = "value = place"
-        else:
-            lines, end_of_text = [], f"value = {end}"
-        lines.append(end_of_text)
+        is_cut = end < quantity.length or end == 1
+        whole = words_of(end) if 2 * words_of(end) <= covers.count else end // 2
+        words, lines = str(whole), []
+        if is_cut:
+            letter = f"{self._letters(quantity, 'place >> 1')} >> ((place & 1) << 3)"
+            lines = [f"place = {end}", f"while ({letter}) & 0xC0 == 0x80:  # amid a character", "    place -= 1"]
+            lines.append("value = place")
+            words = "value >> 1"
+        elif unknown:
+            lines = [f"value = {whole}"]
+            words = "value"
         if unknown:
             lines += [f"if {self.is_unknown(quantity)}:", "    value = 0"]
-        start = f"place = {covers.first}"
-        copied = indented([*self.store_at(covers, "place", letter), "place += 1"])
-        return [*lines, start, "while place < value:", *copied, *self.rest(covers, 0)]
+        two = [*self.store_two(covers, "place", self._letters(quantity, "place")), "place += 1"]
+        lines += ["place = 0", f"while place < {words}:", *indented(two)]
+        zeros = self.rest(covers, 0)
+        if zeros and (is_cut or unknown):
+            lines += ["place *= 2", *zeros]
+        if is_cut:
+            one = self.store_at(covers, "value", self._letters(quantity, "value >> 1"))
+            lines += ["if value & 1:", *indented(["value -= 1", *one])]
+        elif 2 * whole < end:
+            one = self.put(covers.offset + end - 1, 1, self._letters(quantity, str(whole)))
+            lines += ["if value:", *indented(one)] if unknown else one
+        self.rest(covers, 0)  # so that all of it is cleared, whatever of it was written
+        return lines
+
+    def _letters(self, quantity: Quantity, place: str) -> str:
+        """The word of a text with two of its bytes."""
+        return self.word(quantity.component, quantity.attribute, f"({place})" if " " in place else place)
+
+    def store_two(self, covers: Elements, place: str, value: str) -> list[str]:
+        """Write 16 bits into the two bytes of a field that begin at twice ``place``."""
+        raise NotImplementedError
 
     def chip(self, covers: Elements) -> list[str]:
         """From a constant of the module, too, made when it is imported."""
