@@ -94,8 +94,7 @@ class TextAnswer(KindOfAnswer):
         """Byte by byte up to the cut, then NULs."""
         covers, source = self.covers, self.source
         words = f"{source.path}, up to {self._bytes}" if self.size < source.length else source.path
-        can_be_unknown = source.initial is None and not self.withholds
-        return [comment(covers, words), *code.letters(covers, source, unknown=can_be_unknown)]
+        return [comment(covers, words), *code.letters(covers, source, forgotten=source.ages and not self.withholds)]
 
     def words(self) -> Words:
         """The path, and where it is cut."""

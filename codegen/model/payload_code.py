@@ -69,10 +69,11 @@ class PayloadCode(ABC):
         """Write a text that is known at build time, or that of the instance, and NULs behind it."""
 
     @abstractmethod
-    def letters(self, covers: "Elements", quantity: Quantity, *, unknown: bool) -> list[str]:
+    def letters(self, covers: "Elements", quantity: Quantity, *, forgotten: bool) -> list[str]:
         """Write a text that is stored, cut at a character where the field is shorter, and NULs behind it.
 
-        ``unknown``: it may be unknown, and is empty then.
+        The words of an unknown one are those of the empty text, unless it may have been ``forgotten``: of that only the
+        first one says so.
         """
 
     @abstractmethod

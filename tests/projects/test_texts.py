@@ -40,6 +40,10 @@ def frames(name, port=None, lens=None):
 
 for about in json.load(open("texts.json", encoding="utf-8")):
     frames(*about)
+state.boat.notice = "Ahoy there"
+known = bytes(telemetry.encode_texts(link, state)).hex()
+mock_time.advance_us(2001000)
+found.append([known, bytes(telemetry.encode_texts(link, state)).hex()])
 print(json.dumps(found))
 """
 BOAT = "\N{SPEEDBOAT}"
@@ -119,6 +123,13 @@ def test_empty_is_known_and_none_is_not(frames):
     assert (empty[3], unknown[3]) == ("", None)
     assert unknown[4] == "Zürich"
     assert fields(unknown[0])["port"] == "Zürich"
+
+
+def test_a_text_that_is_too_old_is_not_sent(frames):
+    """Nothing of it is left in the message."""
+    known, forgotten = (payload(frame, 142)[76:126] for frame in frames[-1])
+    assert known == b"Ahoy there".ljust(50, b"\0")
+    assert forgotten == bytes(50)
 
 
 def test_the_receiver_tells_the_texts(texts, frames):

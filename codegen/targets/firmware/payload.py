@@ -175,7 +175,7 @@ class SpelledCode(PayloadCode):
         self.texts[name] = literals[0] if len(literals) == 1 else f"({', '.join(literals)})"
         return self.copied(covers, name if len(literals) == 1 else f"{name}[instance]", length)
 
-    def letters(self, covers: Elements, quantity: Quantity, *, unknown: bool) -> list[str]:
+    def letters(self, covers: Elements, quantity: Quantity, *, forgotten: bool) -> list[str]:
         """Word by word, of two bytes each; ``value`` is how many go out. A text can be cut where a character begins."""
         end = min(quantity.length, covers.count)
         is_cut = end < quantity.length or end == 1
@@ -186,22 +186,22 @@ class SpelledCode(PayloadCode):
             lines = [f"place = {end}", f"while ({letter}) & 0xC0 == 0x80:  # amid a character", "    place -= 1"]
             lines.append("value = place")
             words = "value >> 1"
-        elif unknown:
+        elif forgotten:
             lines = [f"value = {whole}"]
             words = "value"
-        if unknown:
+        if forgotten:
             lines += [f"if {self.is_unknown(quantity)}:", "    value = 0"]
         two = [*self.store_two(covers, "place", self._letters(quantity, "place")), "place += 1"]
         lines += ["place = 0", f"while place < {words}:", *indented(two)]
         zeros = self.rest(covers, 0)
-        if zeros and (is_cut or unknown):
+        if zeros and (is_cut or forgotten):
             lines += ["place *= 2", *zeros]
         if is_cut:
             one = self.store_at(covers, "value", self._letters(quantity, "value >> 1"))
             lines += ["if value & 1:", *indented(["value -= 1", *one])]
         elif 2 * whole < end:
             one = self.put(covers.offset + end - 1, 1, self._letters(quantity, str(whole)))
-            lines += ["if value:", *indented(one)] if unknown else one
+            lines += ["if value:", *indented(one)] if forgotten else one
         self.rest(covers, 0)  # so that all of it is cleared, whatever of it was written
         return lines
 
