@@ -1,7 +1,8 @@
 """Attributes that are texts: views of several words of a component, each of which has two bytes in UTF-8.
 
-While the text is not known, the first word is UNKNOWN. Bytes behind its end are 0. A text is cut to the bytes that are
-kept, between two characters, and ends at its first NUL. To set one allocates, to send it does not.
+Bytes behind its end are 0. While the text is not known, the first word is UNKNOWN, of which the low 16 bits are 0, too:
+it goes out as the empty text. A text is cut to the bytes that are kept, between two characters, and ends at its first
+NUL. To set one allocates, to send it does not.
 """
 
 from words import UNKNOWN
