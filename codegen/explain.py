@@ -315,10 +315,10 @@ def _quantity(quantity: Quantity, system: System) -> str:
         if quantity in answer.quantities
     ]
     facts = [
-        ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
+        ("kept as", f"{quantity.attribute}, {quantity.kept_in}"),
         *quantity.derivation.story(quantity, system),
         ("range", _range(quantity)),
-        ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
+        ("initial", quantity.start),
         ("unknown", quantity.lost),
         ("sent in", ", ".join(fields)),
         ("criterion", _cited(quantity.citation)),

@@ -5,6 +5,7 @@ them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (wheth
 ``limits`` and ``scaled``.
 """
 
+from codegen.answers.chip import ChipAnswer
 from codegen.answers.clock import ClockAnswer
 from codegen.answers.copied import CopiedAnswer
 from codegen.answers.count import CountAnswer
@@ -26,9 +27,10 @@ KINDS: tuple[type[KindOfAnswer], ...] = (
     CountAnswer,
     SplitAnswer,
     ClockAnswer,
+    TextAnswer,
     CopiedAnswer,
     LiveAnswer,
-    TextAnswer,
+    ChipAnswer,
     FactAnswer,
     FlagsAnswer,
     FixedAnswer,

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from codegen.answers.filling import tested
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, field_unit, no_sentinel
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
@@ -81,6 +82,18 @@ class ClockAnswer(KindOfAnswer):
         """The clock, where no number of the field means unknown."""
         return self.quantities if self.withholds else ()
 
+    @property
+    def hole(self) -> int | None:
+        """The number that means unknown, which a known time passes."""
+        sentinel = self.covers.field.sentinel.values[self.covers.first] if self.covers.field.sentinel else None
+        return None if sentinel is None else int(sentinel)
+
+    @property
+    def beside(self) -> int:
+        """What goes out in its place: the step before the last number of the type, or else the one farther from 0."""
+        hole, last = self.hole or 0, self.covers.field.type.maximum
+        return hole - 1 if hole == last or self.covers.field.type.minimum < hole < 0 else hole + 1
+
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """The whole units, as many of their bits as the field has."""
         kept = kept_number(self.source, known)
@@ -89,7 +102,8 @@ class ClockAnswer(KindOfAnswer):
             return (self.unknown,)
         wire_type = self.covers.field.type
         value = int(kept) // self.microseconds & (1 << 8 * wire_type.size) - 1
-        return (value - (1 << 8 * wire_type.size) if value > wire_type.maximum else value,)
+        value -= 1 << 8 * wire_type.size if value > wire_type.maximum else 0
+        return (self.beside if value == self.hole else value,)
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """None at the start, all later."""
@@ -103,6 +117,9 @@ class ClockAnswer(KindOfAnswer):
         halves = [code.clock_half(word, at) for at in range(source.storage.halves)]
         lines = [self._comment()]
         written = self._divided(code, halves, divisor) if divisor > 1 else code.copy(covers, halves, signed=False)
+        if self.hole is not None:
+            passed = tested("if", code.is_written(covers, self.hole), "would read as unknown")
+            written = [*written, *passed, *indented(code.store(covers, self.beside, over=True))]
         if self.unknown is None:
             return [*lines, *written]
         unknown = code.store(covers, self.unknown, over=True)
@@ -134,7 +151,8 @@ class ClockAnswer(KindOfAnswer):
     def words(self) -> Words:
         """Which clock, and that it wraps."""
         since = "the start" if self.source.name == BOOT else "1970"
-        return Words(f"time since {since}", f"whole {self.covers.field.unit_text}", "wraps as the field does")
+        passed = "" if self.hole is None else f", {self.hole} -> {self.beside}"
+        return Words(f"time since {since}", f"whole {self.covers.field.unit_text}", f"wraps as the field does{passed}")
 
     def way(self, origins: Origins) -> Iterator[Step]:
         """The ticks, and the unit."""
@@ -171,4 +189,9 @@ class ClockAnswer(KindOfAnswer):
             yield StateCase(f"before-{name}", {path: end - 1})
             if end < 1 << 64:
                 yield StateCase(f"after-{name}", {path: end})
+        if self.hole is not None:
+            passed = (self.hole & (1 << 8 * size) - 1) * self.microseconds
+            for name, value in {"before": passed - 1, "at": passed, "after": passed + self.microseconds}.items():
+                if 0 <= value < 1 << 64:
+                    yield StateCase(f"{name}-sentinel", {path: value})
         yield StateCase("unknown", {path: None})

@@ -4,12 +4,14 @@ import math
 from fractions import Fraction
 
 from codegen.answers.fitting import field_unit
+from codegen.answers.letters import carries_text
 from codegen.answers.limits import dialect_bounds
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount, read_real
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind, WireField
 from codegen.model.known import Value
+from codegen.model.letters import NUL, cut
 from codegen.model.unit import NUMBER, Unit, decimal
 from codegen.source import Place
 
@@ -31,13 +33,10 @@ SENTINEL_CONTRADICTION = Rule(
 
 
 def read_constant(covers: Elements, written: str | Fraction, key: str, report: Report) -> tuple[Value, str] | None:
-    """A number in the field's unit, an amount converted to it, or text for a char field: with words for it."""
+    """A number in the field's unit, an amount converted to it, or a text: with words for it."""
     field, place = covers.field, covers.written.at(key)
-    if field.type.kind is Kind.CHAR:
-        if not isinstance(written, str) or not written.isascii() or len(written) > field.count:
-            report.add(BAD_CONSTANT, place, f"{field.name} is text of at most {field.count} ASCII characters")
-            return None
-        return written, "text"
+    if field.type.kind is Kind.CHAR or (isinstance(written, str) and carries_text(covers)):
+        return _text(written, field, place, report)
     unit = field_unit(field, report)
     if unit is None:
         return None
@@ -54,6 +53,21 @@ def read_constant(covers: Elements, written: str | Fraction, key: str, report: R
     if isinstance(written, Fraction) and field.multiplier != 1:
         return number, _shown(written)
     return number, written if isinstance(written, str) else f"{number}"
+
+
+def _text(written: str | Fraction, field: WireField, place: Place, report: Report) -> tuple[str, str] | None:
+    """A text that the field holds as a whole: what is known now is not cut without a word."""
+    problem, hint = "is no text", None
+    if isinstance(written, Fraction):
+        hint = f"'{decimal(written)}'"
+    elif NUL in written:
+        problem, hint = "has a NUL in it, which ends a text", f"'{cut(written, field.count)}'"
+    elif len(written.encode()) > field.count:
+        problem, hint = f"is {len(written.encode())} bytes long in UTF-8", f"'{cut(written, field.count)}' would fit"
+    else:
+        return written, "text"
+    report.add(BAD_CONSTANT, place, f"{field.name} is a text of at most {field.count} bytes, and this {problem}", hint)
+    return None
 
 
 def _number(written: str | Fraction, unit: Unit, field: WireField, place: Place, report: Report) -> int | float | None:

@@ -1,13 +1,12 @@
 """A quantity that no small integer holds: its halves go to the wire as they are kept."""
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.answers.filling import comment, origin
+from codegen.answers.filling import comment, origin, tested
 from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
-from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
@@ -27,9 +26,6 @@ NOT_AS_KEPT = Rule(
     "unit, an integer in integer fields and a float in float fields of its size. For a field of another unit, keep a "
     "quantity of its own in that unit.",
 )
-
-LONGEST = 112
-"""Characters of a line in the body of a function."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +79,8 @@ class CopiedAnswer(LiveAnswer):
         unknown = sentinel if source.initial is None else None
         written = float_bounds(taken.written, source.storage) if source.storage.is_float else taken.written
         check_reach(covers, written, scaling, unknown, scope.report)
+        carried = taken.bounds if source.storage.is_float else Bounds(scaling.low, scaling.high)
+        check_declared(covers, taken, carried, scope.report)
         return cls(covers, source, scaling, unknown, withholds)
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
@@ -117,13 +115,14 @@ class CopiedAnswer(LiveAnswer):
         instead = self.unknown if self.unknown is not None else source.initial
         why = "unknown" if self.unknown is not None else "until it is set"
         if instead is not None:
+            assert not isinstance(instead, str)
             tests.insert(0, (f"{halves[0]} >> {HALF}", instead, why))
         if not tests:
             return [*lines, *code.copy(covers, halves, signed=source.storage.is_signed)]
         for at, (condition, value, remark) in enumerate(tests):
             number = int(value) if covers.field.type.is_integer else float(value)
             lines += [
-                *_tested("elif" if at else "if", condition, remark),
+                *tested("elif" if at else "if", condition, remark),
                 *indented(code.store(covers, number, over=True)),
             ]
         return [*lines, "else:", *indented(code.copy(covers, halves, signed=source.storage.is_signed))]
@@ -165,12 +164,3 @@ class CopiedAnswer(LiveAnswer):
         for name, value in named.items():
             if value is None or low <= value <= high:
                 yield StateCase(name, {path: value if value is None or storage.is_float else int(value)})
-
-
-def _tested(keyword: str, condition: str, remark: str) -> list[str]:
-    """``if condition:``, over several lines where it is long, as the formatter has them."""
-    line = f"{keyword} {condition}:  # {remark}"
-    if len(line) <= LONGEST:
-        return [line]
-    inner = [condition] if len(condition) <= LONGEST else re.sub(r" (and|or) ", r"\n\1 ", condition).split("\n")
-    return [f"{keyword} (  # {remark}", *indented(inner), "):"]

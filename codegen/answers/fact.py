@@ -3,16 +3,16 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
+from codegen.answers.chip import UNIQUE_ID
 from codegen.answers.constant import read_constant
 from codegen.answers.fixed import UNKNOWN_FACT, FixedAnswer, read_entry, repeated
 from codegen.answers.kind import KindOfAnswer
+from codegen.answers.letters import carries_text
 from codegen.answers.scope import Scope
-from codegen.answers.text import UNIQUE_ID
 from codegen.diagnostics import did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, Trait, Words
 from codegen.model.answer import Elements
-from codegen.model.dialect import Kind
 from codegen.model.known import Known, Value, shown_value
 from codegen.model.payload_code import PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer
@@ -151,7 +151,7 @@ def _of_packs(
 
 
 def _fixed(covers: Elements, fact: str | Fraction, scope: Scope) -> FixedAnswer | None:
-    if isinstance(fact, str) and read_measure(fact) is None and covers.field.type.kind is not Kind.CHAR:
+    if isinstance(fact, str) and read_measure(fact) is None and not carries_text(covers):
         value = read_entry(covers, fact, "board", scope)
         return None if value is None else repeated(covers, value, fact)
     found = read_constant(covers, fact, "board", scope.report)

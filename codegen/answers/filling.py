@@ -1,6 +1,7 @@
 """Statements that bring a stored value into an integer field: scaling, limits, sentinel."""
 
 import math
+import re
 from fractions import Fraction
 
 from codegen.model.answer import Elements
@@ -9,6 +10,9 @@ from codegen.model.population_spec import Rounding
 from codegen.model.scaling import Scaling
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
+
+LONGEST = 112
+"""Characters of a line in the body of a function."""
 
 
 def comment(covers: Elements, words: str) -> str:
@@ -90,3 +94,12 @@ def _scaled(factor: Fraction, rounding: Rounding) -> list[str]:
     below = f"0 - ({half} - {product}) // {denominator}" if half else f"0 - (0 - {product}) // {denominator}"
     above = f"({product} + {half}) // {denominator}" if half else f"{product} // {denominator}"
     return ["if value < 0:", f"    value = {below}", "else:", f"    value = {above}"]
+
+
+def tested(keyword: str, condition: str, remark: str) -> list[str]:
+    """``if condition:``, over several lines where it is long, as the formatter has them."""
+    line = f"{keyword} {condition}:  # {remark}"
+    if len(line) <= LONGEST:
+        return [line]
+    inner = [condition] if len(condition) <= LONGEST else re.sub(r" (and|or) ", r"\n\1 ", condition).split("\n")
+    return [f"{keyword} (  # {remark}", *indented(inner), "):"]

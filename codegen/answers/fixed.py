@@ -67,8 +67,8 @@ class FixedAnswer(KindOfAnswer):
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """Up to the last byte that is not zero."""
         wire_type = self.covers.field.type
-        if wire_type.kind is Kind.CHAR:
-            packed = b"".join(str(value).encode() for value in self.fixed)
+        if isinstance(self.fixed[0], str):
+            packed = self.fixed[0].encode()
         else:
             packed = b"".join(struct.pack(f"<{wire_type.code}", value) for value in self.fixed)
         used = len(packed.rstrip(b"\0"))

@@ -13,7 +13,7 @@ from codegen.frozen import dataclass
 from codegen.model.account import FLAGS, Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
-from codegen.model.known import Known, Value, single
+from codegen.model.known import Known, Value
 from codegen.model.payload_code import PayloadCode
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.reading import Reading, flag_names
@@ -164,7 +164,7 @@ class FlagsAnswer(KindOfAnswer):
             numbers = range(instances) if derivation.differs_by_instance else range(1)
             for number in numbers:
                 suffix = f"-{number}" if len(numbers) > 1 else ""
-                for state, value in derivation.deciding(number, single(plain, path)).items():
+                for state, value in derivation.deciding(number, plain[path]).items():
                     yield StateCase(f"{name}-{state}{suffix}", {path: value}, number)
 
 

@@ -2,6 +2,7 @@
 
 import math
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from codegen.diagnostics import Report, Rule
 from codegen.frozen import dataclass
@@ -10,8 +11,11 @@ from codegen.model.answer import Elements
 from codegen.model.dialect import WireField
 from codegen.model.literals import exact_number
 from codegen.model.population_spec import FieldAnswer
-from codegen.model.scaling import Scaling
-from codegen.model.unit import Unit
+from codegen.model.scaling import Scaling, rounded
+from codegen.model.unit import Unit, decimal
+
+if TYPE_CHECKING:
+    from codegen.answers.source import Taken
 
 EMPTY_LIMITS = Rule(
     "empty-limits",
@@ -23,6 +27,13 @@ LIMIT_BEYOND_FIELD = Rule(
     "limit-beyond-field",
     "A limit of a table lies beyond what the field, the dialect or the quantity allows, or is the sentinel: it would "
     "have no effect. Correct it or leave it out.",
+)
+
+BEYOND_FIELD = Rule(
+    "beyond-field",
+    "A quantity or a parameter reaches, by its own min or max or with its initial value, what a field cannot carry by "
+    "its type, its sentinel, its minValue or its maxValue: it would go out as another value. Narrow it, or say in the "
+    "table with min or max that the field ends there.",
 )
 
 
@@ -110,3 +121,39 @@ def check_reach(
         if value is not None and (is_beyond or value == unknown):
             message = f"{key} of {covers.label} is {value}, but it carries {scaling.low} to {scaling.high} only"
             report.add(LIMIT_BEYOND_FIELD, covers.written.at(key), message)
+
+
+def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Report) -> None:
+    """Report what the source says that it reaches, where the field, which carries ``carried``, ends before.
+
+    Where the table says itself where the field ends, that is what is meant; and a sentinel at the end goes out as the
+    step beside it, as everywhere.
+    """
+    sentinel = covers.field.sentinel
+    sentinels = sentinel.values[covers.first : covers.first + covers.count] if sentinel else ()
+    written, unit, place = covers.written, taken.source.unit.name, covers.written.at(taken.key)
+
+    def shown(value: Fraction) -> str:
+        return f"{decimal(value / taken.in_wire)} {unit}".rstrip()
+
+    initial = taken.initial
+    for key, declared, end, stated in (
+        ("min", taken.declared.low, carried.low, written.min),
+        ("max", taken.declared.high, carried.high, written.max),
+        ("min", initial, carried.low, written.min),
+        ("max", initial, carried.high, written.max),
+    ):
+        if declared is None or end is None or stated is not None:
+            continue
+        value = Fraction(rounded(declared, written.rounding)) if covers.field.type.is_integer else declared
+        if value not in sentinels and (value < end if key == "min" else value > end):
+            what = "is initially" if declared is initial else "goes down to" if key == "min" else "goes up to"
+            report.add(
+                BEYOND_FIELD,
+                place,
+                f"{taken.source.path} {what} {shown(declared)}, and {covers.label} ({covers.field.type.name}) ends at "
+                f"{shown(end)}",
+                f"{key}: {decimal(end / taken.in_wire)} at {taken.source.path}, or here, if the field is to end there",
+                [(taken.source.spec.at(key if declared is not initial else "initial"), "it is declared here")],
+            )
+            return

@@ -7,7 +7,7 @@ from codegen.answers.filling import comment, fitted, origin, read, stand_in
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, no_sentinel
 from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
-from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
 from codegen.answers.scaled import (
     conversion_trait,
     conversion_words,
@@ -83,6 +83,7 @@ class LiveAnswer(KindOfAnswer):
             return None
         unknown = sentinel if may_be_unknown else None
         check_reach(covers, taken.written, scaling, unknown, report)
+        check_declared(covers, taken, Bounds(scaling.low, scaling.high), report)
         return cls(covers, source, scaling, unknown, withholds)
 
     @property

@@ -135,6 +135,7 @@ def to_unit(source: Quantity, scaling: Scaling) -> Fraction:
 def read_back(covers: Elements, source: Quantity, scaling: Scaling) -> ReadBack:
     """All in the unit of the quantity; ``within`` is one unit of the wire, or what a float of the wire resolves."""
     factor = to_unit(source, scaling)
+    assert not isinstance(source.initial, str)
     within = factor if covers.field.type.is_integer else 1 / source.steps / 2
     return ReadBack(
         source,

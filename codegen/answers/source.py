@@ -18,7 +18,9 @@ from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 class Taken:
     """A source that fits: the key of the table that names it, and what one stored step is on the wire.
 
-    ``bounds`` are those of source, dialect and table in wire units; ``written`` those of the table alone.
+    ``bounds`` are those of source, dialect and table in wire units; ``written`` those of the table alone, and
+    ``declared`` those that the source states. ``in_wire`` is one unit of the source in wire units, ``initial`` its
+    initial value in these.
     """
 
     source: Quantity | Parameter
@@ -26,6 +28,9 @@ class Taken:
     factor: Fraction
     bounds: Bounds
     written: Bounds
+    declared: Bounds
+    in_wire: Fraction
+    initial: Fraction | None
 
 
 def take(covers: Elements, scope: Scope) -> Taken | None:
@@ -50,14 +55,20 @@ def taken(covers: Elements, source: Quantity | Parameter, key: str, report: Repo
         in_wire = ratio(source.unit, unit) or in_wire
     written = written_bounds(covers.written, source.unit, in_wire, report)
     own = Bounds(source.minimum * factor, source.maximum * factor)
-    return Taken(source, key, factor, own.within(dialect_bounds(covers.field)).within(written), written)
+    bounds = own.within(dialect_bounds(covers.field)).within(written)
+    declared = Bounds(None if source.spec.min is None else own.low, None if source.spec.max is None else own.high)
+    initial = source.initial if isinstance(source, Quantity) else None
+    assert not isinstance(initial, str)
+    return Taken(source, key, factor, bounds, written, declared, in_wire, None if initial is None else initial * factor)
 
 
 def _unit(covers: Elements, source: Quantity | Parameter, key: str, report: Report) -> Unit | None:
     """The unit of the field, if the kind of the source fits the kind of the field."""
     place = covers.written.at(key)
     if covers.field.type.kind is Kind.CHAR:
-        report.add(BAD_SOURCE, place, f"{covers.field.name} is a text, the source is a number")
+        what = "parameters are numbers" if isinstance(source, Parameter) else f"{source.path} is a number"
+        hint = "it takes a constant, a fact of the board, or a quantity that says how many bytes it keeps: text: 16"
+        report.add(BAD_SOURCE, place, f"{covers.field.name} is a text, and {what}", hint)
         return None
     if isinstance(source, Quantity) and source.kind is QuantityKind.BOOLEAN:
         report.add(BAD_SOURCE, place, f"{source.path} is a boolean", "use it in 'flags': ENTRY if component.quantity")

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from codegen.answers.filling import comment, fitted, origin, read, stand_in
 from codegen.answers.kind import KindOfAnswer
-from codegen.answers.limits import Bounds
+from codegen.answers.limits import Bounds, check_declared
 from codegen.answers.scaled import (
     conversion_trait,
     conversion_words,
@@ -80,6 +80,7 @@ class SplitAnswer(KindOfAnswer):
         cell_high = wire_type.maximum - 1
         bounds = taken.bounds.within(Bounds(Fraction(0), Fraction(cell_high * covers.count)))
         low, high = bounds.whole()
+        check_declared(covers, taken, Bounds(low, high), scope.report)
         return cls(
             covers=covers,
             source=taken.source,

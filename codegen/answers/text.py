@@ -1,69 +1,154 @@
-"""A text that only the running board knows: the number of its chip."""
+"""A text of the state, cut at a character to what its field holds."""
 
 from collections.abc import Iterator
 
-from codegen.answers.constant import BAD_CONSTANT
+from codegen.answers.filling import comment
+from codegen.answers.fitting import BAD_SOURCE, WITHHELD, no_sentinel
 from codegen.answers.kind import KindOfAnswer
+from codegen.answers.letters import carries_text, says_unknown
 from codegen.answers.scope import Scope
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, Trait, Words
+from codegen.model.account import Aspect, Origins, StateCase, Trait, Words
 from codegen.model.answer import Elements
-from codegen.model.dialect import Kind
-from codegen.model.known import Known, Value
+from codegen.model.dialect import Dialect
+from codegen.model.known import Known, Value, kept_text
+from codegen.model.letters import NUL, cut
 from codegen.model.payload_code import PayloadCode
-from codegen.model.population_spec import FieldAnswer
+from codegen.model.population_spec import FieldAnswer, Send
+from codegen.model.reading import Reading
 from codegen.model.step import Step
-from codegen.model.vehicle import Component
-
-UNIQUE_ID = "unique_id"
-"""What a table writes for the number that the maker gave the board's chip, as a text in hex."""
-
-MOCK_CHIP = bytes.fromhex("e6613852831b2c21")
-"""What the mocked board says when it is asked for the number of its chip."""
+from codegen.model.vehicle import Component, Quantity, QuantityKind
 
 
 @dataclass(frozen=True, slots=True)
 class TextAnswer(KindOfAnswer):
-    """A text that the running board knows, cut to the field. ``source``: unique_id, the chip's number in hex."""
+    """A quantity that is a text, in a field of characters or of bytes. Unknown goes out as the empty text.
+
+    Where the field has no sentinel for that, the source has a text at all times, or the answer ``withholds`` the
+    message.
+    """
 
     covers: Elements
-    source: str
+    source: Quantity
+    withholds: bool = False
 
     @classmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
-        """``board: unique_id``."""
-        return written.board == UNIQUE_ID
+        """``state: component.quantity``, where that is a text."""
+        component, _, name = (written.state or "").partition(".")
+        owner = scope.components.get(component)
+        quantity = owner.quantities.get(name) if owner and written.each is None else None
+        return quantity is not None and quantity.kind is QuantityKind.TEXT
 
     @classmethod
     def bind(cls, covers: Elements, scope: Scope) -> "TextAnswer | None":
-        """The number of the chip, into a text."""
-        if covers.field.type.kind is not Kind.CHAR:
-            message = f"{covers.field.name} is a {covers.field.type.name}, and {UNIQUE_ID} a text"
-            scope.report.add(BAD_CONSTANT, covers.written.at("board"), message)
+        """The text, where the field as a whole takes one."""
+        key, report = covers.written.at("state"), scope.report
+        source = scope.quantity(covers.written.state or "", key)
+        if source is None:
             return None
-        return cls(covers, UNIQUE_ID)
+        if not carries_text(covers):
+            hint = "a text goes into a field of characters or of bytes without a unit, as a whole"
+            report.add(BAD_SOURCE, key, f"{source.path} is a text, {covers.label} is {covers.field.type.name}", hint)
+            return None
+        may_be_unknown = source.initial is None
+        withholds = may_be_unknown and not says_unknown(covers) and scope.population.send is Send.WHILE_KNOWN
+        if may_be_unknown and not says_unknown(covers) and not withholds:
+            no_sentinel(covers, "state", source.path, report)
+            return None
+        return cls(covers, source, withholds)
+
+    @property
+    def size(self) -> int:
+        """Bytes of the longest text that goes out."""
+        return min(self.source.length, self.covers.count)
+
+    @property
+    def _bytes(self) -> str:
+        return f"{self.size} byte{'s' if self.size > 1 else ''}"
+
+    @property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The text."""
+        return (self.source,)
+
+    @property
+    def carried(self) -> tuple[Quantity, ...]:
+        """The same."""
+        return (self.source,)
+
+    @property
+    def withheld_for(self) -> tuple[Quantity, ...]:
+        """The text, where the field cannot say that it is unknown."""
+        return self.quantities if self.withholds else ()
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
-        """What the mocked board makes of it."""
-        return (MOCK_CHIP.hex()[: self.covers.field.count],)
+        """What is left of the text."""
+        return (cut(kept_text(self.source, known) or "", self.size),)
+
+    def used_bytes(self, first: int, last: int) -> tuple[int, int]:
+        """None of the empty text."""
+        return 0, self.size
 
     def statements(self, code: PayloadCode) -> list[str]:
-        """What the board was asked for at the start."""
-        return [f"# {self.covers.label}: number of the chip ({self.covers.citation})", *code.chip(self.covers)]
+        """Byte by byte up to the cut, then NULs."""
+        covers, source = self.covers, self.source
+        words = f"{source.path}, up to {self._bytes}" if self.size < source.length else source.path
+        return [comment(covers, words), *code.letters(covers, source, forgotten=source.ages and not self.withholds)]
 
     def words(self) -> Words:
-        """What it is, and how it is written."""
-        return Words("number of the chip", "in hex")
+        """The path, and where it is cut."""
+        conversion = f"in UTF-8, cut at a character to {self._bytes}"
+        return Words(self.source.path, conversion, "")
 
     def way(self, origins: Origins) -> Iterator[Step]:
-        """The board tells it."""
-        words = self.words()
-        yield Step("program", words.source, (words.conversion,), (str(self.covers.citation),))
+        """The source, and the cut."""
+        yield from origins.steps(self.source)
+        yield Step("text", self.words().conversion, ("NULs behind it",), (str(self.covers.citation),))
+        if self.withholds:
+            yield WITHHELD
+        elif self.source.initial is None:
+            yield Step("unknown", "the empty text", ("goes out while the text is not known",), ())
 
     def traits(self, position: int) -> Iterator[Trait]:
-        """What it is."""
-        yield Trait("source", f"text {self.source}", Aspect.SOURCE)
+        """Source, cut, and what stands for unknown."""
+        yield Trait("source", self.source.path, Aspect.SOURCE)
+        yield Trait("conversion", self.words().conversion, Aspect.CONVERSION)
+        unknown = "the empty text" if self.source.initial is None else ""
+        yield Trait("unknown", WITHHELD.text if self.withholds else unknown, Aspect.UNKNOWN)
 
     def is_fact(self, component: Component) -> bool:
-        """The board that sends it stays the same."""
+        """Unless it is a quantity of the component itself."""
+        return self.source.component != component.name
+
+    def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
+        """The text."""
+        source, field = self.source, self.covers.field
+        if source.component == component.name:
+            yield Reading(source.name, f'text(get("{field.name}"))', "", source.spec.doc, field.name, uses=("text",))
+
+    @property
+    def varies(self) -> bool:
+        """With its source."""
         return True
+
+    def cases(self, plain: Known, instances: int, pages: int) -> Iterator[StateCase]:
+        """Unknown, empty, full, too long by a byte, with a NUL, and each length of a character around each cut."""
+        path = self.source.path
+        for name, text in _texts(self.source.length, self.covers.count):
+            yield StateCase(name, {path: text})
+
+
+def _texts(kept: int, held: int) -> Iterator[tuple[str, str | None]]:
+    """Names and texts; what is kept is cut first, and then what the field holds."""
+    yield "unknown", None
+    yield "empty", ""
+    yield "nul", f"a{NUL}b"
+    yield "all-wide", "€" * kept
+    letters = "abcdefghijklmnopqrstuvwxyz" * 10
+    for size in sorted({kept, min(kept, held)}):
+        yield f"full-{size}", letters[:size]
+        yield f"beyond-{size}", letters[: size + 1]
+        for width, letter in ((2, "Ä"), (3, "€"), (4, "🚤")):
+            for inside in range(min(size, width) + 1):
+                yield f"{width}-bytes-{inside}-before-{size}", f"{letters[: size - inside]}{letter}xyz"

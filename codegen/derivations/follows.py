@@ -62,11 +62,11 @@ class Follows(Derivation):
     def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:
         """False while the quantity is unknown. A component of a single instance has only that, whatever the message."""
         stored = known[quantity.decided_by]
-        assert not isinstance(stored, tuple)
+        assert not isinstance(stored, tuple | str)
         limit = self.limits[instance if instance < len(self.limits) else 0]
         return int(stored is not None and (stored < limit if self.is_below else stored >= limit))
 
-    def deciding(self, instance: int, plain: int | None) -> Mapping[str, int | None]:
+    def deciding(self, instance: int, plain: "Stored") -> Mapping[str, "Stored"]:
         limit = self.limits[instance if instance < len(self.limits) else 0]
         at, below = ("clear", "set") if self.is_below else ("set", "clear")
         return {at: limit, below: limit - 1, "unknown": None}
@@ -105,7 +105,7 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
     if followed is None:
         around.no_quantity("follows", written.follows, BAD_FOLLOWING)
         return None
-    if followed.boolean or followed.enum is not None or followed.elements is not None:
+    if followed.boolean or followed.text is not None or followed.enum is not None or followed.elements is not None:
         around.bad("follows", f"{written.follows} is not a single number", BAD_FOLLOWING)
         return None
     if len(limits) != 1:

@@ -17,8 +17,9 @@ from codegen.source import Place
 
 BAD_QUANTITY = Rule(
     "bad-quantity",
-    "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean or an enum has no unit "
-    "and no limits, min <= initial <= max, and every limit fits a small integer of MicroPython in stored units.",
+    "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean, an enum or a text has "
+    "no unit and no limits, a text keeps 1 to 255 bytes, min <= initial <= max, and every limit fits a small integer "
+    "of MicroPython in stored units.",
 )
 UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
 MOST_COUNTED = 255
@@ -35,7 +36,7 @@ class Kept:
     storage: Storage
     minimum: int | Fraction
     maximum: int | Fraction
-    initial: int | Fraction | None
+    initial: int | Fraction | str | None
 
 
 @dataclasses.dataclass(slots=True)

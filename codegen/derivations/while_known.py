@@ -34,7 +34,7 @@ class WhileKnown(Derivation):
     def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:
         return int(known[quantity.decided_by] is not None)
 
-    def deciding(self, instance: int, plain: int | None) -> Mapping[str, int | None]:
+    def deciding(self, instance: int, plain: "Stored") -> Mapping[str, "Stored"]:
         return {"set": plain, "clear": None}
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:

@@ -120,7 +120,7 @@ def _quantity(quantity: Quantity) -> Subject:
         Fact("minimum", smallest, rules.QUANTITY_RANGE, spec.at("min")),
         Fact("maximum", largest, rules.QUANTITY_RANGE, spec.at("max")),
         Fact("values", _counts(quantity), rules.QUANTITY_RANGE, spec.at("elements")),
-        Fact("initially", amount(quantity.initial, stored) or "unknown", rules.QUANTITY_SOURCE, spec.at("initial")),
+        Fact("initially", _initially(quantity), rules.QUANTITY_SOURCE, spec.at("initial")),
         *_derivation(quantity),
         Fact("unknown after", amount(trust.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
         Fact("failures until unknown:", amount(trust.invalid_after), rules.QUANTITY_AGE, spec.at("invalid_after")),
@@ -144,11 +144,19 @@ def _limit(limit: int | Fraction, stored: str, storage: Storage) -> str:
 
 
 def _width(quantity: Quantity) -> str:
-    """How many bits there are, where it is not one word."""
+    """How many bits there are, where it is not one word, or bytes of a text."""
     storage = quantity.storage
+    if quantity.length:
+        return f"up to {quantity.length} bytes"
     if storage is Storage.SMALL:
         return ""
     return f", {'a float' if storage.is_float else 'an integer'} of {HALF * storage.halves} bits"
+
+
+def _initially(quantity: Quantity) -> str:
+    if isinstance(quantity.initial, str):
+        return quantity.start
+    return amount(quantity.initial, quantity.stored.name) or "unknown"
 
 
 def _counts(quantity: Quantity) -> str:

@@ -72,6 +72,17 @@ class Answer(ABC):
         """The quantities that keep the message from being sent while one of them is unknown."""
         return ()
 
+    def is_withheld(self, known: Known) -> bool:
+        """Whether one of these is unknown while the state is ``known``."""
+        return any(known[quantity.path] is None for quantity in self.withheld_for)
+
+    def withholding(self, code: PayloadCode) -> list[str]:
+        """The statements that withhold the message then; nothing is written before them."""
+        lines = []
+        for quantity in self.withheld_for:
+            lines += [f"if {code.is_unknown(quantity)}:  # {self.covers.label} cannot say so", "    return None"]
+        return lines
+
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters that decide what goes out; of a family the first one."""

@@ -120,7 +120,7 @@ class Derivation(ABC):
         """What the quantity is in a state: what is stored, or what it follows from."""
         return known[quantity.path]
 
-    def deciding(self, instance: int, plain: int | None) -> Mapping[str, int | None]:
+    def deciding(self, instance: int, plain: "Stored") -> Mapping[str, "Stored"]:
         """Values for tests of a boolean, or of what it follows, by what comes of them: set, clear, unknown.
 
         ``plain`` is any value that is known.

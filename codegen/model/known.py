@@ -4,10 +4,13 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from codegen.model.letters import cut
 from codegen.model.vehicle import Parameter, Quantity
 
-Stored = int | Fraction | tuple[int | None, ...] | None
-"""A stored integer, or one for each element, or the exact value of a float; None is unknown, a boolean is 0 or 1."""
+Stored = int | Fraction | str | tuple[int | None, ...] | None
+"""A stored integer, or one for each element, or the exact value of a float, or a text as it was set; None is unknown.
+
+A boolean is 0 or 1."""
 
 Known = Mapping[str, Stored]
 """What is stored by ``component.quantity`` or name of a parameter."""
@@ -34,8 +37,17 @@ def stored_value(source: Quantity | Parameter, known: Known) -> int | None:
 def kept_number(source: Quantity, known: Known) -> int | Fraction | None:
     """What is kept of a quantity of any storage: set beyond its limits, it is at the limit."""
     value = known[source.path]
-    assert not isinstance(value, tuple)
-    return source.initial if value is None else max(source.minimum, min(source.maximum, value))
+    value = source.initial if value is None else value
+    assert not isinstance(value, tuple | str)
+    return None if value is None else max(source.minimum, min(source.maximum, value))
+
+
+def kept_text(source: Quantity, known: Known) -> str | None:
+    """What is kept of a text; None while it is unknown."""
+    value = known[source.path]
+    value = source.initial if value is None else value
+    assert value is None or isinstance(value, str)
+    return None if value is None else cut(value, source.length)
 
 
 def shown_value(value: Value) -> str:

@@ -69,6 +69,14 @@ class PayloadCode(ABC):
         """Write a text that is known at build time, or that of the instance, and NULs behind it."""
 
     @abstractmethod
+    def letters(self, covers: "Elements", quantity: Quantity, *, forgotten: bool) -> list[str]:
+        """Write a text that is stored, cut at a character where the field is shorter, and NULs behind it.
+
+        The words of an unknown one are those of the empty text, unless it may have been ``forgotten``: of that only the
+        first one says so.
+        """
+
+    @abstractmethod
     def chip(self, covers: "Elements") -> list[str]:
         """Write the number of the chip in hex, as much of it as the field holds."""
 
@@ -90,6 +98,10 @@ class PayloadCode(ABC):
     @abstractmethod
     def copy_half(self, covers: "Elements", at: int, value: str) -> list[str]:
         """Write the value of an expression into the half ``at`` of an element, or into one of a single byte."""
+
+    @abstractmethod
+    def is_written(self, covers: "Elements", value: int) -> str:
+        """Whether an element was written that has this number: a condition."""
 
     @abstractmethod
     def store_at(self, covers: "Elements", place: str, value: str) -> list[str]:

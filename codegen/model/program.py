@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.board_spec import LinkSpec
+from codegen.model.clock import SYSTEM_TIME
 from codegen.model.dialect import WireMessage
 from codegen.model.program_spec import ActionSpec, FailsafeSpec, VehicleSpec
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity
@@ -91,3 +92,8 @@ class Program:
     silence_ms: int
     cited: Mapping[str, Citation]
     spec: VehicleSpec
+
+    @property
+    def takes_time(self) -> bool:
+        """Whether a ground station's SYSTEM_TIME sets the time since 1970."""
+        return any(message.name == SYSTEM_TIME for message in self.services)

@@ -20,11 +20,15 @@ class QuantitySpec(Written):
     unit: str | None = described("Unit that people and documents use (V, A, %); absent for pure numbers.", default=None)
     stored: str | None = described("Unit of one integer step in the firmware (mV, cA). Default: unit.", default=None)
     enum: str | None = described("Enum of the dialect whose values the quantity takes.", default=None)
+    text: int | None = described(
+        "The quantity is a text, of which so many bytes are kept, 1 to 255, in UTF-8 and cut at a character.",
+        default=None,
+    )
     boolean: bool = described("True for a yes/no quantity; it can only decide flags.", default=False)
     min: Fraction | None = described("Smallest value, in unit.", default=None)
     max: Fraction | None = described("Largest value, in unit.", default=None)
     initial: str | bool | Fraction | None = described(
-        "Value until it is set and whenever it is set to unknown: a number, an enum entry or a boolean. "
+        "Value until it is set and whenever it is set to unknown: a number, an enum entry, a boolean or a text. "
         "Without it the quantity starts unknown.",
         default=None,
     )

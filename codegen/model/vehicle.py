@@ -8,6 +8,7 @@ from codegen.frozen import dataclass
 from codegen.model.board_spec import AdcSpec
 from codegen.model.derivation import Derivation
 from codegen.model.dialect import EnumDefinition
+from codegen.model.letters import words_of
 from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
@@ -102,6 +103,7 @@ class QuantityKind(Enum):
     NUMBER = "number"
     ENUM = "enum"
     BOOLEAN = "boolean"
+    TEXT = "text"
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +161,7 @@ class Quantity(Cited):
     units; without a limit in the table they are what the storage holds, or the fields carry. They are whole numbers
     where integers are kept. ``initial`` is None where the quantity starts unknown and may become unknown again; else
     the value that stands in for unknown.
+    Of a text the words have the bytes in UTF-8, two in each, and there are no limits; see codegen/model/letters.py.
     With ``elements`` it is a list of such integers, each of which can be None; they are counted for each instance.
     ``derivation`` is where the value comes from, ``trust`` how long it is believed.
     """
@@ -173,7 +176,7 @@ class Quantity(Cited):
     storage: Storage
     minimum: int | Fraction
     maximum: int | Fraction
-    initial: int | Fraction | None
+    initial: int | Fraction | str | None
     enum: EnumDefinition | None
     elements: tuple[int, ...] | None
     derivation: Derivation
@@ -184,6 +187,28 @@ class Quantity(Cited):
     def path(self) -> str:
         """``battery.voltage``, as the tables write it."""
         return f"{self.component}.{self.name}"
+
+    @property
+    def length(self) -> int:
+        """How many bytes of a text are kept; 0 of anything else."""
+        return self.spec.text or 0 if self.kind is QuantityKind.TEXT else 0
+
+    @property
+    def kept_in(self) -> str:
+        """The unit of what is kept, or what it is, for people."""
+        return f"text of up to {self.length} bytes" if self.length else self.stored.name or self.kind.value
+
+    @property
+    def start(self) -> str:
+        """What it is at the start, for people."""
+        if self.initial is None:
+            return "unknown"
+        return f'"{self.initial}"' if isinstance(self.initial, str) else str(self.initial)
+
+    @property
+    def words(self) -> int:
+        """How many words of the state it takes, or each of its elements."""
+        return words_of(self.length) if self.length else self.storage.words
 
     @property
     def ages(self) -> bool:

@@ -6,7 +6,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.system import Generations, PopulatedMessage
-from codegen.model.vehicle import Component, Parameter, Quantity
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.resolve.citation import cite_optional
 from codegen.resolve.families import is_single
 from codegen.resolve.state import find_quantity
@@ -23,7 +23,7 @@ BAD_ANNOUNCEMENT = Rule(
     "bad-announcement",
     "A message cannot be sent on connection, or on a change: only the program of vehicle.yaml hears ground stations "
     "and watches the state, and what is watched is a quantity of the message's own component, or of one that exists "
-    "once.",
+    "once, and no text.",
 )
 CHOICES = tuple(Generation)
 """What the values of the parameter choose: 0, 1 and 2."""
@@ -149,6 +149,9 @@ def resolve_on_change(
     if quantity is None:
         return None
     owner = components[quantity.component]
+    if quantity.kind is QuantityKind.TEXT:
+        message = f"{quantity.path} is a text, and changes of texts are not watched"
+        report.add(BAD_ANNOUNCEMENT, place, message, "name a number, an enum or a boolean that changes with it")
     if component is not None and owner is not component:
         message = f"{quantity.path} says nothing about a {component.name}, which {population.message} is sent for"
         report.add(BAD_ANNOUNCEMENT, place, message, f"name a quantity of {component.name}")

@@ -7,8 +7,9 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
 from codegen.model.dialect import EnumDefinition, WireField
+from codegen.model.letters import NUL, cut
 from codegen.model.storage import SMALL_INT_MAX, Storage, float_storage, storage_of
-from codegen.model.unit import Unit, ratio
+from codegen.model.unit import Unit, decimal, ratio
 from codegen.model.vehicle import QuantityKind
 from codegen.model.wire_unit import wire_unit
 
@@ -20,6 +21,9 @@ BEYOND_STORAGE = Rule(
     f"most, and {SMALL_INT_MAX} is the largest magnitude of one that is measured, computed, compared, counted or spread"
     " over elements. Narrow the limits, or keep it in a coarser unit.",
 )
+
+LONGEST_TEXT = 255
+"""Bytes of the longest text that a field can have."""
 
 Limits = tuple[int | Fraction, int | Fraction]
 
@@ -41,7 +45,7 @@ def resolve_kept(around: Surroundings) -> tuple[Kept, EnumDefinition | None] | N
         return None
     storage, (minimum, maximum) = _storage(around, kind, stored, steps, enum)
     initial = _initial(around, kind, enum, steps, storage)
-    if initial is not None and not minimum <= initial <= maximum:
+    if initial is not None and not isinstance(initial, str) and not minimum <= initial <= maximum:
         around.bad("initial", f"initial of {around.name} is not between its limits")
     return Kept(kind, unit, stored, steps, storage, minimum, maximum, initial), enum
 
@@ -49,7 +53,10 @@ def resolve_kept(around: Surroundings) -> tuple[Kept, EnumDefinition | None] | N
 def _kind(around: Surroundings) -> QuantityKind:
     spec, name = around.spec, around.name
     kind = QuantityKind.NUMBER
-    if spec.boolean:
+    if spec.text is not None:
+        kind = QuantityKind.TEXT
+        _check_text(around)
+    elif spec.boolean:
         kind = QuantityKind.BOOLEAN
     elif spec.enum is not None:
         kind = QuantityKind.ENUM
@@ -57,9 +64,20 @@ def _kind(around: Surroundings) -> QuantityKind:
         for key in ("unit", "stored", "min", "max"):
             if getattr(spec, key) is not None:
                 around.bad(key, f"{name} is a {kind.value} quantity and cannot have {key}")
-    if spec.boolean and spec.enum is not None:
+    if kind is not QuantityKind.TEXT and spec.boolean and spec.enum is not None:
         around.bad("enum", f"{name} cannot be both a boolean and an enum")
     return kind
+
+
+def _check_text(around: Surroundings) -> None:
+    """Say what a text cannot be: what other code sets as a whole, and nothing looks at, has a length."""
+    spec, name = around.spec, around.name
+    assert spec.text is not None
+    if not 1 <= spec.text <= LONGEST_TEXT:
+        around.bad("text", f"text of {name} is {spec.text}, not 1 to {LONGEST_TEXT} bytes")
+    for key in ("boolean", "enum", "elements", "restarts_with"):
+        if getattr(spec, key) not in (None, False):
+            around.bad(key, f"{name} is a text and cannot have {key}")
 
 
 def _enum(around: Surroundings) -> EnumDefinition | None:
@@ -174,7 +192,7 @@ def _range(field: WireField) -> tuple[int, int]:
 
 def _initial(
     around: Surroundings, kind: QuantityKind, enum: EnumDefinition | None, steps: Fraction, storage: Storage
-) -> int | Fraction | None:
+) -> int | Fraction | str | None:
     written, name = around.spec.initial, around.name
     if kind is QuantityKind.BOOLEAN:
         is_set = not any(each.GIVES_BOOLEAN and each.is_named for each in around.spec.derivations)
@@ -183,6 +201,8 @@ def _initial(
         return int(written is True)
     if written is None:
         return None
+    if kind is QuantityKind.TEXT:
+        return _initial_text(around, written)
     if isinstance(written, bool) or (kind is QuantityKind.NUMBER) != isinstance(written, Fraction):
         wanted = "a number" if kind is QuantityKind.NUMBER else "an entry of its enum"
         around.bad("initial", f"initial of {name} is not {wanted}")
@@ -194,3 +214,20 @@ def _initial(
         names = [entry.name for entry in enum.entries]
         around.bad("initial", f"{enum.name} has no entry {written}", UNKNOWN_ENTRY, did_you_mean(written, names))
     return entry.value if entry else None
+
+
+def _initial_text(around: Surroundings, written: str | bool | Fraction) -> str | None:
+    length = around.spec.text or 0
+    if not isinstance(written, str):
+        around.bad("initial", f"initial of {around.name} is not a text", hint=f"initial: '{_as_written(written)}'")
+        return None
+    if cut(written, length) != written:
+        problem = (
+            "has a NUL in it" if NUL in written else f"is {len(written.encode())} bytes long, and {length} are kept"
+        )
+        around.bad("initial", f"initial of {around.name} {problem}", hint=f"initial: '{cut(written, length)}'")
+    return written
+
+
+def _as_written(value: bool | Fraction) -> str:
+    return str(value).lower() if isinstance(value, bool) else decimal(value)

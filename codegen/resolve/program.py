@@ -42,8 +42,13 @@ def resolve_program(
     dialect: Dialect,
     index: Mapping[str, Requirement],
     report: Report,
+    *,
+    takes_time: bool,
 ) -> Program | None:
-    """The program of vehicle.yaml; None, with findings, where it cannot be built."""
+    """The program of vehicle.yaml; None, with findings, where it cannot be built.
+
+    ``takes_time``: a table has the time since 1970.
+    """
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
     links = read_rate(spec.control.links, spec.control.at("links"), report)
     report_ms = read_time(spec.control.report_every, unit_named("ms"), spec.control.at("report_every"), report)
@@ -51,7 +56,7 @@ def resolve_program(
         report.add(BAD_PROGRAM, place, message)
     resolver = FailsafeResolver(written, parameters, components, spec.actions, index, report)
     failsafes = [resolver.resolve(name, failsafe) for name, failsafe in spec.failsafes.items()]
-    services = service_messages(spec, dialect, report)
+    services = service_messages(spec, dialect, report, takes_time=takes_time)
     cited = {}
     for name, text, place in (
         ("control", spec.control.requirement, spec.control.at("requirement")),

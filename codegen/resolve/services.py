@@ -1,6 +1,7 @@
 """What the services to ground stations need of the dialect: messages, and entries of enums."""
 
 from codegen.diagnostics import Report, Rule, shortened_list
+from codegen.model.clock import SYSTEM_TIME
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.program_spec import VehicleSpec
 
@@ -44,9 +45,15 @@ SERVICE_ENTRIES = {
 """The entries of enums that the program uses, without the name of the enum at their front."""
 
 
-def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report) -> tuple[WireMessage, ...]:
-    """The messages that the services receive and send; those that the dialect lacks are one finding."""
-    names = dict.fromkeys((*RECEIVED, *SENT))
+def service_messages(
+    spec: VehicleSpec, dialect: Dialect, report: Report, *, takes_time: bool
+) -> tuple[WireMessage, ...]:
+    """The messages that the services receive and send; those that the dialect lacks are one finding.
+
+    ``takes_time``: a table has the time since 1970, which SYSTEM_TIME can say; a dialect may be without that.
+    """
+    time = [SYSTEM_TIME] if takes_time and SYSTEM_TIME in dialect.messages else []
+    names = dict.fromkeys((*RECEIVED, *time, *SENT))
     missing = [name for name in names if name not in dialect.messages]
     if missing:
         report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no message {shortened_list(missing)}")

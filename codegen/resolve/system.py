@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.dialect import Dialect
+from codegen.model.population_spec import Clock
 from codegen.model.spec import Spec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
@@ -50,7 +51,17 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     component_id = _component_id(spec, dialect, report)
     program = None
     if spec.vehicle is not None:
-        program = resolve_program(spec.vehicle, spec.parameters, parameters, components, dialect, index, report)
+        tables = (answer.clock for population in spec.populations for answer in population.fields.values())
+        program = resolve_program(
+            spec.vehicle,
+            spec.parameters,
+            parameters,
+            components,
+            dialect,
+            index,
+            report,
+            takes_time=Clock.UNIX in tables,
+        )
     receiver = None
     if spec.receiver is not None:
         receiver = resolve_receiver(spec.receiver, components, messages, index, report)

@@ -77,7 +77,7 @@ def behaviour_checks(
                 name = f"{component.name}_{quantity.name}"
                 checks.append(BehaviourCheck("", f"{name}_allocate_nothing"))
                 checks.append(BehaviourCheck(quantity.citation, f"{name}_in_their_unit"))
-            if quantity.is_float:
+            if quantity.is_object:
                 checks.append(BehaviourCheck("", f"{component.name}_{quantity.name}_is_sent_without_allocating"))
     if any(component.name == CLOCK for component in components):
         checks.append(BehaviourCheck("", "clocks_are_right_for_sixty_days"))

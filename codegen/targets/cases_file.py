@@ -86,10 +86,11 @@ def _wire_changes(correction: Correction) -> dict[str, object]:
 
 
 def _json(case: dict[str, object]) -> str:
+    """As UTF-8: MicroPython's json does not put together what stands for a character in two escapes."""
     try:
-        return json.dumps(case, allow_nan=False)
+        return json.dumps(case, allow_nan=False, ensure_ascii=False)
     except ValueError:
-        return json.dumps(_without_nan(case), allow_nan=False)
+        return json.dumps(_without_nan(case), allow_nan=False, ensure_ascii=False)
 
 
 def _without_nan(value: object) -> object:

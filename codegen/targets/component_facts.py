@@ -17,14 +17,16 @@ class QuantityFacts:
     """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other.
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
-    ``is_float``: it is kept as one, and MicroPython allocates where code sets it. ``samples`` are two plain values.
+    ``is_object``: it is a float or a text, and MicroPython allocates where code sets it. ``samples`` are two plain
+    values and ``tried`` many, as Python writes them.
     """
 
     name: str
     attribute: str
     is_stored: bool
-    is_float: bool
-    samples: tuple[float, float]
+    is_object: bool
+    samples: tuple[str, str]
+    tried: tuple[str, ...]
     elements: int | None
     numerator: int
     denominator: int
@@ -132,8 +134,9 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         name=quantity.name,
         attribute=quantity.attribute,
         is_stored=not quantity.is_computed,
-        is_float=quantity.storage.is_float,
+        is_object=quantity.storage.is_float or quantity.length > 0,
         samples=_samples(quantity),
+        tried=_tried(quantity),
         elements=quantity.elements[0] if quantity.elements else None,
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
@@ -143,12 +146,22 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
     )
 
 
-def _samples(quantity: Quantity) -> tuple[float, float]:
+def _samples(quantity: Quantity) -> tuple[str, str]:
     """5 and 7, or the ends of a range that does not have them; floats are whole numbers, too, where they can be."""
     low, high = quantity.minimum, quantity.maximum
+    if quantity.length:
+        return '"5"', '"7"'
     if low <= 5 and high >= 7:
-        return 5, 7
-    return (float(low), float(high)) if quantity.storage.is_float else (int(low), int(high))
+        return "5", "7"
+    ends = (float(low), float(high)) if quantity.storage.is_float else (int(low), int(high))
+    return repr(ends[0]), repr(ends[1])
+
+
+def _tried(quantity: Quantity) -> tuple[str, ...]:
+    """Values of every kind of float, or texts of every length of a character."""
+    if quantity.length:
+        return "None", '""', '"a"', f'"{"x" * quantity.length}"', f'"\\u20ac" * {quantity.length}'
+    return "None", "0.0", "0.1", "-0.6", "1.5", "16777217.0", "-3.4e38", "1e-38"
 
 
 def _estimate(component: Component) -> EstimateFacts | None:

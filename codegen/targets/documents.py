@@ -134,9 +134,9 @@ def _rate(stream: Stream | None) -> str:
 def _quantity(quantity: Quantity) -> QuantityRow:
     return QuantityRow(
         path=quantity.path,
-        kept=f"{_counted(quantity)}{quantity.attribute} ({quantity.stored.name or quantity.kind.value})",
+        kept=f"{_counted(quantity)}{quantity.attribute} ({quantity.kept_in})",
         source=quantity.derivation.words(quantity),
-        initial="unknown" if quantity.initial is None else str(quantity.initial),
+        initial=quantity.start,
         criterion=str(quantity.citation or ""),
     )
 

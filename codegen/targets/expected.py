@@ -7,7 +7,9 @@ involved.
 from collections.abc import Sequence
 from fractions import Fraction
 
+from codegen.model.dialect import Kind, WireField
 from codegen.model.known import Known, Stored, Value, single
+from codegen.model.letters import NUL, cut
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import rounded
 from codegen.model.storage import Storage
@@ -30,7 +32,7 @@ def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier
 
 def is_withheld(message: PopulatedMessage, known: Known) -> bool:
     """Whether nothing is sent while the state is ``known``."""
-    return any(known[quantity.path] is None for _, quantity in message.withheld_for)
+    return any(answer.is_withheld(known) for answer in message.answers)
 
 
 def expected_fields(message: PopulatedMessage, known: Known, instance: int = 0, page: int = 0) -> dict[str, Wire]:
@@ -48,11 +50,20 @@ def expected_fields(message: PopulatedMessage, known: Known, instance: int = 0, 
     fields: dict[str, Wire] = {}
     for field in message.wire.fields:
         values = elements[field.name]
-        if field.is_array and not isinstance(values[0], str):
+        if isinstance(values[0], str):
+            fields[field.name] = _characters(values[0], field)
+        elif field.is_array:
             fields[field.name] = [_number(values[index]) for index in range(field.count)]
         else:
             fields[field.name] = values[0]
     return fields
+
+
+def _characters(text: str, field: WireField) -> Wire:
+    """A text as a field has it: a number for each byte where that is no char; a single char is never nothing."""
+    if field.type.kind is not Kind.CHAR:
+        return list(text.encode().ljust(field.count, b"\0"))
+    return text if field.is_array else text or NUL
 
 
 def _number(value: Value) -> int | float:
@@ -82,7 +93,9 @@ def chosen_instance(choice: Representation, instances: Sequence[Known]) -> int:
 
 
 def nominal_values(quantity: Quantity, instance: int) -> Stored:
-    """A plain value, or a different one for each element of the instance."""
+    """A plain value, or a different one for each element of the instance; of a text some characters."""
+    if quantity.kind is QuantityKind.TEXT:
+        return cut(NOMINAL_TEXT[min(instance, 5) :], quantity.length)
     plain = nominal(quantity)
     if quantity.elements is None:
         return plain
@@ -91,12 +104,17 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
     return tuple(max(low, min(high, int(plain) + 7 * index)) for index in range(count))
 
 
+NOMINAL_TEXT = "Plain words"
+"""What texts are in tests; a different end of it for each instance."""
+
+
 def nominal(quantity: Quantity) -> int | Fraction:
     """A plain value of a quantity: in the middle of its limits, or a small odd number without limits.
 
     Of one that takes more than a word it is a large one, so that every half of it counts.
     """
     if quantity.kind is not QuantityKind.NUMBER:
+        assert not isinstance(quantity.initial, str)
         return quantity.initial or 0
     if quantity.storage.is_float:
         middle = Fraction(1237, 64) if quantity.spec.max is None else (quantity.minimum + 2 * quantity.maximum) / 3

@@ -90,7 +90,7 @@ def parameter_expression(parameter: "Parameter", parameters: str, instance: str 
 
 def quoted(text: str) -> str:
     """A text literal of the generated Python, in double quotes."""
-    return json.dumps(text)
+    return json.dumps(text, ensure_ascii=False)
 
 
 def prose(text: str) -> str:

@@ -96,7 +96,7 @@ def _plain(quantity: Quantity, number: int) -> Stored:
     """A value by which the instances differ."""
     if quantity.derivation.switch is not None:
         return 1
-    if quantity.kind is not QuantityKind.NUMBER:
+    if quantity.kind in (QuantityKind.BOOLEAN, QuantityKind.ENUM):
         return quantity.initial or 0
     value = nominal_values(quantity, number)
-    return value if isinstance(value, tuple) or value is None else min(value + 11 * number, quantity.maximum)
+    return value if isinstance(value, tuple | str) or value is None else min(value + 11 * number, quantity.maximum)

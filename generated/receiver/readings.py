@@ -1,5 +1,5 @@
 # Generated from templates/receiver/readings.py: do not edit.
-# Inputs: 10be964146ee4a7f
+# Inputs: 1b0063b8414389eb
 """What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
@@ -75,8 +75,16 @@ def finite(said):
 
 
 def text(value):
-    """Return a text; an empty one says nothing. What is not ASCII comes as bytes."""
-    return value if value else None
+    """Return a text up to its first NUL; an empty one says nothing. What is not UTF-8 comes as bytes."""
+    if isinstance(value, tuple):
+        end = value.index(0) if 0 in value else len(value)
+        value = bytes(value[:end])
+    if isinstance(value, bytes):
+        try:
+            return str(value, "utf-8") or None
+        except ValueError:
+            return value
+    return value or None
 
 
 def entry(names, value):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/conftest.py: do not edit.
-# Inputs: 0f010420c0a54f00
+# Inputs: 67d4a12aaf66c67d
 """What the firmware does in the cases and checks of this suite, once for each interpreter; and what each test shows.
 
 A test is marked with the criteria that it shows. Results in JUnit's format (pytest --junit-xml) have them as properties
@@ -22,7 +22,7 @@ def pytest_configure(config):
 
 def pytest_collection_modifyitems(items):
     """Note for the results what each test of this suite shows."""
-    inputs = ("codegen-inputs", json.loads(CASES.read_text())["generated"]["inputs"])
+    inputs = ("codegen-inputs", json.loads(CASES.read_text(encoding="utf-8"))["generated"]["inputs"])
     for item in items:
         if item.path.parent == HERE:
             shown = [name for mark in item.iter_markers("requirement") for name in mark.args]

@@ -73,8 +73,16 @@ def finite(said):
 
 
 def text(value):
-    """Return a text; an empty one says nothing. What is not ASCII comes as bytes."""
-    return value if value else None
+    """Return a text up to its first NUL; an empty one says nothing. What is not UTF-8 comes as bytes."""
+    if isinstance(value, tuple):
+        end = value.index(0) if 0 in value else len(value)
+        value = bytes(value[:end])
+    if isinstance(value, bytes):
+        try:
+            return str(value, "utf-8") or None
+        except ValueError:
+            return value
+    return value or None
 
 
 def entry(names, value):

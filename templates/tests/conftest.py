@@ -20,7 +20,7 @@ def pytest_configure(config):
 
 def pytest_collection_modifyitems(items):
     """Note for the results what each test of this suite shows."""
-    inputs = ("codegen-inputs", json.loads(CASES.read_text())["generated"]["inputs"])
+    inputs = ("codegen-inputs", json.loads(CASES.read_text(encoding="utf-8"))["generated"]["inputs"])
     for item in items:
         if item.path.parent == HERE:
             shown = [name for mark in item.iter_markers("requirement") for name in mark.args]

@@ -45,7 +45,7 @@ def state_of(case, instances):
     state = SystemState(log=silent)
     for name, attribute, value, *instance in case["set"]:
         component = component_of(state, name, instances, instance[0] if instance else 0)
-        setattr(component, attribute, _FLOATS[value] if isinstance(value, str) else value)
+        setattr(component, attribute, _FLOATS.get(value, value) if isinstance(value, str) else value)
     return state
 
 
@@ -112,7 +112,7 @@ def run(cases):
 
 
 def main(path):
-    with open(path) as file:
+    with open(path, encoding="utf-8") as file:
         cases = json.load(file)
     print(json.dumps(run(cases)))
 

@@ -5,8 +5,9 @@ overlay's message with float fields, scaling with each rounding, parameters as s
 one, limits as amounts, and a converter of 10 bits. radio_rover is a whole vehicle without machine code: a radio and a
 cable for links, a charge that is estimated, a system id that no parameter sets, and a failsafe with nothing optional.
 float_fields has a message of floats that whole numbers alone make, and one of those for which that is not possible.
-three_cameras says how many there are. wide_values has numbers of more than 30 bits and floats, in fields of every type;
-boat is a boat with a receiver of satellites, without battery, converter or program.
+three_cameras says how many there are. texts has texts in fields of many sizes, and a list that withholds its message.
+wide_values has numbers of more than 30 bits and floats, in fields of every type, and clocks that pass the sentinels of
+theirs; boat is a boat with a receiver of satellites, without battery, converter or program.
 """
 
 import subprocess

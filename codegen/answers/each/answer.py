@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 
-from codegen.answers.each.elements import BAD_EACH, can_take, room_of, unknown_of
+from codegen.answers.each.elements import BAD_EACH, can_take, has_all, room_of, unknown_of
 from codegen.answers.each.reading import cell_readings
 from codegen.answers.filling import comment, fitted, origin
+from codegen.answers.fitting import WITHHELD
 from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
-from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
 from codegen.answers.scaled import conversion_trait, conversion_words, fitting, limit_cases, limit_words, sentinel_cases
 from codegen.answers.scope import Scope
 from codegen.answers.source import taken
@@ -16,7 +17,7 @@ from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Together
 from codegen.model.answer import Answer, Elements
 from codegen.model.known import Known, Stored, Value
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.population_spec import FieldAnswer
+from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.reading import Reading
 from codegen.model.scaling import Scaling
 from codegen.model.step import Step
@@ -31,6 +32,8 @@ class EachAnswer(KindOfAnswer):
     value, becomes ``unknown``, the sentinel of every element. With a ``room`` the values go out together or not at all:
     only while all of them are known and no more than the ``room`` that the message has; otherwise ``fallback`` goes
     out, or ``unknown`` in every element.
+    Where the field has no sentinel, and there is a value for each of its elements, the answer ``withholds`` the message
+    while one of these is unknown.
     Source: the dialect's text for BATTERY_STATUS.voltages.
     """
 
@@ -40,10 +43,11 @@ class EachAnswer(KindOfAnswer):
     source: Quantity
     first: int
     scaling: Scaling
-    unknown: int
+    unknown: int | None
     is_paged: bool = False
     fallback: SplitAnswer | None = None
     room: int | None = None
+    withholds: bool = False
 
     @classmethod
     def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
@@ -72,20 +76,49 @@ class EachAnswer(KindOfAnswer):
         found = taken(covers, quantity, "each", report)
         if found is None:
             return None
-        unknown = unknown_of(covers, quantity, scope)
-        if unknown is None:
+        room = None if is_paged else room_of(covers, scope)
+        withholds = room is None and not is_paged and _withholds(covers, quantity, scope)
+        unknown = None if withholds else unknown_of(covers, quantity, scope)
+        if unknown is None and not withholds:
             return None
         scaling = scaling_of(covers.field, unknown, found.bounds, found.factor, written, report)
         if scaling is None:
             return None
         check_reach(covers, found.written, scaling, unknown, report)
-        room = None if is_paged else room_of(covers, scope)
-        return cls(covers, quantity, written.first, scaling, unknown, is_paged, fallback, room)
+        check_declared(covers, found, Bounds(scaling.low, scaling.high), report)
+        return cls(covers, quantity, written.first, scaling, unknown, is_paged, fallback, room, withholds)
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
         """The one with the values, and the one that goes out in their place."""
         return (self.source, *(self.fallback.quantities if self.fallback else ()))
+
+    @property
+    def absent(self) -> int:
+        """What an element has that has no value: the sentinel; where each has one, that does not happen."""
+        return 0 if self.unknown is None else self.unknown
+
+    @property
+    def withheld_for(self) -> tuple[Quantity, ...]:
+        """The one with the values, where the field cannot say that one of them is unknown."""
+        return (self.source,) if self.withholds else ()
+
+    def is_withheld(self, known: Known) -> bool:
+        """While one of the values that it carries is unknown."""
+        values = known[self.source.path] if self.withholds else ()
+        assert isinstance(values, tuple)
+        return None in values[self.first : self.first + self.covers.count]
+
+    def withholding(self, code: PayloadCode) -> list[str]:
+        """Look at each of these values."""
+        if not self.withholds:
+            return []
+        end = self.first + self.covers.count
+        return [
+            f"place = {self.first}",
+            f"while place < {end}:  # {self.covers.label} cannot say so",
+            *indented([f"if {code.read(self.source, 'place')} == {UNKNOWN}:", "    return None", "place += 1"]),
+        ]
 
     @property
     def carried(self) -> tuple[Quantity, ...]:
@@ -98,11 +131,11 @@ class EachAnswer(KindOfAnswer):
         values = stored if isinstance(stored, tuple) else ()
         count = self.covers.count
         if self.room is not None and (None in values or not 0 < len(values) <= self.room):
-            return self.fallback.values(known, instance, page) if self.fallback else (self.unknown,) * count
+            return self.fallback.values(known, instance, page) if self.fallback else (self.absent,) * count
         first = page * count if self.is_paged else self.first
         row = values[first : first + count]
-        sent = [self.unknown if value is None else self.scaling.whole(value) for value in row]
-        return (*sent, *[self.unknown] * (count - len(sent)))
+        sent = [self.absent if value is None else self.scaling.whole(value) for value in row]
+        return (*sent, *[self.absent] * (count - len(sent)))
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
@@ -126,11 +159,11 @@ class EachAnswer(KindOfAnswer):
         head = [comment(covers, words)]
         most = max(self.source.elements or (0,))
         if not self.is_paged and self.first >= most:
-            return [*head, f"# there are {most}: all unknown", *code.fill(covers, self.unknown)]
+            return [*head, f"# there are {most}: all unknown", *code.fill(covers, self.absent)]
         if self.room is None:
             return [*head, *self._each(code)]
         each = self._each(code)
-        others = fallback.spilled(code) if fallback else code.fill(covers, self.unknown)
+        others = fallback.spilled(code) if fallback else code.fill(covers, self.absent)
         count = code.count(self.source)
         known = f"{code.read(self.source, 'place')} != {UNKNOWN}"
         fits = f"place == {count}" if most <= self.room else f"place == {count} and place <= {self.room}"
@@ -153,7 +186,8 @@ class EachAnswer(KindOfAnswer):
             source = f"place + page * {covers.count}{f' - {covers.first}' if covers.first else ''}"
         else:
             source = f"place + {shift}" if shift > 0 else f"place - {-shift}" if shift else "place"
-        bounds = [f"{source} < {count}"] if self.is_paged or not count.isdigit() else []
+        varies = self.is_paged or not count.isdigit()
+        bounds = [f"{source} < {count}"] if varies and not self.withholds else []
         end = last if bounds else min(last, most - shift)
         place = "place < " + str(end)
         element = [f"value = {code.read(self.source, source)}"]
@@ -162,7 +196,7 @@ class EachAnswer(KindOfAnswer):
             f"place = {covers.first}",
             f"while {' and '.join([place, *bounds])}:",
             *indented(element),
-            *(code.rest(covers, self.unknown) if bounds or end < last else []),
+            *(code.rest(covers, self.unknown) if self.unknown is not None and (bounds or end < last) else []),
         ]
 
     def words(self) -> Words:
@@ -194,6 +228,8 @@ class EachAnswer(KindOfAnswer):
             yield Step("instead", f"each of {self.source.path}, if there are such", details, criteria)
         cell_high = self.fallback.cell_high if self.fallback else None
         yield from fitting(self.covers, self.scaling, words.conversion, self.unknown, cell_high)
+        if self.withholds:
+            yield WITHHELD
 
     def traits(self, position: int) -> Iterator[Trait]:
         """Which value is in which element, scaling, limits and sentinel, and what goes out otherwise."""
@@ -204,7 +240,7 @@ class EachAnswer(KindOfAnswer):
         yield Trait("source", f"value {number}{paged} of {self.source.path} in element i{room}", Aspect.SOURCE)
         yield conversion_trait(self.covers, self.source, self.scaling)
         yield Trait("limits", limit_words(self.scaling, "as"), Aspect.LIMITS)
-        yield Trait("unknown", str(self.unknown), Aspect.UNKNOWN)
+        yield Trait("unknown", WITHHELD.text if self.withholds else str(self.unknown), Aspect.UNKNOWN)
         for trait in self.fallback.traits(position) if self.fallback else ():
             yield trait._replace(attribute=f"otherwise {trait.attribute}")
 
@@ -242,3 +278,10 @@ class EachAnswer(KindOfAnswer):
                 yield StateCase(f"{name}-page-{page}" if pages > 1 else name, {path: row}, page=page)
         for case in self.fallback.value_cases() if self.fallback else ():
             yield StateCase(f"fallback-{case.name}", {path: rows["without-0"], **case.changes})
+
+
+def _withholds(covers: Elements, quantity: Quantity, scope: Scope) -> bool:
+    """Whether a field without a sentinel withholds its message: each of its elements gets a value of its own."""
+    if covers.field.sentinel is not None or scope.population.send is not Send.WHILE_KNOWN:
+        return False
+    return has_all(covers, quantity, covers.written.first)

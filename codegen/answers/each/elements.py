@@ -5,6 +5,7 @@ from codegen.answers.scope import Scope
 from codegen.diagnostics import Rule
 from codegen.model.answer import Elements
 from codegen.model.dialect import Kind
+from codegen.model.population_spec import Send
 from codegen.model.vehicle import Quantity
 
 BAD_EACH = Rule(
@@ -32,9 +33,17 @@ def can_take(covers: Elements, quantity: Quantity, is_paged: bool, scope: Scope)
     return True
 
 
+def has_all(covers: Elements, quantity: Quantity, first: int) -> bool:
+    """Whether there is a value for each of the elements, from the value ``first`` on, in every instance."""
+    return min(quantity.elements or (0,)) >= first + covers.count
+
+
 def unknown_of(covers: Elements, quantity: Quantity, scope: Scope) -> int | None:
     """The sentinel that every element has; None, with a finding, where they do not have the same one."""
     field = covers.field
+    withheld = "withhold the message with 'send: while_known', which takes a value for each element, or "
+    if scope.population.send is Send.WHILE_KNOWN:
+        withheld = "send: while_known takes a value for each element of the field, and no pages; or "
     sentinels = set(field.sentinel.values[covers.first : covers.first + covers.count]) if field.sentinel else {None}
     unknown = sentinels.pop()
     if sentinels or not isinstance(unknown, int):
@@ -42,7 +51,7 @@ def unknown_of(covers: Elements, quantity: Quantity, scope: Scope) -> int | None
             NO_SENTINEL,
             covers.written.at("each"),
             f"a value of {quantity.path} can be unknown or not there, and not every element of {field.name} can say so",
-            "add the sentinel to the corrections file: invalid: '[0]'",
+            f"{withheld}add the sentinel to the corrections file: invalid: '[0]'",
             [(field.definition.place, f"{field.name} is declared here")],
         )
         return None

@@ -5,6 +5,7 @@ from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
+from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
@@ -60,14 +61,13 @@ def render_firmware(system: System) -> dict[str, str]:
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
-        "wide": view.has_wide,
-        "clock_plain": plain.ticks,
+        **{name: name in view.modules for name in VIEWS.values()},
         "clock_viper": plain.ticks and machine_code,
     }
     for name, is_used in optional.items():
         if not is_used:
             del files[f"firmware/{name}.py"]
-    if view.has_wide and has_doubles(system.wires):
+    if "wide" in view.modules and has_doubles(system.wires):
         text = with_doubles(copied("firmware/wide.py"))
         files["firmware/wide.py"] = headed(text, origin_of_text("templates/firmware/wide.py", text))
     files["firmware/messages.py"] = headed(
@@ -84,6 +84,8 @@ def _program_files(system: System) -> dict[str, str]:
     if program is None:
         return {}
     files = {f"firmware/{name}": _program_file(system, program, name) for name in plain_files(_PROGRAM)}
+    if not program.takes_time:
+        del files["firmware/clock_service.py"]
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)

@@ -3,11 +3,13 @@
 from collections.abc import Iterator
 
 from codegen.frozen import dataclass
+from codegen.model.letters import letter_words
 from codegen.model.storage import Storage
 from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.targets.naming import quoted
 
-WIDE = frozenset({"integer", "shown_integer", "floating"})
-"""The views that stand in the module wide, which is there only where something needs it."""
+VIEWS = {**dict.fromkeys(("integer", "shown_integer", "floating"), "wide"), "text": "letters", "ticking": "clock_plain"}
+"""The modules of those views that are there only where something needs them, by the view."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +20,12 @@ class AttributeView:
     expression: str
     above: str
     behind: str
+
+
+def text_attribute(quantity: Quantity, place: str, above: str, behind: str) -> AttributeView:
+    """The attribute of a text."""
+    initial = f"initial={quoted(quantity.initial)}" if isinstance(quantity.initial, str) else ""
+    return AttributeView(quantity.attribute, f"text({joined(place, quantity.length, initial)})", above, behind)
 
 
 def joined(*parts: object) -> str:
@@ -54,6 +62,10 @@ def initial_words(quantity: Quantity, place: str) -> Iterator[tuple[str, str]]:
     """The words of the initial value, from ``place`` on, each with what it has."""
     initial, storage = quantity.initial, quantity.storage
     assert initial is not None
+    if isinstance(initial, str):
+        for at, word in enumerate(letter_words(initial, quantity.length)):
+            yield f"{place} + {at}" if at else place, str(word)
+        return
     if storage is Storage.SMALL:
         yield place, str(initial)
         return

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from codegen.model.answer import Elements
 from codegen.model.clock import CLOCK
 from codegen.model.dialect import Kind
+from codegen.model.letters import words_of
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.firmware.words import Block, Layout, differ
@@ -142,6 +143,18 @@ class SpelledCode(PayloadCode):
         """As two bytes, or one."""
         return self.put(covers.offset + 2 * at, min(covers.field.type.size, 2), value)
 
+    def is_written(self, covers: Elements, value: int) -> str:
+        """Half by half, the low one first, which differs most often."""
+        halves = enumerate(_halves(covers, value))
+        size = min(covers.field.type.size, 2)
+        return " and ".join(f"{self.got(covers.offset + 2 * n, size)} == {_hex(half)}" for n, half in halves)
+
+    def got(self, offset: int, size: int) -> str:
+        """One or two bytes that have been written at an offset of the payload: an expression."""
+        if size == 1:
+            return f"wire[{offset}]"
+        return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
+
     def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
         """Write a whole number of so many bytes at an offset of the payload."""
         raise NotImplementedError
@@ -153,14 +166,52 @@ class SpelledCode(PayloadCode):
     def text(self, covers: Elements, value: str | tuple[str, ...]) -> list[str]:
         """From a constant of the module; of texts that differ each is as long as the longest."""
         values = (value,) if isinstance(value, str) else value
-        length = max(map(len, values))
+        data = [text.encode() for text in values]
+        length = max(map(len, data))
         if not length:
             return []
         name = self._text_constant(covers)
-        padded = [text.encode("ascii") + bytes(length - len(text)) for text in values]
-        literals = [f'b"{"".join(map(escaped, data))}"' for data in padded]
+        literals = [f'b"{"".join(map(escaped, one.ljust(length, bytes(1))))}"' for one in data]
         self.texts[name] = literals[0] if len(literals) == 1 else f"({', '.join(literals)})"
         return self.copied(covers, name if len(literals) == 1 else f"{name}[instance]", length)
+
+    def letters(self, covers: Elements, quantity: Quantity, *, forgotten: bool) -> list[str]:
+        """Word by word, of two bytes each; ``value`` is how many go out. A text can be cut where a character begins."""
+        end = min(quantity.length, covers.count)
+        is_cut = end < quantity.length or end == 1
+        whole = words_of(end) if 2 * words_of(end) <= covers.count else end // 2
+        words, lines = str(whole), []
+        if is_cut:
+            letter = f"{self._letters(quantity, 'place >> 1')} >> ((place & 1) << 3)"
+            lines = [f"place = {end}", f"while ({letter}) & 0xC0 == 0x80:  # amid a character", "    place -= 1"]
+            lines.append("value = place")
+            words = "value >> 1"
+        elif forgotten:
+            lines = [f"value = {whole}"]
+            words = "value"
+        if forgotten:
+            lines += [f"if {self.is_unknown(quantity)}:", "    value = 0"]
+        two = [*self.store_two(covers, "place", self._letters(quantity, "place")), "place += 1"]
+        lines += ["place = 0", f"while place < {words}:", *indented(two)]
+        zeros = self.rest(covers, 0)
+        if zeros and (is_cut or forgotten):
+            lines += ["place *= 2", *zeros]
+        if is_cut:
+            one = self.store_at(covers, "value", self._letters(quantity, "value >> 1"))
+            lines += ["if value & 1:", *indented(["value -= 1", *one])]
+        elif 2 * whole < end:
+            one = self.put(covers.offset + end - 1, 1, self._letters(quantity, str(whole)))
+            lines += ["if value:", *indented(one)] if forgotten else one
+        self.rest(covers, 0)  # so that all of it is cleared, whatever of it was written
+        return lines
+
+    def _letters(self, quantity: Quantity, place: str) -> str:
+        """The word of a text with two of its bytes."""
+        return self.word(quantity.component, quantity.attribute, f"({place})" if " " in place else place)
+
+    def store_two(self, covers: Elements, place: str, value: str) -> list[str]:
+        """Write 16 bits into the two bytes of a field that begin at twice ``place``."""
+        raise NotImplementedError
 
     def chip(self, covers: Elements) -> list[str]:
         """From a constant of the module, too, made when it is imported."""

@@ -45,6 +45,24 @@ class MachineCode(SpelledCode):
             return [f"wire32[{offset // 4}] = {value}"]
         return self._by_bytes(offset, size, value)
 
+    def got(self, offset: int, size: int) -> str:
+        """Two bytes in one piece, where they begin at an even place."""
+        if size == 2 and offset % 2 == 0:
+            self.uses.add("wire16")
+            return f"wire16[{offset // 2}]"
+        self.uses.add("wire")
+        return SpelledCode.got(self, offset, size)
+
+    def store_two(self, covers: Elements, place: str, value: str) -> list[str]:
+        """In one piece, where the field begins at an even place."""
+        start = covers.offset
+        self.written |= self.bytes_of(covers)
+        if start % 2 == 0:
+            self.uses.add("wire16")
+            return [f"wire16[{start // 2} + {place}] = {value}" if start else f"wire16[{place}] = {value}"]
+        self.uses.add("wire")
+        return [f"wire[{start} + 2 * {place}] = {value}", f"wire[{start + 1} + 2 * {place}] = {value} >> 8"]
+
     def flags(self, covers: Elements, mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
         """In one number, or where small integers do not carry it in numbers of 16 bits."""
         bits = 8 * covers.field.type.size

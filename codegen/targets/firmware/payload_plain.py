@@ -40,6 +40,11 @@ class PlainCode(SpelledCode):
         at = f"{size} * {place}"
         return [f"wire[{at}{f' + {start + n}' if start + n else ''}] = {byte_of(value, n)}" for n in range(size)]
 
+    def store_two(self, covers: Elements, place: str, value: str) -> list[str]:
+        """Byte by byte."""
+        at = [f"2 * {place}" if not start else f"{start} + 2 * {place}" for start in (covers.offset, covers.offset + 1)]
+        return [f"wire[{at[0]}] = {byte_of(value, 0)}", f"wire[{at[1]}] = {byte_of(value, 1)}"]
+
     def flags(self, covers: Elements, mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:
         """Bit by bit in the payload itself."""
         lines, read = self.fill(covers, mask), ""

@@ -56,6 +56,7 @@ class ProgramView:
     jobs: tuple[JobView, ...]
     has_ports: bool
     has_usb: bool
+    takes_time: bool
     cited: dict[str, str]
 
 
@@ -89,6 +90,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         calls=call_views(system, program, jobs),
         jobs=jobs,
         has_ports=bool(system.links),
+        takes_time=program.takes_time,
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
         cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
@@ -104,7 +106,8 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("micropython", "const"),
         ("parameters", "Parameters"),
         ("scheduler", "Scheduler"),
-        ("services", "receivable"),
+        ("clock_service" if program.takes_time else "services", "receivable"),
+        *([("clock_service", "follow_time")] if program.takes_time else []),
         ("state", "SystemState"),
         ("storage", "Storage"),
         ("streams", "Streams"),

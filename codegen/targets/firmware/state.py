@@ -11,11 +11,12 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
-    WIDE,
+    VIEWS,
     AttributeView,
     initial_words,
     joined,
     known_words,
+    text_attribute,
     wide_attributes,
 )
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
@@ -100,7 +101,10 @@ class ComponentView:
 
 @dataclass(frozen=True, slots=True)
 class StateView:
-    """The module: what it imports, the constants of its words, and the components in order."""
+    """The module: what it imports, the constants of its words, and the components in order.
+
+    ``modules`` are those of views that not every state has.
+    """
 
     imports: tuple[str, ...]
     reading_imports: tuple[str, ...]
@@ -109,7 +113,7 @@ class StateView:
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
     has_estimate: bool
-    has_wide: bool
+    modules: frozenset[str]
     is_measured: bool
     waiting: int = WAITING
 
@@ -123,7 +127,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
-    names |= {("wide" if word in WIDE else "words", word) for word in words}
+    names |= {(VIEWS.get(word, "words"), word) for word in words}
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -147,7 +151,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         components=components,
         families=_families(system),
         has_estimate=has_estimate,
-        has_wide=bool(words & WIDE),
+        modules=frozenset(VIEWS[word] for word in words & VIEWS.keys()),
         is_measured=bool(measured),
     )
 
@@ -229,7 +233,12 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
 def _attributes(component: Component, block: Block) -> Iterator[AttributeView]:
     for quantity in component.quantities.values():
         views = _views(quantity, component, block)
-        yield from (each for view in views for each in _aging(view, quantity, block)) if quantity.ages else views
+        if quantity.ages:
+            yield from (each for view in views for each in _aging(view, quantity, block))
+        elif quantity.derivation.counts_time:
+            yield from (each for view in views for each in _ticking(view))
+        else:
+            yield from views
     told = {
         "number": "What messages call it",
         "failures": "Failed readings in a row",
@@ -269,6 +278,9 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
     if quantity.kind is QuantityKind.BOOLEAN:
         yield AttributeView(quantity.attribute, f"truth({place})", above, "")
         return
+    if quantity.kind is QuantityKind.TEXT:
+        yield text_attribute(quantity, place, above, f"A text, {known_words(quantity)}{cited}")
+        return
     if quantity.storage is not Storage.SMALL:
         yield from wide_attributes(quantity, place, above, f"{shown}, {known_words(quantity)}{cited}")
         return
@@ -276,6 +288,13 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
     if quantity.attribute != quantity.name:
         view = "result" if derivation.kept_readings else "shown"
         yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known_words(quantity)}{cited}")
+
+
+def _ticking(view: AttributeView) -> Iterator[AttributeView]:
+    """The attribute of a clock, under a name of the module's own, and as of now in its place."""
+    inner = f"_{view.name}"
+    yield AttributeView(inner, view.expression, view.above, view.behind)
+    yield AttributeView(view.name, f'ticking("{inner}")', "", "")
 
 
 def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:

@@ -93,7 +93,7 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
     quantities = component.quantities.values()
     for quantity in quantities:
         if quantity.elements is None and not quantity.is_computed:
-            yield quantity.attribute, quantity.storage.words
+            yield quantity.attribute, quantity.words
         if quantity.ages:
             yield age_word(quantity), 1
         if differ(quantity.derivation.own_limits):

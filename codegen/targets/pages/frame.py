@@ -4,7 +4,7 @@ import struct
 from collections.abc import Mapping
 
 from codegen.frozen import dataclass
-from codegen.model.dialect import Kind, WireField
+from codegen.model.dialect import WireField
 from codegen.model.system import PopulatedMessage, System
 from codegen.resolve.wire import crc_mcrf4xx
 from codegen.targets.expected import Wire
@@ -72,7 +72,7 @@ def sent_frame(message: PopulatedMessage, values: Mapping[str, Wire], system: Sy
 
 def packed(field: WireField, value: Wire) -> bytes:
     """The bytes of a field; text is filled up with zeros."""
-    if field.type.kind is Kind.CHAR:
-        return str(value).encode()[: field.count].ljust(field.count, b"\0")
+    if isinstance(value, str):
+        return value.encode()[: field.count].ljust(field.count, b"\0")
     values = value if isinstance(value, list) else [value]
     return struct.pack(f"<{field.count}{field.type.code}", *values)

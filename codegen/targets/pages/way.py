@@ -30,10 +30,10 @@ class _Origins(Origins):
 
 def _quantity(quantity: Quantity, system: System) -> Iterator[Step]:
     yield from quantity.derivation.way(quantity, system)
-    kept = f"kept as {quantity.attribute}{f', in {quantity.stored.name}' if quantity.stored.name else ''}"
-    start = "unknown" if quantity.initial is None else str(quantity.initial)
+    unit = f", in {quantity.stored.name}" if quantity.stored.name else ""
+    kept = f"kept as {quantity.attribute}{f', a {quantity.kept_in}' if quantity.length else unit}"
     lost = quantity.lost
-    details = (kept, f"{start} at the start", *((f"unknown {lost}",) if lost else ()))
+    details = (kept, f"{quantity.start} at the start", *((f"unknown {lost}",) if lost else ()))
     criteria = _distinct(
         str(quantity.citation or ""),
         *((quantity.cited("stale_after" if quantity.ages else "invalid_after"),) if lost else ()),

@@ -59,7 +59,10 @@ MISSED = 3
 
 @dataclass(frozen=True, slots=True)
 class ReaderView:
-    """One message: its class, the field with the number of the instance, and the readings."""
+    """One message: its class, the field with the number of the instance, and the readings.
+
+    ``reads`` are the methods of the message that the readings ask.
+    """
 
     name: str
     id: int
@@ -69,7 +72,7 @@ class ReaderView:
     stale_ms: int
     readings: tuple[Reading, ...]
     lines: tuple[str, ...]
-    uses_raw: bool
+    reads: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +162,11 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
                 stale_ms=stale_after_ms(message, receiver),
                 readings=said[message.wire.name],
                 lines=tuple(line for reading in said[message.wire.name] for line in _lines(reading)),
-                uses_raw=any("raw(" in reading.expression for reading in said[message.wire.name]),
+                reads=tuple(
+                    name
+                    for name in ("get", "raw")
+                    if any(f"{name}(" in reading.expression for reading in said[message.wire.name])
+                ),
             )
             for message in receiver.messages
         ),

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 12340ce5f0e6a4c1
+# Inputs: 2485198977622b5e
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -49,7 +49,8 @@ class Services:
     """The services of one connection.
 
     `ground_station` is (system, component) of the ground station that was heard last, None before the first, and
-    `heard_ms` the time.ticks_ms() of its last HEARTBEAT.
+    `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all that are heard.
+    `for_all` are those who take messages that have no target, by id.
     """
 
     def __init__(self, vehicle, connection):
@@ -58,10 +59,10 @@ class Services:
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
         self.heard_ms = None
-        self._listeners = Listeners(vehicle.SILENCE_MS)
+        self.listeners = Listeners(vehicle.SILENCE_MS)
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
-        self._for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
+        self.for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
         self._for_target = {
             messages.CommandLong.ID: self._commands.handle,
             messages.CommandInt.ID: self._commands.handle,
@@ -75,14 +76,14 @@ class Services:
     def run(self):
         """Go on with what takes several passes."""
         self.parameters.run()
-        self._listeners.forget_silent(time.ticks_ms())
+        self.listeners.forget_silent(time.ticks_ms())
 
     def handle(self, message):
         """Answer a message, if it is for this vehicle and not its own."""
         connection = self._connection
         if message.source_system == connection.system_id and message.source_component == connection.component_id:
             return
-        handler = self._for_all.get(message.ID)
+        handler = self.for_all.get(message.ID)
         if handler is None and self._is_addressed(message):
             handler = self._for_target.get(message.ID)
         if handler is not None:
@@ -98,7 +99,7 @@ class Services:
         if message.raw("type") == _MAV_TYPE_GCS:
             self.ground_station = (message.source_system, message.source_component)
             self.heard_ms = time.ticks_ms()
-            if self._listeners.hear(message.source_system, message.source_component, self.heard_ms):
+            if self.listeners.hear(message.source_system, message.source_component, self.heard_ms):
                 self._connection.streams.connect()
 
     def _answer_ping(self, message):

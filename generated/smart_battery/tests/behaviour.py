@@ -68,6 +68,11 @@ def known(state):
     return state
 
 
+def kept(value):
+    """Return what an attribute has; of one with elements, which is a view, a list."""
+    return value if value is None or isinstance(value, (int, float, str)) else list(value)
+
+
 def sent(link, message):
     """Send a message, unless it is withheld."""
     if message is not None:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: 9301eca2efd8e7a7
+# Inputs: 5a35fd8c73aefc8d
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -47,7 +47,7 @@ def state_of(case, instances):
     state = SystemState(log=silent)
     for name, attribute, value, *instance in case["set"]:
         component = component_of(state, name, instances, instance[0] if instance else 0)
-        setattr(component, attribute, _FLOATS[value] if isinstance(value, str) else value)
+        setattr(component, attribute, _FLOATS.get(value, value) if isinstance(value, str) else value)
     return state
 
 
@@ -114,7 +114,7 @@ def run(cases):
 
 
 def main(path):
-    with open(path) as file:
+    with open(path, encoding="utf-8") as file:
         cases = json.load(file)
     print(json.dumps(run(cases)))
 

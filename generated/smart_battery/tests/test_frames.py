@@ -19,7 +19,7 @@ import pytest
 from interpreters import CASES, HERE
 from oracle import dialects, message_class
 
-DATA = json.loads(CASES.read_text())
+DATA = json.loads(CASES.read_text(encoding="utf-8"))
 SENDER = {"srcSystem": 1, "srcComponent": 180}
 
 

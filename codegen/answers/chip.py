@@ -1,0 +1,69 @@
+"""A text that only the running board knows: the number of its chip."""
+
+from collections.abc import Iterator
+
+from codegen.answers.constant import BAD_CONSTANT
+from codegen.answers.kind import KindOfAnswer
+from codegen.answers.scope import Scope
+from codegen.frozen import dataclass
+from codegen.model.account import Aspect, Origins, Trait, Words
+from codegen.model.answer import Elements
+from codegen.model.dialect import Kind
+from codegen.model.known import Known, Value
+from codegen.model.payload_code import PayloadCode
+from codegen.model.population_spec import FieldAnswer
+from codegen.model.step import Step
+from codegen.model.vehicle import Component
+
+UNIQUE_ID = "unique_id"
+"""What a table writes for the number that the maker gave the board's chip, as a text in hex."""
+
+MOCK_CHIP = bytes.fromhex("e6613852831b2c21")
+"""What the mocked board says when it is asked for the number of its chip."""
+
+
+@dataclass(frozen=True, slots=True)
+class ChipAnswer(KindOfAnswer):
+    """A text that the running board knows, cut to the field. ``source``: unique_id, the chip's number in hex."""
+
+    covers: Elements
+    source: str
+
+    @classmethod
+    def is_meant(cls, written: FieldAnswer, scope: Scope) -> bool:
+        """``board: unique_id``."""
+        return written.board == UNIQUE_ID
+
+    @classmethod
+    def bind(cls, covers: Elements, scope: Scope) -> "ChipAnswer | None":
+        """The number of the chip, into a text."""
+        if covers.field.type.kind is not Kind.CHAR:
+            message = f"{covers.field.name} is a {covers.field.type.name}, and {UNIQUE_ID} a text"
+            scope.report.add(BAD_CONSTANT, covers.written.at("board"), message)
+            return None
+        return cls(covers, UNIQUE_ID)
+
+    def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
+        """What the mocked board makes of it."""
+        return (MOCK_CHIP.hex()[: self.covers.field.count],)
+
+    def statements(self, code: PayloadCode) -> list[str]:
+        """What the board was asked for at the start."""
+        return [f"# {self.covers.label}: number of the chip ({self.covers.citation})", *code.chip(self.covers)]
+
+    def words(self) -> Words:
+        """What it is, and how it is written."""
+        return Words("number of the chip", "in hex")
+
+    def way(self, origins: Origins) -> Iterator[Step]:
+        """The board tells it."""
+        words = self.words()
+        yield Step("program", words.source, (words.conversion,), (str(self.covers.citation),))
+
+    def traits(self, position: int) -> Iterator[Trait]:
+        """What it is."""
+        yield Trait("source", f"text {self.source}", Aspect.SOURCE)
+
+    def is_fact(self, component: Component) -> bool:
+        """The board that sends it stays the same."""
+        return True

@@ -1,0 +1,157 @@
+"""What a quantity, a parameter or a constant reaches and a field cannot carry: each is reported at its line, with what
+would fit. A field's minValue and maxValue count as its type does.
+
+Each case is a project of one message with one field.
+"""
+
+import pytest
+
+from codegen.cli import main
+
+MV = 'type="uint16_t" units="mV" invalid="UINT16_MAX"'
+UP_TO_20 = 'type="uint16_t" units="mV" maxValue="20000"'
+FILES = {
+    "codegen.yaml": "project: e\ndialect: minimal\noverlays: [e.xml]\n",
+    "board.yaml": "board: b\nmcu: RP2350\nfacts:\n  m: {volts: 21 V, cells: 3}\n",
+    "streams.yaml": "streams:\n  only: {doc: d., rate: 1 Hz}\n",
+    "requirements/FR-1.md": "# FR-1 | T\n\n## Metadata\n\n- Status: Draft\n\n## Acceptance Criteria\n\n1. a.\n",
+}
+TABLE = "message: E\nrequirement: FR-1.1\nstream: only\nfields:\n  f: "
+VOLTS = "unit: V, stored: mV"
+PARAMETER = "type: real32, unit: V, default: 5, step: 0.1"
+
+
+@pytest.fixture
+def told(tmp_path, monkeypatch, capsys):
+    """What codegen check prints of a project: the field, the quantity m.q, the parameter PAR, and the answer."""
+
+    def check(field, quantity, answer, parameter=f"{PARAMETER}, min: 0, max: 10"):
+        quantity = f"{{doc: d, {quantity}}}"
+        files = FILES | {
+            "e.xml": f'<mavlink><messages><message id="54440" name="E"><description>d</description><field {field} '
+            'name="f">d</field></message></messages></mavlink>',
+            "state.yaml": f"components:\n  m:\n    doc: d\n    quantities:\n      q: {quantity}\n",
+            "parameters.yaml": f"parameters:\n  PAR: {{doc: d, {parameter}}}\n",
+            "messages/e.yaml": f"{TABLE}{answer}\n",
+        }
+        for name, text in files.items():
+            path = tmp_path / "specs" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        monkeypatch.chdir(tmp_path)
+        main(["check"])
+        return capsys.readouterr().out
+
+    return check
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "answer", "says"),
+    [
+        (MV, f"{VOLTS}, min: 0, max: 100", "{state: m.q}", "goes up to 100 V, and f (uint16_t) ends at 65.534 V"),
+        (MV, f"{VOLTS}, min: -5, max: 60", "{state: m.q}", "goes down to -5 V, and f (uint16_t) ends at 0 V"),
+        (UP_TO_20, f"{VOLTS}, initial: 0, max: 50", "{state: m.q}", "goes up to 50 V, and f (uint16_t) ends at 20 V"),
+        (UP_TO_20, f"{VOLTS}, initial: 21", "{state: m.q}", "is initially 21 V, and f (uint16_t) ends at 20 V"),
+        (
+            'type="uint8_t" minValue="3"',
+            "initial: 5, min: 0",
+            "{state: m.q}",
+            "goes down to 0, and f (uint8_t) ends at 3",
+        ),
+        (
+            'type="float" units="rad" invalid="NaN" maxValue="3.1415"',
+            "unit: rad, max: 7",
+            "{state: m.q}",
+            "goes up to 7 rad, and f (float) ends at 3.1415 rad",
+        ),
+        (
+            'type="int32_t" units="degE7" invalid="INT32_MAX"',
+            "unit: deg, stored: degE7, max: 360",
+            "{state: m.q}",
+            "goes up to 360 deg, and f (int32_t) ends at 214.7483646 deg",
+        ),
+        (
+            'type="uint16_t[2]" units="mV" invalid="[UINT16_MAX]"',
+            f"{VOLTS}, min: 0, max: 200",
+            "{state: m.q, split: true}",
+            "goes up to 200 V, and f (uint16_t) ends at 131.068 V",
+        ),
+        (
+            'type="uint16_t[3]" units="mV" invalid="[UINT16_MAX]"',
+            f"{VOLTS}, min: 0, max: 200, elements: cells",
+            "{each: m.q}",
+            "goes up to 200 V, and f (uint16_t) ends at 65.534 V",
+        ),
+    ],
+)
+def test_a_quantity_that_its_field_ends_before(told, field, quantity, answer, says):
+    """At the answer; the hint has the limit that fits, in the unit of the quantity."""
+    found = told(field, quantity, answer)
+    place = f"specs/messages/e.yaml:5:{6 + answer.index('m.q')}: error beyond-field: m.q {says}\n"
+    assert place in found
+    end = says.rsplit(" at ", 1)[1].split(" ")[0]
+    key = "min" if "down" in says else "max"
+    assert f"  hint: {key}: {end} at m.q, or here, if the field is to end there\n" in found
+    assert "it is declared here" in found
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "answer"),
+    [
+        (MV, VOLTS, "{state: m.q}"),
+        (MV, f"{VOLTS}, min: 0, max: 100", "{state: m.q, max: 60 V}"),
+        (MV, f"{VOLTS}, min: 0, max: 65.534", "{state: m.q}"),
+        (MV, f"{VOLTS}, min: 0, max: 65.535", "{state: m.q}"),  # the sentinel, beside which is a step for it
+        ('type="uint16_t" units="V"', f"{VOLTS}, initial: 0, min: 0, max: 65535.4", "{state: m.q}"),
+        ('type="float" units="rad" invalid="NaN" maxValue="3.1415"', "unit: rad, max: 3.1415", "{state: m.q}"),
+    ],
+)
+def test_what_a_field_carries_is_no_finding(told, field, quantity, answer):
+    """Nor what the table says itself, what is rounded, or what the state keeps beyond limits that nobody declared."""
+    assert told(field, quantity, answer) == ""
+
+
+@pytest.mark.parametrize(("field", "end"), [(MV, "65.534"), (UP_TO_20, "20")])
+def test_a_parameter_that_its_field_ends_before(told, field, end):
+    """Somebody may set it so at run time."""
+    found = told(field, "initial: 0", "{parameter: PAR}", f"{PARAMETER}, min: 0, max: 100")
+    assert f"e.yaml:5:18: error beyond-field: PAR goes up to 100 V, and f (uint16_t) ends at {end} V" in found
+    assert f"hint: max: {end} at PAR" in found
+    assert told(field, "initial: 0", "{parameter: PAR, max: 12 V}", f"{PARAMETER}, min: 0, max: 100") == ""
+
+
+@pytest.mark.parametrize(
+    ("field", "answer", "says"),
+    [
+        (UP_TO_20, "{constant: 21 V}", "21 V is 21000, but f (uint16_t) carries 0 to 20000"),
+        ('type="int16_t" minValue="-20"', "{constant: -21}", "-21 is -21, but f (int16_t) carries -20 to 32767"),
+        ('type="float" units="V" maxValue="20"', "{constant: 21 V}", "21 V is 21.0, but f (float) carries -inf to 20"),
+        (UP_TO_20, "{board: m.volts}", "21 V is 21000, but f (uint16_t) carries 0 to 20000"),
+    ],
+)
+def test_a_constant_that_its_field_does_not_carry(told, field, answer, says):
+    """At the key that names it."""
+    found = told(field, "initial: 0", answer)
+    assert f"specs/messages/e.yaml:5:{6 + answer.index(':') + 2}: error constant-out-of-range: {says}" in found
+    assert "f is declared here" in found
+
+
+@pytest.mark.parametrize(
+    ("field", "quantity", "answer", "is_coarse"),
+    [
+        (MV, "unit: V, min: 0, max: 60", "{state: m.q}", False),  # it is kept in mV
+        ('type="uint16_t[3]" units="mV" invalid="[UINT16_MAX]"', "unit: V, elements: cells", "{each: m.q}", True),
+        (
+            'type="uint16_t[3]" units="mV" invalid="[UINT16_MAX]"',
+            "unit: V, stored: V, elements: cells",
+            "{each: m.q}",
+            False,
+        ),
+        ('type="uint16_t[2]" units="mV" invalid="[UINT16_MAX]"', "unit: V", "{state: m.q, split: true}", True),
+    ],
+)
+def test_a_quantity_that_is_kept_more_coarsely_than_its_field(told, field, quantity, answer, is_coarse):
+    """A warning at the quantity, with what to write, unless it says itself how finely it is kept."""
+    found = told(field, quantity, answer)
+    assert ("specs/state.yaml:5:7: warning coarse-quantity: m.q is kept in whole V" in found) == is_coarse
+    assert "error" not in found
