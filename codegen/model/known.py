@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.model.vehicle import Parameter, Quantity
 
-Stored = int | Fraction | tuple[int | None, ...] | None
+Stored = int | Fraction | tuple[int | Fraction | None, ...] | None
 """A stored integer, or one for each element, or the exact value of a float; None is unknown, a boolean is 0 or 1."""
 
 Known = Mapping[str, Stored]
@@ -36,6 +36,12 @@ def kept_number(source: Quantity, known: Known) -> int | Fraction | None:
     value = known[source.path]
     assert not isinstance(value, tuple)
     return source.initial if value is None else max(source.minimum, min(source.maximum, value))
+
+
+def is_known(source: Quantity, known: Known) -> bool:
+    """Whether a quantity is known; of a list every value."""
+    value = known[source.path]
+    return value is not None and not (isinstance(value, tuple) and None in value)
 
 
 def shown_value(value: Value) -> str:

@@ -6,9 +6,12 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.storage import Storage
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
+from codegen.targets.expected import nominal_values
 from codegen.targets.firmware.words import measured_of
+from codegen.targets.message_case import literal_of
 from codegen.targets.naming import parameter_attribute
 
 
@@ -18,6 +21,7 @@ class QuantityFacts:
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
     ``is_float``: it is kept as one, and MicroPython allocates where code sets it. ``samples`` are two plain values.
+    ``row`` is a literal with some for the elements of a list of what more than a word holds, or nothing.
     """
 
     name: str
@@ -26,6 +30,7 @@ class QuantityFacts:
     is_float: bool
     samples: tuple[float, float]
     elements: int | None
+    row: str
     numerator: int
     denominator: int
     citation: str
@@ -135,6 +140,7 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         is_float=quantity.storage.is_float,
         samples=_samples(quantity),
         elements=quantity.elements[0] if quantity.elements else None,
+        row=_row(quantity),
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation or ""),
@@ -149,6 +155,11 @@ def _samples(quantity: Quantity) -> tuple[float, float]:
     if low <= 5 and high >= 7:
         return 5, 7
     return (float(low), float(high)) if quantity.storage.is_float else (int(low), int(high))
+
+
+def _row(quantity: Quantity) -> str:
+    is_one = quantity.storage is Storage.SMALL or quantity.elements is None
+    return "" if is_one else literal_of(nominal_values(quantity, 0))
 
 
 def _estimate(component: Component) -> EstimateFacts | None:

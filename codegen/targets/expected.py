@@ -7,7 +7,7 @@ involved.
 from collections.abc import Sequence
 from fractions import Fraction
 
-from codegen.model.known import Known, Stored, Value, single
+from codegen.model.known import Known, Stored, Value, is_known, single
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import rounded
 from codegen.model.storage import Storage
@@ -30,7 +30,7 @@ def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier
 
 def is_withheld(message: PopulatedMessage, known: Known) -> bool:
     """Whether nothing is sent while the state is ``known``."""
-    return any(known[quantity.path] is None for _, quantity in message.withheld_for)
+    return not all(is_known(quantity, known) for _, quantity in message.withheld_for)
 
 
 def expected_fields(message: PopulatedMessage, known: Known, instance: int = 0, page: int = 0) -> dict[str, Wire]:
@@ -87,8 +87,12 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
     if quantity.elements is None:
         return plain
     count = quantity.elements[instance]
-    low, high = int(quantity.minimum), int(quantity.maximum)
-    return tuple(max(low, min(high, int(plain) + 7 * index)) for index in range(count))
+    low, high = quantity.minimum, quantity.maximum
+    if quantity.storage.is_float:
+        apart = Fraction(high - low) / 64 if quantity.spec.min is not None and quantity.spec.max is not None else Fraction(7, 8)
+        values = (quantity.storage.nearest(Fraction(plain) + apart * index) for index in range(count))
+        return tuple(max(low, min(high, value)) for value in values)
+    return tuple(max(int(low), min(int(high), int(plain) + 7 * index)) for index in range(count))
 
 
 def nominal(quantity: Quantity) -> int | Fraction:

@@ -6,13 +6,14 @@ from typing import NamedTuple
 from codegen.model.price import on_by_default
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Quantity
-from codegen.targets.expected import nominal
+from codegen.targets.expected import nominal_values
 from codegen.targets.firmware.words import age_word, word_layout
+from codegen.targets.message_case import literal_of
 from codegen.targets.naming import builder_name, encoder_name, message_about
 
 
 class KnownWord(NamedTuple):
-    """A quantity of an instance, from 0, and a plain value of it.
+    """A quantity of an instance, from 0, and a plain value of it, as a literal.
 
     ``expires`` is the place in the whole array where it is kept how long that is believed, if it ages.
     """
@@ -20,7 +21,7 @@ class KnownWord(NamedTuple):
     component: str
     instance: int
     attribute: str
-    value: int | float
+    value: str
     expires: int | None
 
 
@@ -75,12 +76,11 @@ def _known(system: System) -> Iterator[KnownWord]:
     layout = word_layout(system)
     for quantity in quantities.values():
         places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
-        value = nominal(quantity)
         for instance in range(system.components[quantity.component].instances):
             yield KnownWord(
                 quantity.component,
                 instance,
                 quantity.attribute,
-                value if isinstance(value, int) else float(value),
+                literal_of(nominal_values(quantity, instance)),
                 places[instance] if places else None,
             )

@@ -61,6 +61,7 @@ def render_firmware(system: System) -> dict[str, str]:
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
         "wide": view.has_wide,
+        "rows": view.has_rows,
         "clock_plain": plain.ticks,
         "clock_viper": plain.ticks and machine_code,
     }

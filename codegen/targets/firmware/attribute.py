@@ -8,6 +8,8 @@ from codegen.model.vehicle import Quantity, QuantityKind
 
 WIDE = frozenset({"integer", "shown_integer", "floating"})
 """The views that stand in the module wide, which is there only where something needs it."""
+ROWS = frozenset({"integers", "shown_integers", "floats"})
+"""Those of lists of such numbers, in the module rows, which needs wide."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +50,15 @@ def wide_attributes(quantity: Quantity, place: str, above: str, behind: str) -> 
     yield AttributeView(quantity.attribute, f"integer({joined(place, *limits)})", above, "")
     if quantity.attribute != quantity.name and quantity.kind is QuantityKind.NUMBER:
         yield AttributeView(quantity.name, f"shown_integer({joined(place, *limits, *steps)})", behind, "")
+
+
+def row_attributes(quantity: Quantity, place: str, above: str, behind: str) -> Iterator[AttributeView]:
+    """The same of a list: the view of one number has a name in the plural, and takes how many there are."""
+    count = max(quantity.elements or (0,))
+    for view in wide_attributes(quantity.element, place, above, behind):
+        name, _, arguments = view.expression.partition(f"({place}, ")
+        several = {"floating": "floats"}.get(name, f"{name}s")
+        yield AttributeView(view.name, f"{several}({place}, {count}, {arguments}", view.above, view.behind)
 
 
 def initial_words(quantity: Quantity, place: str) -> Iterator[tuple[str, str]]:

@@ -3,6 +3,7 @@
 from textwrap import wrap
 
 from codegen.frozen import dataclass
+from codegen.model.payload_code import ELEMENT, each_element
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
 from codegen.model.vehicle import Component
 from codegen.targets.firmware.choice import choosing
@@ -187,7 +188,9 @@ def _withheld(message: PopulatedMessage, code: SpelledCode) -> list[str]:
     """Nothing is written while something is unknown that its field cannot say."""
     lines = []
     for label, quantity in message.withheld_for:
-        lines += [f"if {code.is_unknown(quantity)}:  # {label} cannot say so", "    return None"]
+        element = ELEMENT if quantity.elements else ""
+        test = [f"if {code.is_unknown(quantity, element)}:  # {label} cannot say so", "    return None"]
+        lines += each_element(0, quantity.elements[0], test) if quantity.elements else test
     return ["", "# The message is withheld while one of these is unknown.", *lines] if lines else []
 
 

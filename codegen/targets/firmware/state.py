@@ -11,11 +11,13 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
+    ROWS,
     WIDE,
     AttributeView,
     initial_words,
     joined,
     known_words,
+    row_attributes,
     wide_attributes,
 )
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
@@ -110,6 +112,7 @@ class StateView:
     families: tuple[FamilyView, ...]
     has_estimate: bool
     has_wide: bool
+    has_rows: bool
     is_measured: bool
     waiting: int = WAITING
 
@@ -123,7 +126,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
-    names |= {("wide" if word in WIDE else "words", word) for word in words}
+    names |= {("wide" if word in WIDE else "rows" if word in ROWS else "words", word) for word in words}
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -147,7 +150,8 @@ def state_view(system: System, layout: Layout) -> StateView:
         components=components,
         families=_families(system),
         has_estimate=has_estimate,
-        has_wide=bool(words & WIDE),
+        has_wide=bool(words & (WIDE | ROWS)),
+        has_rows=bool(words & ROWS),
         is_measured=bool(measured),
     )
 
@@ -258,6 +262,9 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
     numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
     steps = f"{numerator}, {denominator}" if denominator != 1 else str(numerator)
     shown = quantity.unit.name or "A number"
+    if quantity.elements is not None and quantity.storage is not Storage.SMALL:
+        yield from row_attributes(quantity, place, above, f"{shown} each, or None while it is unknown{cited}")
+        return
     if quantity.elements is not None:
         own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(quantity.elements) else ""
         most = max(quantity.elements)
