@@ -219,6 +219,7 @@ class RowAnswer(KindOfAnswer):
                     rows[name] = tuple(value if first <= at < end else kept for at, kept in enumerate(values))
         for at in range(len(values)):
             rows[f"without-{at}"] = tuple(None if place == at else kept for place, kept in enumerate(values))
+        for at in {0, len(values) - 1}:
             rows[f"only-{at}"] = tuple(kept if place == at else None for place, kept in enumerate(values))
         for name, row in rows.items():
             yield StateCase(name, {path: row})

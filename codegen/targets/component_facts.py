@@ -20,7 +20,8 @@ class QuantityFacts:
     """One quantity: its attributes, and how many steps make one of its units. ``is_stored``: it follows no other.
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
-    ``is_float``: it is kept as one, and MicroPython allocates where code sets it. ``samples`` are two plain values.
+    ``is_float``: it is kept as one, and MicroPython allocates where code sets it. ``samples`` are two plain values
+    as literals, of a list for all of it; ``is_unknown`` is how to compare it with none, as an end of an expression.
     ``row`` is a literal with some for the elements of a list of what more than a word holds, or nothing.
     """
 
@@ -28,7 +29,8 @@ class QuantityFacts:
     attribute: str
     is_stored: bool
     is_float: bool
-    samples: tuple[float, float]
+    samples: tuple[str, str]
+    is_unknown: str
     elements: int | None
     row: str
     numerator: int
@@ -133,12 +135,14 @@ def _component(component: Component, system: System) -> ComponentFacts:
 
 
 def _quantity(quantity: Quantity) -> QuantityFacts:
+    low, high = _samples(quantity)
     return QuantityFacts(
         name=quantity.name,
         attribute=quantity.attribute,
         is_stored=not quantity.is_computed,
         is_float=quantity.storage.is_float,
-        samples=_samples(quantity),
+        samples=(_alike(quantity, low), _alike(quantity, high)),
+        is_unknown=f"== {_alike(quantity, None)}" if quantity.elements else "is None",
         elements=quantity.elements[0] if quantity.elements else None,
         row=_row(quantity),
         numerator=quantity.steps.numerator,
@@ -155,6 +159,10 @@ def _samples(quantity: Quantity) -> tuple[float, float]:
     if low <= 5 and high >= 7:
         return 5, 7
     return (float(low), float(high)) if quantity.storage.is_float else (int(low), int(high))
+
+
+def _alike(quantity: Quantity, value: float | None) -> str:
+    return f"[{value}] * {quantity.elements[0]}" if quantity.elements else str(value)
 
 
 def _row(quantity: Quantity) -> str:

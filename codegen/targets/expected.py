@@ -89,7 +89,11 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
     count = quantity.elements[instance]
     low, high = quantity.minimum, quantity.maximum
     if quantity.storage.is_float:
-        apart = Fraction(high - low) / 64 if quantity.spec.min is not None and quantity.spec.max is not None else Fraction(7, 8)
+        apart = (
+            Fraction(high - low) / 64
+            if quantity.spec.min is not None and quantity.spec.max is not None
+            else Fraction(7, 8)
+        )
         values = (quantity.storage.nearest(Fraction(plain) + apart * index) for index in range(count))
         return tuple(max(low, min(high, value)) for value in values)
     return tuple(max(int(low), min(int(high), int(plain) + 7 * index)) for index in range(count))

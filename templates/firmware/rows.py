@@ -4,9 +4,11 @@ Each value is set and read by its place, and can be None: unknown. A list is set
 it has, or by None, which makes all of them unknown.
 """
 
+import time
+
 from conversion import to_steps
 from wide import float_at, keep_float, keep_whole, whole_at
-from words import in_unit
+from words import UNKNOWN, in_unit
 
 
 class _Row:
@@ -47,6 +49,45 @@ def shown_integers(place, count, halves, low, high, numerator, denominator=1):
 def floats(place, count, halves, low=None, high=None, numerator=1, denominator=1):
     """Return an attribute for a list of floats of 32 or 64 bits, with limits in the units that are kept."""
     return _attribute(place, count, (halves, low, high, numerator, denominator), (float_at, keep_float))
+
+
+class _Believed:
+    """A list that is forgotten: it can be read, and is set as a whole, by which its age is known."""
+
+    def __init__(self, owner, believed):
+        self._owner = owner
+        self._believed = believed
+
+    def __len__(self):
+        return len(self._believed(self._owner))
+
+    def __getitem__(self, index):
+        return self._believed(self._owner)[index]
+
+
+def aging_row(name, place, count, words, expires, after_ms):
+    """Return the attribute `name`, a list from `place` on, that is forgotten so many ms after it was set as a whole.
+
+    The word at `expires` is as words.aging() has it.
+    """
+    back_ms = 0x3FFFFFFF - after_ms + 1
+
+    def believed(self):
+        until_ms = self.words[expires]
+        if until_ms != UNKNOWN and 0 < (time.ticks_ms() - until_ms & 0x3FFFFFFF) < 0x20000000:
+            for at in range(place, place + count * words, words):
+                self.words[at] = UNKNOWN
+            self.words[expires] = UNKNOWN
+        return getattr(self, name)
+
+    def get(self):
+        return _Believed(self, believed)
+
+    def put(self, values):
+        setattr(self, name, values)
+        self.words[expires] = time.ticks_ms() - back_ms & 0x3FFFFFFF
+
+    return property(get, put)
 
 
 def _attribute(place, count, about, functions):

@@ -8,8 +8,8 @@ from codegen.model.vehicle import Quantity, QuantityKind
 
 WIDE = frozenset({"integer", "shown_integer", "floating"})
 """The views that stand in the module wide, which is there only where something needs it."""
-ROWS = frozenset({"integers", "shown_integers", "floats"})
-"""Those of lists of such numbers, in the module rows, which needs wide."""
+ROWS = frozenset({"integers", "shown_integers", "floats", "aging_row"})
+"""Those of lists of such numbers, and of lists that are forgotten, in the module rows, which needs wide."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -290,7 +290,12 @@ def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[At
     place = block.constant(age_word(quantity))
     inner = f"_{view.name}"
     yield AttributeView(inner, view.expression, view.above, "")
-    forgets = f'aging("{inner}", {block.constant(quantity.attribute)}, {place}, {quantity.trust.stale_after_ms})'
+    first, after_ms = block.constant(quantity.attribute), quantity.trust.stale_after_ms
+    if quantity.elements:
+        count, words = max(quantity.elements), quantity.storage.words
+        forgets = f'aging_row("{inner}", {joined(first, count, words, place, after_ms)})'
+    else:
+        forgets = f'aging("{inner}", {joined(first, place, after_ms)})'
     yield AttributeView(view.name, forgets, view.behind, "")  # behind the long line there is no room for it
 
 
