@@ -99,11 +99,6 @@ class CopiedAnswer(LiveAnswer):
             value = self.scaling.beside
         return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
 
-    @property
-    def makes_float(self) -> bool:
-        """The bits of a float are there."""
-        return False
-
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """All at most, and none where the value can be 0."""
         scaling, size = self.scaling, self.covers.field.type.size

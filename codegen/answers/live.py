@@ -29,7 +29,7 @@ from codegen.model.known import Known, Value, shown_value, stored_value
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.reading import Reading, scaled
-from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
+from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling, float_parts
 from codegen.model.step import Step
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
@@ -124,15 +124,13 @@ class LiveAnswer(KindOfAnswer):
         return (self.scaling,)
 
     @property
-    def makes_float(self) -> bool:
-        """Whether the value needs a float to be made.
+    def _is_long(self) -> bool:
+        """Whether a float needs numbers of several words on the way.
 
-        A float of 32 bits comes of integer arithmetic while value times numerator, and the shifted rest of the division
-        by the denominator, fit a board's small integers.
+        One of 32 bits does without while value times numerator, and the shifted rest of the division by the
+        denominator, fit a board's small integers.
         """
         wire_type, factor = self.covers.field.type, self.scaling.factor
-        if wire_type.is_integer:
-            return False
         largest = max(map(abs, self.scaling.steps)) * factor.numerator
         return wire_type.size != 4 or largest > SMALL_INT_MAX or factor.denominator > FLOAT_DIVISOR_MAX
 
@@ -172,8 +170,8 @@ class LiveAnswer(KindOfAnswer):
 
     def _float(self, code: PayloadCode, element: str) -> list[str]:
         factor = self.scaling.factor
-        if self.makes_float:
-            write = code.make_float(self.covers, factor.numerator, factor.denominator)
+        if self._is_long:
+            write = code.put_real(self.covers, float_parts(factor), element)
         else:
             product = f"value * {factor.numerator}" if factor.numerator != 1 else "value"
             write = code.put_float(self.covers, product, factor.denominator, self.unknown, element)

@@ -228,7 +228,7 @@ class RowAnswer(KindOfAnswer):
 class _Nowhere(Origins):
     """Tells nothing of where a value comes from: that of a list is told once."""
 
-    def steps(self, source: object) -> tuple[Step, ...]:  # noqa: ARG002
+    def steps(self, source: object) -> tuple[Step, ...]:
         return ()
 
 

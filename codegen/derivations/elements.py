@@ -28,9 +28,7 @@ def resolve_elements(around: Surroundings) -> tuple[int, ...] | None:
     if isinstance(spec.elements, str):
         return around.counted(spec.elements, "elements", BAD_ELEMENTS)
     if spec.elements.denominator != 1 or not 1 <= spec.elements <= MOST_COUNTED:
-        message = (
-            f"{around.name} has {decimal(spec.elements)} elements, which is no whole number from 1 to {MOST_COUNTED}"
-        )
+        message = f"elements of {around.name} is {decimal(spec.elements)}, not a whole number from 1 to {MOST_COUNTED}"
         around.bad("elements", message, BAD_ELEMENTS)
         return None
     return (int(spec.elements),) * len(around.parts)

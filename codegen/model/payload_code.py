@@ -7,6 +7,7 @@ answers give; where they differ, in reading a word and in writing a number, they
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING
 
+from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Parameter, Quantity
 
 if TYPE_CHECKING:
@@ -131,8 +132,11 @@ class PayloadCode(ABC):
         """
 
     @abstractmethod
-    def make_float(self, covers: "Elements", numerator: int, divisor: int) -> list[str]:
-        """Write ``value`` * numerator / divisor as a float that has to be made for it, for which boards allocate."""
+    def put_real(self, covers: "Elements", factor: FloatParts, element: str = "") -> list[str]:
+        """Write ``value`` times a factor into a float of any size, by whole numbers of several words.
+
+        ``element`` is as ``store`` has it.
+        """
 
     @abstractmethod
     def flags(self, covers: "Elements", mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:

@@ -89,11 +89,8 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
     count = quantity.elements[instance]
     low, high = quantity.minimum, quantity.maximum
     if quantity.storage.is_float:
-        apart = (
-            Fraction(high - low) / 64
-            if quantity.spec.min is not None and quantity.spec.max is not None
-            else Fraction(7, 8)
-        )
+        is_limited = quantity.spec.min is not None and quantity.spec.max is not None
+        apart = Fraction(high - low) / 64 if is_limited else Fraction(7, 8)
         values = (quantity.storage.nearest(Fraction(plain) + apart * index) for index in range(count))
         return tuple(max(low, min(high, value)) for value in values)
     return tuple(max(int(low), min(int(high), int(plain) + 7 * index)) for index in range(count))

@@ -530,7 +530,7 @@ BUILDERS = (
     telemetry.build_battery_cell_voltages,
 )
 
-STEADY = (  # those that make no float, which allocates
+STEADY = (
     telemetry.build_heartbeat,
     telemetry.build_sys_status,
     telemetry.build_battery_status,

@@ -60,6 +60,8 @@ def render_firmware(system: System) -> dict[str, str]:
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
+        "reals_plain": plain.puts_reals,
+        "reals_viper": plain.puts_reals and machine_code,
         "wide": view.has_wide,
         "rows": view.has_rows,
         "clock_plain": plain.ticks,

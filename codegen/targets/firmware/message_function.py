@@ -61,6 +61,7 @@ class FunctionsView:
     texts: tuple[tuple[str, str], ...]
     functions: tuple[FunctionView, ...]
     puts_floats: bool
+    puts_reals: bool
     is_withheld: bool
     ticks: bool
 
@@ -97,6 +98,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         texts=tuple(texts.items()),
         functions=tuple(functions),
         puts_floats="put_float" in uses,
+        puts_reals="put_real" in uses,
         is_withheld=any(function.is_withheld for function in functions),
         ticks="tick" in uses,
     )
@@ -114,8 +116,8 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
         names.add(("binascii", "hexlify"))
     if "put_float" in uses:
         names.add(("floats_viper", "put_floats") if machine_code else ("floats_plain", "put_float"))
-    if "make_float" in uses:
-        names.add(("conversion", "make_float"))
+    if "put_real" in uses:
+        names.add(("reals_viper" if machine_code else "reals_plain", "put_real"))
     return import_lines(modules, names)
 
 

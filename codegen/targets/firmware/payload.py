@@ -7,6 +7,8 @@ from codegen.model.answer import Elements
 from codegen.model.clock import CLOCK
 from codegen.model.dialect import Kind
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.scaling import FloatParts
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.firmware.words import Block, Layout, differ
 from codegen.targets.naming import parameter_attribute
@@ -54,7 +56,8 @@ class SpelledCode(PayloadCode):
 
     def is_unknown(self, quantity: Quantity, element: str = "") -> str:
         """By its first word."""
-        return f"{self.number_of(self.word(quantity.component, quantity.attribute, _first(quantity, element)))} == {UNKNOWN}"
+        word = self.word(quantity.component, quantity.attribute, _first(quantity, element))
+        return f"{self.number_of(word)} == {UNKNOWN}"
 
     def half(self, quantity: Quantity, at: int, element: str = "") -> str:
         """The word, which has no sign."""
@@ -275,6 +278,18 @@ def placed(offset: int, size: int, turns: Turns | None) -> str:
     steps = turns.size // size
     moved = f"{steps} * {turns.element}" if steps != 1 else turns.element
     return f"{offset // size} + {moved}" if offset else moved
+
+
+def real_about(covers: Elements, factor: FloatParts) -> tuple[int, int, int, int, int]:
+    """What ``put_real`` of the firmware wants to know: numerator, divisor, exponent, and two counts of bits and bytes.
+
+    The exponent is that of the wire for a quotient whose highest bit counts 2 ** 59; so many bits of it are found at
+    once as keep what is divided below 2 ** 30.
+    """
+    size = covers.field.type.size
+    room = SMALL_INT_MAX.bit_length() - factor.divisor.bit_length()
+    bits = max(each for each in (1, 3, 5, 15) if each <= room)
+    return factor.numerator, factor.divisor, 59 + factor.power + (1023 if size == 8 else 127), bits, size
 
 
 def escaped(byte: int) -> str:

@@ -5,8 +5,17 @@ from collections.abc import Iterable
 
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
+from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, Turns, byte_of, escaped, literal, placed
+from codegen.targets.firmware.payload import (
+    SpelledCode,
+    Turns,
+    byte_of,
+    escaped,
+    literal,
+    placed,
+    real_about,
+)
 from codegen.targets.firmware.words import Block
 from codegen.targets.imports import LINE_LENGTH, in_brackets
 
@@ -159,15 +168,14 @@ class MachineCode(SpelledCode):
         places = (placed(covers.offset + n, 1, turns) for n in range(size))
         return ["text = ptr8(_FLOAT)", *(f"wire[{place}] = text[{n}]" for n, place in enumerate(places))]
 
-    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
-        """On the side, too: the function for it takes an object."""
-        self.uses.add("make_float")
-        self._use_side()
-        code = f'"<{covers.field.type.code}"'
-        return [
-            f"make_float({code}, _FLOAT, 0, value, {numerator}, {divisor})",
-            *self._copied_from_side(covers),
-        ]
+    def put_real(self, covers: Elements, factor: FloatParts, element: str = "") -> list[str]:
+        """By the function for it, byte by byte."""
+        self.uses.add("put_real")
+        self.written |= self.bytes_of(covers)
+        place = placed(covers.offset, 1, self.turns(covers, element))
+        at = f"int(wire) + {place}" if place != "0" else "int(wire)"
+        data = struct.pack("<IIH2B", *real_about(covers, factor))
+        return [f'put_real({at}, value, b"{"".join(map(escaped, data))}")']
 
     def now(self) -> str:
         """Asked for where it is needed."""

@@ -2,8 +2,9 @@
 
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
+from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, Turns, byte_of, placed
+from codegen.targets.firmware.payload import SpelledCode, Turns, byte_of, placed, real_about
 from codegen.targets.firmware.words import Block
 
 
@@ -73,10 +74,11 @@ class PlainCode(SpelledCode):
         self.uses.add("put_float")
         return [f"put_float(wire, {placed(covers.offset, 1, self.turns(covers, element))}, {value}, {divisor})"]
 
-    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
+    def put_real(self, covers: Elements, factor: FloatParts, element: str = "") -> list[str]:
         """By the function for it."""
-        self.uses.add("make_float")
-        return [f'make_float("<{covers.field.type.code}", wire, {covers.offset}, value, {numerator}, {divisor})']
+        self.uses.add("put_real")
+        place = placed(covers.offset, 1, self.turns(covers, element))
+        return [f"put_real(wire, {place}, value, {real_about(covers, factor)})"]
 
     def now(self) -> str:
         """What ``value`` is at first."""
