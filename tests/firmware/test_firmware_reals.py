@@ -1,7 +1,7 @@
 """put_real(): a whole number times any factor as the nearest float of 32 or 64 bits, by a board's small integers alone.
 
-What is right is what Python's fractions become as floats, which is rounded once, and the definition of the format for 32
-bits. All interpreters get the same cases in one run each.
+What is right is what Python's fractions become as floats, which is rounded once, and for 32 bits the definition of the
+format. All interpreters get the same cases in one run each.
 """
 
 import json
@@ -18,7 +18,6 @@ from firmware_runs import tool
 from test_firmware_floats import UNITS, nearest
 
 from codegen.model.answer import Elements
-from codegen.model.dialect import WireField
 from codegen.model.scaling import DIVISOR_MAX, NUMERATOR_MAX, float_parts
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.unit import ratio
@@ -160,6 +159,6 @@ def test_every_float_is_the_nearest(interpreter: str, form: str, every: int, cas
 
 
 def test_every_pair_of_units_has_a_factor_that_is_made() -> None:
-    """No conversion between units that a dialect states is refused; of parameters only steps of 0.1 ps in seconds and minutes."""
+    """No conversion between units that a dialect states is refused; of parameters steps of 0.1 ps in longer times."""
     beyond = [factor for factor in EVERY if not is_made(factor)]
     assert beyond == [Fraction(1, 600000000000000), Fraction(1, 10000000000000)]

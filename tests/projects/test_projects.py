@@ -6,8 +6,8 @@ one, limits as amounts, and a converter of 10 bits. radio_rover is a whole vehic
 cable for links, a charge that is estimated, a system id that no parameter sets, and a failsafe with nothing optional.
 float_fields has a message of floats that small whole numbers make, and one of those that take several words.
 three_cameras says how many there are. wide_values has numbers of more than 30 bits and floats, in fields of every type;
-rows has
-arrays of all types, each from a list; boat is a boat with a receiver of satellites, without battery, converter or program.
+rows has arrays of every type that lists fill; boat is a boat with a receiver of satellites, without battery, converter
+or program.
 """
 
 import subprocess
