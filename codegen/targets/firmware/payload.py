@@ -10,17 +10,9 @@ from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.scaling import FloatParts
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
+from codegen.targets.firmware.turns import Turns
 from codegen.targets.firmware.words import Block, Layout, differ
 from codegen.targets.naming import parameter_attribute
-
-
-@dataclass(frozen=True, slots=True)
-class Turns:
-    """A loop that writes ``count`` elements of ``size`` bytes: ``element`` is an expression for the one of a turn."""
-
-    element: str
-    size: int
-    count: int
 
 
 @dataclass(slots=True)
@@ -269,15 +261,6 @@ def _first(quantity: Quantity, element: str) -> str:
     """How many words the place of an element lies behind that of the first one; an expression."""
     words = quantity.storage.words
     return f"{words} * {element}" if element and words > 1 else element
-
-
-def placed(offset: int, size: int, turns: Turns | None) -> str:
-    """The place of an offset in steps of ``size`` bytes, in a loop that of a turn."""
-    if turns is None:
-        return str(offset // size)
-    steps = turns.size // size
-    moved = f"{steps} * {turns.element}" if steps != 1 else turns.element
-    return f"{offset // size} + {moved}" if offset else moved
 
 
 def real_about(covers: Elements, factor: FloatParts) -> tuple[int, int, int, int, int]:

@@ -9,13 +9,12 @@ from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.payload import (
     SpelledCode,
-    Turns,
     byte_of,
     escaped,
     literal,
-    placed,
     real_about,
 )
+from codegen.targets.firmware.turns import Turns, placed
 from codegen.targets.firmware.words import Block
 from codegen.targets.imports import LINE_LENGTH, in_brackets
 

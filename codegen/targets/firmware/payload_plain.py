@@ -4,7 +4,8 @@ from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
 from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, Turns, byte_of, placed, real_about
+from codegen.targets.firmware.payload import SpelledCode, byte_of, real_about
+from codegen.targets.firmware.turns import Turns, placed
 from codegen.targets.firmware.words import Block
 
 
