@@ -10,6 +10,7 @@ import random
 import struct
 import subprocess
 import sys
+from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 
@@ -99,7 +100,24 @@ def made() -> list[tuple[int, Fraction, int]]:
                 middle = (chance.randrange(1 << bits, 2 << bits) | 1) * Fraction(2) ** -chance.randrange(bits - 4, bits)
                 values += [int(middle / factor) + beside for beside in (0, 1)]
             cases += [(value, factor, size) for value in values if abs(value) <= SMALL_INT_MAX]
-    return cases
+    return [*cases, *ties(chance)]
+
+
+def ties(chance: random.Random) -> Iterator[tuple[int, Fraction, int]]:
+    """Products in the middle between two floats of 64 bits, and quotients as close beside a middle as can be."""
+    yield (1 << 27) - 1, Fraction((1 << 27) + 1), 8
+    yield -((1 << 26) - 1), Fraction((1 << 27) + 1), 8
+    for _ in range(20):
+        value, numerator = (chance.randrange(1 << 26, 1 << 27) * 2 + 1 for _ in range(2))
+        yield value, Fraction(numerator >> 1 | 1), 8
+    for size, bits in ((4, 24), (8, 53)):
+        for _ in range(40):
+            divisor = chance.randrange(1 << 28, 1 << 29) | 1
+            for beside in (1, -1):  # value * 2 ** bits = middle * divisor + beside
+                middle = -beside * pow(divisor, -1, 1 << bits) % (1 << bits) + (1 << bits)
+                value = (middle * divisor + beside) >> bits
+                if value <= SMALL_INT_MAX:
+                    yield value, Fraction(1, divisor), size
 
 
 def exact(value: int, factor: Fraction, size: int) -> bytes:
