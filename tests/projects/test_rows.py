@@ -126,7 +126,7 @@ WRONG = [
     ("state.yaml", "elements: 32", "elements: 2.5", "bad-elements", "state.yaml:7", None),
     ("state.yaml", "elements: 32", "elements: 256", "bad-elements", "state.yaml:7", None),
     ("state.yaml", "elements: 32", "elements: 32, boolean: true", "bad-elements", "state.yaml:7", None),
-    ("state.yaml", "unit: m, elements: 4", "unit: V, elements: 4", "unit-mismatch", "messages/odd_rows.yaml:6", None),
+    ("state.yaml", "unit: m, elements: 4", "unit: V, elements: 4", "unit-mismatch", "messages/odd_rows.yaml:7", None),
     (ATTITUDE, "send: while_known\n", "", "no-sentinel", f"{ATTITUDE}:6", "send: while_known"),
     (ATTITUDE, "{state: nav.attitude}", "{each: nav.attitude}", "bad-each", f"{ATTITUDE}:7", None),
 ]

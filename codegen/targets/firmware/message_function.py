@@ -180,8 +180,10 @@ def _store(message: PopulatedMessage) -> str:
 def _ageing(message: PopulatedMessage, system: System, code: SpelledCode) -> list[str]:
     """Forget what code has not set for too long, of all that the message reads."""
     paths = (quantity.decided_by for answer in message.answers for quantity in answer.quantities)
-    found = filter(None, map(system.quantity, dict.fromkeys(paths)))
-    lines = [line for quantity in found if quantity.ages for line in ["", *forgetting(quantity, code, "value", "age")]]
+    found = [quantity for quantity in map(system.quantity, dict.fromkeys(paths)) if quantity and quantity.ages]
+    # Loops over lists leave no room for one more variable in plain Python.
+    age = ELEMENT if any(quantity.elements for quantity in found) else "age"
+    lines = [line for quantity in found for line in ["", *forgetting(quantity, code, "value", age)]]
     now = code.now() if lines else ""
     return [*(["", f"value = {now}"] if now not in ("", "value") else []), *lines]
 
