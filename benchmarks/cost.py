@@ -56,6 +56,7 @@ class Workload:
 
 
 FRAME = 3000
+FIELD = 150
 WORKLOADS = (
     Workload("battery_status", "BATTERY_STATUS, state to frame", "firmware", "battery_status", most=FRAME),
     Workload(
@@ -81,6 +82,18 @@ WORKLOADS = (
     Workload("parse", "codec, receive a BATTERY_STATUS into an object", "codec", "parse", most=8000),
     Workload("idle", "pass of a link with nothing to do", "link", "idle"),
     Workload("heartbeat", "a HEARTBEAT arrives: more for that pass", "link", "hear", less="idle"),
+    *(
+        Workload(
+            f"field_{name}", f"{words}: more than one of 16 bits, its bytes included", "fields", name, "short", FIELD
+        )
+        for name, words in (
+            ("int32", "a field of 32 bits"),
+            ("int64", "a field of 64 bits"),
+            ("uint64", "a field of 64 bits without a sign"),
+            ("real", "a float of 32 bits"),
+            ("double", "a float of 64 bits"),
+        )
+    ),
 )
 SCRIPTS = tuple(dict.fromkeys(workload.script for workload in WORKLOADS))
 
@@ -128,9 +141,11 @@ def _modules(script: str, folder: Path) -> list[Path]:
     if script == "codec":
         codec = folder / "codec"
         return [codec if codec.exists() else measure.codec(codec, "BATTERY_STATUS")]
-    generated = folder / "rover" / "generated"
-    if not generated.exists():
-        measure.rover(folder / "rover")
+    generated = folder / ("fields" if script == "fields" else "rover") / "generated"
+    if script == "fields":
+        measure.project(measure.HERE / "fields", generated.parent)
+    elif not generated.exists():
+        measure.rover(generated.parent)
     return [generated / "firmware", generated / "mocks"]
 
 

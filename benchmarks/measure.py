@@ -129,6 +129,13 @@ def rover_specs(folder: Path) -> Path:
     return folder
 
 
+def project(source: Path, folder: Path) -> None:
+    """Build a project in a folder of its own, once."""
+    if not folder.exists():
+        shutil.copytree(source / "specs", folder / "specs")
+        said([tool("codegen"), "build"], cwd=folder)
+
+
 def rover(folder: Path, machine_code: bool = True) -> Path:
     """Build the rover in a folder of its own; return the folder of what was generated."""
     rover_specs(folder)

@@ -17,6 +17,7 @@ from codegen.answers.instance import InstanceAnswer
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.live import LiveAnswer
 from codegen.answers.page import PageAnswer
+from codegen.answers.row import RowAnswer
 from codegen.answers.split import SplitAnswer
 from codegen.answers.text import TextAnswer
 
@@ -28,6 +29,7 @@ KINDS: tuple[type[KindOfAnswer], ...] = (
     SplitAnswer,
     ClockAnswer,
     TextAnswer,
+    RowAnswer,
     CopiedAnswer,
     LiveAnswer,
     ChipAnswer,

@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.answers.filling import comment, origin, tested
+from codegen.answers.filling import tested
 from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
 from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
-from codegen.answers.source import take
+from codegen.answers.source import Taken, take
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.account import StateCase
@@ -48,8 +48,11 @@ class CopiedAnswer(LiveAnswer):
     def bind(cls, covers: Elements, scope: Scope) -> "CopiedAnswer | None":
         """The quantity, limited to what the field can carry."""
         taken = take(covers, scope)
-        if taken is None:
-            return None
+        return None if taken is None else cls.of(taken, covers, scope)
+
+    @classmethod
+    def of(cls, taken: Taken, covers: Elements, scope: Scope, *, is_known: bool = False) -> "CopiedAnswer | None":
+        """What is made of a source that fits; ``is_known``: what is unknown does not come here."""
         source, field = taken.source, covers.field
         assert isinstance(source, Quantity)
         is_same = source.storage.is_float != field.type.is_integer
@@ -66,8 +69,9 @@ class CopiedAnswer(LiveAnswer):
             scope.report.add(NOT_AS_KEPT, covers.written.at("state"), message, related=related)
             return None
         sentinel = field.sentinel.values[covers.first] if field.sentinel else None
-        withholds = source.initial is None and sentinel is None and scope.population.send is Send.WHILE_KNOWN
-        if source.initial is None and sentinel is None and not withholds:
+        may_be_unknown = source.initial is None and not is_known
+        withholds = may_be_unknown and sentinel is None and scope.population.send is Send.WHILE_KNOWN
+        if may_be_unknown and sentinel is None and not withholds:
             no_sentinel(covers, "state", source.path, scope.report)
             return None
         at_end = None if source.storage.is_float else sentinel  # beside a float are others that are much closer
@@ -76,7 +80,7 @@ class CopiedAnswer(LiveAnswer):
             return None
         if source.storage.is_float:
             scaling = float_within(scaling, sentinel, source.storage)
-        unknown = sentinel if source.initial is None else None
+        unknown = sentinel if may_be_unknown else None
         written = float_bounds(taken.written, source.storage) if source.storage.is_float else taken.written
         check_reach(covers, written, scaling, unknown, scope.report)
         carried = taken.bounds if source.storage.is_float else Bounds(scaling.low, scaling.high)
@@ -94,38 +98,34 @@ class CopiedAnswer(LiveAnswer):
             value = self.scaling.beside
         return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
 
-    @property
-    def makes_float(self) -> bool:
-        """The bits of a float are there."""
-        return False
-
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """All at most, and none where the value can be 0."""
         scaling, size = self.scaling, self.covers.field.type.size
         can_be_zero = scaling.low <= 0 <= scaling.high and scaling.hole != 0
         return 0 if can_be_zero or self.unknown == 0 else 1, size
 
-    def statements(self, code: PayloadCode) -> list[str]:
+    def written(self, code: PayloadCode, element: str = "") -> list[str]:
         """Half by half; what is unknown, or beyond a limit, is a number that is known now."""
         source, covers = self.source, self.covers
-        halves = [code.half(source, at) for at in range(source.storage.halves)]
+        halves = [code.half(source, at, element) for at in range(source.storage.halves)]
+        copy = code.copy(covers, halves, signed=source.storage.is_signed, element=element)
         compared = [*halves[:-1], "value"]
         tests: list[tuple[str, float | Fraction, str]] = [*self._limited(compared), *self._hole(compared)]
-        lines = [comment(covers, origin(covers, source)), *([f"value = {halves[-1]}"] if tests else [])]
+        lines = [f"value = {halves[-1]}"] if tests else []
         instead = self.unknown if self.unknown is not None else source.initial
         why = "unknown" if self.unknown is not None else "until it is set"
         if instead is not None:
             assert not isinstance(instead, str)
             tests.insert(0, (f"{halves[0]} >> {HALF}", instead, why))
         if not tests:
-            return [*lines, *code.copy(covers, halves, signed=source.storage.is_signed)]
+            return [*lines, *copy]
         for at, (condition, value, remark) in enumerate(tests):
             number = int(value) if covers.field.type.is_integer else float(value)
             lines += [
                 *tested("elif" if at else "if", condition, remark),
-                *indented(code.store(covers, number, over=True)),
+                *indented(code.store(covers, number, element=element, over=True)),
             ]
-        return [*lines, "else:", *indented(code.copy(covers, halves, signed=source.storage.is_signed))]
+        return [*lines, "else:", *indented(copy)]
 
     def _limited(self, halves: list[str]) -> Iterator[tuple[str, int | Fraction, str]]:
         """The limits that the quantity itself can pass."""

@@ -28,9 +28,9 @@ def origin(covers: Elements, source: Quantity | Parameter) -> str:
     return f"{source.path} [{kept}]" if kept and kept != covers.field.unit_text else source.path
 
 
-def read(code: PayloadCode, source: Quantity | Parameter) -> str:
-    """The expression of what is stored of a source."""
-    return code.parameter(source) if isinstance(source, Parameter) else code.read(source)
+def read(code: PayloadCode, source: Quantity | Parameter, element: str = "") -> str:
+    """The expression of what is stored of a source, of a list at the place ``element``."""
+    return code.parameter(source) if isinstance(source, Parameter) else code.read(source, element)
 
 
 def stand_in(source: Quantity | Parameter) -> list[str]:

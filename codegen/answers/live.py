@@ -20,7 +20,7 @@ from codegen.answers.scaled import (
     to_unit,
 )
 from codegen.answers.scope import Scope
-from codegen.answers.source import take
+from codegen.answers.source import Taken, take
 from codegen.frozen import dataclass
 from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
@@ -29,7 +29,7 @@ from codegen.model.known import Known, Value, shown_value, stored_value
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send
 from codegen.model.reading import Reading, scaled
-from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling
+from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling, float_parts
 from codegen.model.step import Step
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
@@ -63,7 +63,6 @@ class LiveAnswer(KindOfAnswer):
         taken = take(covers, scope)
         if taken is None:
             return None
-        source = taken.source
         if covers.count != 1:
             report.add(
                 BAD_SOURCE,
@@ -72,8 +71,14 @@ class LiveAnswer(KindOfAnswer):
                 "add 'split: true', or answer the elements one by one",
             )
             return None
+        return cls.of(taken, covers, scope)
+
+    @classmethod
+    def of(cls, taken: Taken, covers: Elements, scope: Scope, *, is_known: bool = False) -> "LiveAnswer | None":
+        """What is made of a source that fits; ``is_known``: what is unknown does not come here."""
+        source, report = taken.source, scope.report
         sentinel = covers.field.sentinel.values[covers.first] if covers.field.sentinel else None
-        may_be_unknown = isinstance(source, Quantity) and source.initial is None
+        may_be_unknown = isinstance(source, Quantity) and source.initial is None and not is_known
         withholds = may_be_unknown and sentinel is None and scope.population.send is Send.WHILE_KNOWN
         if may_be_unknown and sentinel is None and not withholds:
             no_sentinel(covers, taken.key, source.path, report)
@@ -120,15 +125,13 @@ class LiveAnswer(KindOfAnswer):
         return (self.scaling,)
 
     @property
-    def makes_float(self) -> bool:
-        """Whether the value needs a float to be made.
+    def _is_long(self) -> bool:
+        """Whether a float needs numbers of several words on the way.
 
-        A float of 32 bits comes of integer arithmetic while value times numerator, and the shifted rest of the division
-        by the denominator, fit a board's small integers.
+        One of 32 bits does without while value times numerator, and the shifted rest of the division by the
+        denominator, fit a board's small integers.
         """
         wire_type, factor = self.covers.field.type, self.scaling.factor
-        if wire_type.is_integer:
-            return False
         largest = max(map(abs, self.scaling.steps)) * factor.numerator
         return wire_type.size != 4 or largest > SMALL_INT_MAX or factor.denominator > FLOAT_DIVISOR_MAX
 
@@ -149,29 +152,35 @@ class LiveAnswer(KindOfAnswer):
 
     def statements(self, code: PayloadCode) -> list[str]:
         """Read, scaled and limited; a float is limited before it is divided."""
-        lines = [comment(self.covers, origin(self.covers, self.source)), f"value = {read(code, self.source)}"]
+        return [comment(self.covers, origin(self.covers, self.source)), *self.written(code)]
+
+    def written(self, code: PayloadCode, element: str = "") -> list[str]:
+        """The same without the comment; ``element`` is the place in a list, and in the field, in a loop over both."""
+        lines = [f"value = {read(code, self.source, element)}"]
         initial = self.source.initial if isinstance(self.source, Quantity) else None
         assert initial is None or isinstance(initial, int)
+        instead, why = self.unknown, "unknown"
         if self.covers.field.type.is_integer and initial is not None and self.scaling.whole(initial) == initial:
-            return [*lines, *fitted(self.scaling, initial, "until it is set"), *code.store(self.covers, "value")]
-        if self.unknown is None:
+            instead, why = initial, "until it is set"
+        elif self.unknown is None:
             lines += stand_in(self.source)
         if not self.covers.field.type.is_integer:
-            return lines + self._float(code)
-        assert self.unknown is None or isinstance(self.unknown, int)
-        return [*lines, *fitted(self.scaling, self.unknown), *code.store(self.covers, "value")]
+            return lines + self._float(code, element)
+        assert instead is None or isinstance(instead, int)
+        return [*lines, *fitted(self.scaling, instead, why), *code.store(self.covers, "value", element=element)]
 
-    def _float(self, code: PayloadCode) -> list[str]:
+    def _float(self, code: PayloadCode, element: str) -> list[str]:
         factor = self.scaling.factor
-        if self.makes_float:
-            write = code.make_float(self.covers, factor.numerator, factor.denominator)
+        if self._is_long:
+            write = code.put_real(self.covers, float_parts(factor), element)
         else:
             product = f"value * {factor.numerator}" if factor.numerator != 1 else "value"
-            write = code.put_float(self.covers, product, factor.denominator, self.unknown)
+            write = code.put_float(self.covers, product, factor.denominator, self.unknown, element)
         lines = [*fitted(self._in_steps, None), *write]
         if self.unknown is None:
             return lines
-        unknown = code.store(self.covers, self.unknown, over=True)  # the float beside it is written as a whole
+        # The float beside it is written as a whole.
+        unknown = code.store(self.covers, self.unknown, element=element, over=True)
         return [
             f"if value == {UNKNOWN}:  # goes out as {shown_value(self.unknown)}",
             *indented(unknown),

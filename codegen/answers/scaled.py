@@ -21,6 +21,9 @@ _ROUNDING = {
     Rounding.TOWARD_ZERO: "toward zero",
 }
 
+LONGEST = 24
+"""So many characters a limit may take as a decimal number; the largest of 64 bits takes 20."""
+
 
 def unit_kept(source: Quantity | Parameter) -> str:
     """The name of the unit that a source is kept in; a parameter in its own, though in steps."""
@@ -38,15 +41,16 @@ def conversion_words(covers: Elements, source: Quantity | Parameter, scaling: Sc
 
 def limit_words(scaling: Scaling, arrow: str = "->") -> str:
     """``0..65534``, and what a value becomes that would read as unknown."""
-    text = f"{_limit(scaling.low)}..{_limit(scaling.high)}"
+    text = f"{_shown(scaling.low)}..{_shown(scaling.high)}"
     if scaling.hole is not None and scaling.beside is not None:
-        text += f", {decimal(scaling.hole)} {arrow} {decimal(scaling.beside)}"
+        text += f", {_shown(scaling.hole)} {arrow} {_shown(scaling.beside)}"
     return text
 
 
-def _limit(value: Fraction) -> str:
-    """A limit, the largest float not with all of its digits."""
-    return decimal(value) if abs(value) < 10**20 else f"{float(value):.8g}"
+def _shown(value: Fraction) -> str:
+    """A limit as a decimal number; a float that takes very many digits as Python writes it, which is exact, too."""
+    text = decimal(value)
+    return text if len(text) <= LONGEST or Fraction(float(value)) != value else repr(float(value))
 
 
 def fitting(
@@ -65,10 +69,10 @@ def fitting(
         yield Step("unit", conversion, (), ())
     details = []
     if scaling.hole is not None and scaling.beside is not None:
-        details.append(f"{decimal(scaling.hole)} would read as unknown and becomes {decimal(scaling.beside)}")
+        details.append(f"{_shown(scaling.hole)} would read as unknown and becomes {_shown(scaling.beside)}")
     if cell_high is not None:
         details.append(f"what is above {cell_high} spills into the next element")
-    limits = f"{decimal(scaling.low)}..{decimal(scaling.high)}"
+    limits = f"{_shown(scaling.low)}..{_shown(scaling.high)}"
     yield Step("limits", f"{limits} {unit}".strip(), tuple(details), (str(covers.citation),))
     if unknown is not None:
         shown = "NaN" if math.isnan(unknown) else f"{unknown}"

@@ -1,12 +1,14 @@
-"""How many values a quantity has that is a list: one for each of what a fact of the component counts."""
+"""How many values a quantity has that is a list: as the table says, or one for each of what a fact counts."""
 
-from codegen.derivations.surroundings import Surroundings
+from codegen.derivations.surroundings import MOST_COUNTED, Surroundings
 from codegen.diagnostics import Rule
+from codegen.model.unit import decimal
 
 BAD_ELEMENTS = Rule(
     "bad-elements",
-    "A quantity with elements has one number for each of what a fact of its component counts: board.yaml states the "
-    "fact for every instance, a whole number from 1 to 255. Nothing measures or estimates it, and it starts unknown.",
+    "A quantity with elements is a list of numbers: so many as elements says, a whole number from 1 to 255, or one for "
+    "each of what a fact of its component counts, which board.yaml states for every instance. Nothing measures or "
+    "estimates it. Where a fact counts them, it starts unknown.",
 )
 
 
@@ -15,10 +17,18 @@ def resolve_elements(around: Surroundings) -> tuple[int, ...] | None:
     spec = around.spec
     if spec.elements is None:
         return None
-    written = [key for key in ("boolean", "enum", "initial") if getattr(spec, key) not in (None, False)]
+    is_row = not isinstance(spec.elements, str)
+    keys = ("boolean", "enum") if is_row else ("boolean", "enum", "initial")
+    written = [key for key in keys if getattr(spec, key) not in (None, False)]
     written += [each.KEY for each in spec.derivations if each.is_named]
     if written:
         message = f"a quantity with elements has numbers that other code sets, and no {written[0]}"
         around.bad(written[0], message, BAD_ELEMENTS)
         return None
-    return around.counted(spec.elements, "elements", BAD_ELEMENTS)
+    if isinstance(spec.elements, str):
+        return around.counted(spec.elements, "elements", BAD_ELEMENTS)
+    if spec.elements.denominator != 1 or not 1 <= spec.elements <= MOST_COUNTED:
+        message = f"elements of {around.name} is {decimal(spec.elements)}, not a whole number from 1 to {MOST_COUNTED}"
+        around.bad("elements", message, BAD_ELEMENTS)
+        return None
+    return (int(spec.elements),) * len(around.parts)

@@ -113,11 +113,6 @@ class Answer(ABC):
         return ()
 
     @property
-    def makes_float(self) -> bool:
-        """Whether a builder has to make a float of the value, for which MicroPython allocates."""
-        return False
-
-    @property
     def together(self) -> Together | None:
         """The values that go out together or not at all, where the answer has such."""
         return None

@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.model.letters import cut
 from codegen.model.vehicle import Parameter, Quantity
 
-Stored = int | Fraction | str | tuple[int | None, ...] | None
+Stored = int | Fraction | str | tuple[int | Fraction | None, ...] | None
 """A stored integer, or one for each element, or the exact value of a float, or a text as it was set; None is unknown.
 
 A boolean is 0 or 1."""
@@ -48,6 +48,12 @@ def kept_text(source: Quantity, known: Known) -> str | None:
     value = source.initial if value is None else value
     assert value is None or isinstance(value, str)
     return None if value is None else cut(value, source.length)
+
+
+def is_known(source: Quantity, known: Known) -> bool:
+    """Whether a quantity is known; of a list every value."""
+    value = known[source.path]
+    return value is not None and not (isinstance(value, tuple) and None in value)
 
 
 def shown_value(value: Value) -> str:

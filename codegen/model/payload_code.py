@@ -7,6 +7,7 @@ answers give; where they differ, in reading a word and in writing a number, they
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING
 
+from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Parameter, Quantity
 
 if TYPE_CHECKING:
@@ -22,6 +23,21 @@ def indented(lines: list[str], levels: int = 1) -> list[str]:
     return [INDENT * levels + line for line in lines]
 
 
+ELEMENT = "place"
+"""The element of a turn, in loops over the elements of a list."""
+
+
+def each_element(first: int, end: int, lines: list[str]) -> list[str]:
+    """The lines for each element from ``first`` to before ``end``."""
+    if end - first == 1:
+        return [f"{ELEMENT} = {first}", *lines]
+    return [
+        f"{ELEMENT} = {first}",
+        f"while {ELEMENT} < {end}:",
+        *indented([*lines, f"{ELEMENT} += 1"]),
+    ]
+
+
 class PayloadCode(ABC):
     """The spelling of one function. Values are whole numbers in stored steps, in the variable ``value`` for a time."""
 
@@ -30,14 +46,14 @@ class PayloadCode(ABC):
         """What is stored of a quantity, of one with elements that of the place ``element``: an expression."""
 
     @abstractmethod
-    def is_unknown(self, quantity: Quantity) -> str:
-        """Whether a quantity that is stored is unknown: a condition."""
+    def is_unknown(self, quantity: Quantity, element: str = "") -> str:
+        """Whether a quantity that is stored, or its value at the place ``element``, is unknown: a condition."""
 
     @abstractmethod
-    def half(self, quantity: Quantity, at: int) -> str:
+    def half(self, quantity: Quantity, at: int, element: str = "") -> str:
         """One of the halves in which a quantity is kept, the low one at 0: an expression, 0 to 65535 while it is known.
 
-        Of an unknown one the first is no number of 16 bits.
+        Of an unknown one the first is no number of 16 bits. With elements it is that of the place ``element``.
         """
 
     @abstractmethod
@@ -82,18 +98,26 @@ class PayloadCode(ABC):
 
     @abstractmethod
     def store(
-        self, covers: "Elements", value: int | float | str, at: int = 0, *, always: bool = True, over: bool = False
+        self,
+        covers: "Elements",
+        value: int | float | str,
+        at: int = 0,
+        *,
+        element: str = "",
+        always: bool = True,
+        over: bool = False,
     ) -> list[str]:
         """Write a number, or the value of an expression, into the element ``at`` of those that are covered.
 
+        ``element`` is an expression, counted from there, in a loop over all that are covered: each of them is written.
         ``always``: these statements run at each call. Elements of which that cannot be said are 0 unless written.
         ``over``: one of several ways to write the same bytes, so that its zeros have to be written, too.
         """
 
     @abstractmethod
-    def copy(self, covers: "Elements", halves: list[str], *, signed: bool) -> list[str]:
+    def copy(self, covers: "Elements", halves: list[str], *, signed: bool, element: str = "") -> list[str]:
         """Write the halves of a number, the low one first, into an element of at least as many bytes, or fewer if they
-        hold it."""
+        hold it; ``element`` is as ``store`` has it."""
 
     @abstractmethod
     def copy_half(self, covers: "Elements", at: int, value: str) -> list[str]:
@@ -111,12 +135,20 @@ class PayloadCode(ABC):
         """
 
     @abstractmethod
-    def put_float(self, covers: "Elements", value: str, divisor: int, unknown: float | None) -> list[str]:
-        """Write value / divisor into a float of 32 bits by whole numbers; ``unknown`` is what is stored otherwise."""
+    def put_float(
+        self, covers: "Elements", value: str, divisor: int, unknown: float | None, element: str = ""
+    ) -> list[str]:
+        """Write value / divisor into a float of 32 bits by whole numbers; ``unknown`` is what is stored otherwise.
+
+        ``element`` is as ``store`` has it.
+        """
 
     @abstractmethod
-    def make_float(self, covers: "Elements", numerator: int, divisor: int) -> list[str]:
-        """Write ``value`` * numerator / divisor as a float that has to be made for it, for which boards allocate."""
+    def put_real(self, covers: "Elements", factor: FloatParts, element: str = "") -> list[str]:
+        """Write ``value`` times a factor into a float of any size, by whole numbers of several words.
+
+        ``element`` is as ``store`` has it.
+        """
 
     @abstractmethod
     def flags(self, covers: "Elements", mask: int, conditional: list[tuple[int, Quantity]]) -> list[str]:

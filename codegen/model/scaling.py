@@ -2,12 +2,31 @@
 
 import math
 from fractions import Fraction
+from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.model.population_spec import Rounding
 
 FLOAT_DIVISOR_MAX = 2**25
 """Largest divisor of a value that goes out as a float by integer arithmetic: the firmware's ``put_float``."""
+
+
+NUMERATOR_MAX, DIVISOR_MAX = 2**30 - 1, 2**29 - 1
+"""Largest odd parts of a factor with which integer arithmetic makes a float of any whole number: ``put_real``."""
+
+
+class FloatParts(NamedTuple):
+    """A factor as ``numerator / divisor * 2 ** power``, both odd."""
+
+    numerator: int
+    divisor: int
+    power: int
+
+
+def float_parts(factor: Fraction) -> FloatParts:
+    """The parts of a factor above 0."""
+    twos = [(number & -number).bit_length() - 1 for number in (factor.numerator, factor.denominator)]
+    return FloatParts(factor.numerator >> twos[0], factor.denominator >> twos[1], twos[0] - twos[1])
 
 
 def rounded(value: Fraction, rounding: Rounding) -> int:

@@ -32,9 +32,9 @@ class QuantitySpec(Written):
         "Without it the quantity starts unknown.",
         default=None,
     )
-    elements: str | None = described(
-        "One value for each of what this fact of the component counts, such as cells: a list, in which single values "
-        "can be unknown.",
+    elements: str | Fraction | None = described(
+        "A list, in which single values can be unknown: so many values, or one for each of what this fact of the "
+        "component counts, such as cells.",
         default=None,
     )
     derivations: tuple[WrittenDerivation, ...] = flattened()

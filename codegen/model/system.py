@@ -88,11 +88,6 @@ class PopulatedMessage:
         """The fields and quantities for which the message is withheld: while one of these is unknown."""
         return tuple((answer.covers.label, quantity) for answer in self.answers for quantity in answer.withheld_for)
 
-    @property
-    def makes_floats(self) -> bool:
-        """Whether building it makes floats, which allocates on MicroPython."""
-        return any(answer.makes_float for answer in self.answers)
-
 
 @dataclass(frozen=True, slots=True)
 class Generations:

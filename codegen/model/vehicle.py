@@ -1,6 +1,7 @@
 """The parts of the vehicle, resolved: ADC channels, parameters, the state with its quantities, streams."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from enum import Enum
 from fractions import Fraction
 
@@ -162,7 +163,7 @@ class Quantity(Cited):
     where integers are kept. ``initial`` is None where the quantity starts unknown and may become unknown again; else
     the value that stands in for unknown.
     Of a text the words have the bytes in UTF-8, two in each, and there are no limits; see codegen/model/letters.py.
-    With ``elements`` it is a list of such integers, each of which can be None; they are counted for each instance.
+    With ``elements`` it is a list of such numbers, each of which can be None; they are counted for each instance.
     ``derivation`` is where the value comes from, ``trust`` how long it is believed.
     """
 
@@ -209,6 +210,16 @@ class Quantity(Cited):
     def words(self) -> int:
         """How many words of the state it takes, or each of its elements."""
         return words_of(self.length) if self.length else self.storage.words
+
+    @property
+    def is_row(self) -> bool:
+        """Whether it is a list of so many values as the table says, which fields of that length take as a whole."""
+        return self.elements is not None and not isinstance(self.spec.elements, str)
+
+    @property
+    def element(self) -> "Quantity":
+        """One value of the list, as if it were kept alone."""
+        return replace(self, elements=None)
 
     @property
     def ages(self) -> bool:

@@ -90,7 +90,8 @@ def _enum(around: Surroundings) -> EnumDefinition | None:
 def _is_plain(around: Surroundings) -> bool:
     """Whether code sets it, and nothing but the fields of messages looks at it."""
     spec = around.spec
-    return not (around.is_compared or spec.derivations or spec.restarts_with or spec.elements)
+    is_counted = isinstance(spec.elements, str)
+    return not (around.is_compared or spec.derivations or spec.restarts_with or is_counted)
 
 
 def _float(around: Surroundings, kind: QuantityKind) -> Storage | None:

@@ -104,8 +104,9 @@ def _check_age(around: Surroundings) -> None:
         around.bad(
             "stale_after", f"{name} has an initial value in place of unknown, so stale_after says nothing", hint=hint
         )
-    elif spec.elements is not None:
-        around.bad("stale_after", f"{name} has elements, each of which is set by itself: stale_after cannot tell when")
+    elif isinstance(spec.elements, str):
+        text = f"{name} has elements, each of which is set by itself: stale_after cannot tell when"
+        around.bad("stale_after", text, hint="elements: 4 is a list that is set as a whole")
 
 
 def _attribute(name: str, kept: Kept) -> str:

@@ -30,7 +30,10 @@ def _beyond(system: System, message: PopulatedMessage, answer: Answer) -> Iterat
     several = len(source.elements or ()) > 1
     reported: set[Place] = set()
     for number, count in enumerate(source.elements or ()):
-        place = system.spec.board.fact_place(source.component, number, source.spec.elements or "")
+        fact = source.spec.elements
+        place = source.spec.at("elements")
+        if isinstance(fact, str):
+            place = system.spec.board.fact_place(source.component, number, fact)
         if count <= room or place in reported:
             continue
         reported.add(place)

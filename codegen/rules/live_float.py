@@ -1,44 +1,36 @@
-"""Values for which a float is made at each build: MicroPython keeps floats on the heap."""
+"""Live values that no integer arithmetic of the firmware brings into a float: MicroPython would allocate for one."""
 
 from collections.abc import Iterator
 
-from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.answer import Answer
-from codegen.model.scaling import FLOAT_DIVISOR_MAX
-from codegen.model.storage import SMALL_INT_MAX
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.model.scaling import DIVISOR_MAX, NUMERATOR_MAX, float_parts
 from codegen.model.system import System
 
+SMALLEST = 126
+"""A float of 32 bits that is smaller than 2 to the power of minus this has fewer digits."""
 RULE = Rule(
-    "allocating-field",
-    "A float field takes a live value that integer arithmetic cannot bring into the form of the wire. What is sent is "
-    "right, but each build of the message allocates memory for a float, so the message is no part of the steady "
-    "telemetry cycle that allocates nothing. A float of 32 bits does without where the stored value, times the "
-    f"numerator of its conversion, stays within {SMALL_INT_MAX} and the denominator is at most {FLOAT_DIVISOR_MAX}.",
-    Severity.WARNING,
+    "beyond-float",
+    "A float field takes a whole number times a factor, rounded once to the nearest float by whole numbers of several "
+    "words, for which nothing is allocated. Without its powers of 2 the numerator of the factor has to be at most "
+    f"{NUMERATOR_MAX}, the denominator at most {DIVISOR_MAX}, and one step in a float of 32 bits at least 2 ** "
+    f"-{SMALLEST}. Keep the quantity in a unit that is closer to that of the field.",
 )
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every value that only a float can carry to its field."""
+    """Every scaling into a float field."""
     for message in system.messages:
         for answer in message.answers:
-            if not answer.makes_float:
-                continue
             covers = answer.covers
-            yield Diagnostic(
-                covers.written.place,
-                RULE,
-                f"{message.name}.{covers.label} is a {covers.field.type.name} and allocates at each build",
-                _way_out(answer),
-                ((covers.field.definition.place, "it is declared here"),),
-            )
-
-
-def _way_out(answer: Answer) -> str | None:
-    """What would make it a value that integer arithmetic can send; None for a double, which always takes a float."""
-    if answer.covers.field.type.size != 4:
-        return None
-    numerator, denominator = answer.scalings[0].factor.numerator, answer.scalings[0].factor.denominator
-    if denominator > FLOAT_DIVISOR_MAX:
-        return f"it is divided by {denominator}: keep it in a coarser unit"
-    return f"limit it with min and max: times {numerator} it has to stay within {SMALL_INT_MAX}"
+            for scaling in () if covers.field.type.is_integer else answer.scalings:
+                parts, factor = float_parts(scaling.factor), scaling.factor
+                is_small = covers.field.type.size == 4 and factor * 2**SMALLEST < 1
+                if parts.numerator <= NUMERATOR_MAX and parts.divisor <= DIVISOR_MAX and not is_small:
+                    continue
+                yield Diagnostic(
+                    covers.written.place,
+                    RULE,
+                    f"{message.name}.{covers.label} is a {covers.field.type.name}, and one step is {factor} of it",
+                    f"keep it in {covers.field.unit_text}" if covers.field.unit_text else None,
+                    ((covers.field.definition.place, "it is declared here"),),
+                )

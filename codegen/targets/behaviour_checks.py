@@ -73,10 +73,12 @@ def behaviour_checks(
             if quantity.stale_after_ms is not None:
                 name = f"{component.name}_{quantity.name}_is_forgotten"
                 checks.append(BehaviourCheck(quantity.stale_criterion, name))
-            if quantity.elements is not None:
-                name = f"{component.name}_{quantity.name}"
+            name = f"{component.name}_{quantity.name}"
+            if quantity.elements is not None and not quantity.is_object:
                 checks.append(BehaviourCheck("", f"{name}_allocate_nothing"))
-                checks.append(BehaviourCheck(quantity.citation, f"{name}_in_their_unit"))
+            if quantity.elements is not None:
+                check = "as_a_row" if quantity.row else "in_their_unit"
+                checks.append(BehaviourCheck(quantity.citation, f"{name}_{check}"))
             if quantity.is_object:
                 checks.append(BehaviourCheck("", f"{component.name}_{quantity.name}_is_sent_without_allocating"))
     if any(component.name == CLOCK for component in components):

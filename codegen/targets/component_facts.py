@@ -6,9 +6,12 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.storage import Storage
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
+from codegen.targets.expected import nominal_values
 from codegen.targets.firmware.words import measured_of
+from codegen.targets.message_case import literal_of
 from codegen.targets.naming import parameter_attribute
 
 
@@ -18,7 +21,9 @@ class QuantityFacts:
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
     ``is_object``: it is a float or a text, and MicroPython allocates where code sets it. ``samples`` are two plain
-    values and ``tried`` many, as Python writes them.
+    values as literals, of a list for all of it, and ``tried`` many of one value; ``is_unknown`` is how to compare it
+    with none, as an end of an expression.
+    ``row`` is a literal with some for the elements of a list of what more than a word holds, or nothing.
     """
 
     name: str
@@ -27,7 +32,9 @@ class QuantityFacts:
     is_object: bool
     samples: tuple[str, str]
     tried: tuple[str, ...]
+    is_unknown: str
     elements: int | None
+    row: str
     numerator: int
     denominator: int
     citation: str
@@ -130,14 +137,17 @@ def _component(component: Component, system: System) -> ComponentFacts:
 
 
 def _quantity(quantity: Quantity) -> QuantityFacts:
+    low, high = _samples(quantity)
     return QuantityFacts(
         name=quantity.name,
         attribute=quantity.attribute,
         is_stored=not quantity.is_computed,
         is_object=quantity.storage.is_float or quantity.length > 0,
-        samples=_samples(quantity),
+        samples=(_alike(quantity, low), _alike(quantity, high)),
         tried=_tried(quantity),
+        is_unknown=f"== {_alike(quantity, 'None')}" if quantity.elements else "is None",
         elements=quantity.elements[0] if quantity.elements else None,
+        row=_row(quantity),
         numerator=quantity.steps.numerator,
         denominator=quantity.steps.denominator,
         citation=str(quantity.citation or ""),
@@ -162,6 +172,15 @@ def _tried(quantity: Quantity) -> tuple[str, ...]:
     if quantity.length:
         return "None", '""', '"a"', f'"{"x" * quantity.length}"', f'"\\u20ac" * {quantity.length}'
     return "None", "0.0", "0.1", "-0.6", "1.5", "16777217.0", "-3.4e38", "1e-38"
+
+
+def _alike(quantity: Quantity, value: str) -> str:
+    return f"[{value}] * {quantity.elements[0]}" if quantity.elements else value
+
+
+def _row(quantity: Quantity) -> str:
+    is_one = quantity.storage is Storage.SMALL or quantity.elements is None
+    return "" if is_one else literal_of(nominal_values(quantity, 0))
 
 
 def _estimate(component: Component) -> EstimateFacts | None:

@@ -100,8 +100,13 @@ def nominal_values(quantity: Quantity, instance: int) -> Stored:
     if quantity.elements is None:
         return plain
     count = quantity.elements[instance]
-    low, high = int(quantity.minimum), int(quantity.maximum)
-    return tuple(max(low, min(high, int(plain) + 7 * index)) for index in range(count))
+    low, high = quantity.minimum, quantity.maximum
+    if quantity.storage.is_float:
+        is_limited = quantity.spec.min is not None and quantity.spec.max is not None
+        apart = Fraction(high - low) / 64 if is_limited else Fraction(7, 8)
+        values = (quantity.storage.nearest(Fraction(plain) + apart * index) for index in range(count))
+        return tuple(max(low, min(high, value)) for value in values)
+    return tuple(max(int(low), min(int(high), int(plain) + 7 * index)) for index in range(count))
 
 
 NOMINAL_TEXT = "Plain words"

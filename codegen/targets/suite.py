@@ -28,7 +28,6 @@ class SuiteView:
     components: tuple[ComponentFacts, ...]
     measured: tuple[ComponentFacts, ...]
     builders: tuple[str, ...]
-    steady: tuple[str, ...]
     streams: tuple[StreamView, ...]
     shared: tuple[SharedMessage, ...]
     withheld: tuple[WithheldMessage, ...]
@@ -57,7 +56,6 @@ def render_suite(system: System) -> dict[str, str]:
         components=components,
         measured=measured,
         builders=tuple(message.name.lower() for message in system.messages),
-        steady=tuple(message.name.lower() for message in system.messages if not message.makes_floats),
         streams=streams,
         shared=shared,
         withheld=withheld,

@@ -1,20 +1,19 @@
 """What tests need to know about messages that are withheld while something is unknown."""
 
 from collections.abc import Iterator
-from fractions import Fraction
 from typing import NamedTuple
 
-from codegen.model.known import Stored
 from codegen.model.price import on_by_default
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Quantity
 from codegen.targets.expected import nominal_values
 from codegen.targets.firmware.words import age_word, word_layout
+from codegen.targets.message_case import literal_of
 from codegen.targets.naming import builder_name, encoder_name, message_about
 
 
 class KnownWord(NamedTuple):
-    """A quantity of an instance, from 0, and a plain value of it, as Python writes it.
+    """A quantity of an instance, from 0, and a plain value of it, as a literal.
 
     ``expires`` is the place in the whole array where it is kept how long that is believed, if it ages.
     """
@@ -82,10 +81,6 @@ def _known(system: System) -> Iterator[KnownWord]:
                 quantity.component,
                 instance,
                 quantity.attribute,
-                _written(nominal_values(quantity, instance)),
+                literal_of(nominal_values(quantity, instance)),
                 places[instance] if places else None,
             )
-
-
-def _written(value: Stored) -> str:
-    return repr(float(value)) if isinstance(value, Fraction) else repr(value)

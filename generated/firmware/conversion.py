@@ -1,12 +1,10 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: cbf5dc43c7d550aa
+# Inputs: 763d33c56d332709
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
 nothing as long as it stays below 2 ** 30.
 """
-
-from struct import pack_into
 
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
@@ -33,8 +31,3 @@ def limited(value, low, high):
     if value > high:
         return high
     return value
-
-
-def make_float(code, wire, offset, value, numerator, denominator):
-    """Write value * numerator / denominator as a float that is made for it, by struct's code."""
-    pack_into(code, wire, offset, value * numerator / denominator)

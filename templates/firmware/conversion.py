@@ -4,8 +4,6 @@ Only to_steps(), for people and tests, works with floats. Everything else is int
 nothing as long as it stays below 2 ** 30.
 """
 
-from struct import pack_into
-
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
 
@@ -31,8 +29,3 @@ def limited(value, low, high):
     if value > high:
         return high
     return value
-
-
-def make_float(code, wire, offset, value, numerator, denominator):
-    """Write value * numerator / denominator as a float that is made for it, by struct's code."""
-    pack_into(code, wire, offset, value * numerator / denominator)

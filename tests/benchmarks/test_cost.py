@@ -39,6 +39,17 @@ def test_instructions_are_not_more_than_stored(script: str, tmp_path: Path) -> N
     pytest.fail("\n".join([*more, f"stored with MicroPython {results.read_versions()['MicroPython']}"]))
 
 
+def test_a_field_of_more_bits_takes_at_most_150_instructions_more(tmp_path: Path) -> None:
+    """Than one of 16, in machine code from the state to the frame, the checksum of its bytes included."""
+    if shutil.which("valgrind") and cost.problem():
+        pytest.skip(cost.problem())
+    counted = cost.counted("fields", tmp_path, [0])
+    assert len(counted) == 5
+    for figure in counted:
+        assert figure.value, figure.note
+        assert 0 < figure.value <= figure.most == 150, figure.measure
+
+
 @pytest.mark.requirement("FR-00068.11")
 @pytest.mark.parametrize("key", ["battery_status", "sys_status", "v2", "cells"])
 def test_message_takes_less_than_100_us_by_the_prediction(key: str) -> None:

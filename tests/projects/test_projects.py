@@ -4,10 +4,11 @@ minimal has neither sensors nor machine code. two_batteries has what the rover d
 overlay's message with float fields, scaling with each rounding, parameters as sources, texts, elements answered one by
 one, limits as amounts, and a converter of 10 bits. radio_rover is a whole vehicle without machine code: a radio and a
 cable for links, a charge that is estimated, a system id that no parameter sets, and a failsafe with nothing optional.
-float_fields has a message of floats that whole numbers alone make, and one of those for which that is not possible.
+float_fields has a message of floats that small whole numbers make, and one of those that take several words.
 three_cameras says how many there are. texts has texts in fields of many sizes, and a list that withholds its message.
-wide_values has numbers of more than 30 bits and floats, in fields of every type, and clocks that pass the sentinels of
-theirs; boat is a boat with a receiver of satellites, without battery, converter or program.
+rows has arrays of every type that lists fill. wide_values has numbers of more than 30 bits and floats, in fields of
+every type, and clocks that pass the sentinels of theirs; boat is a boat with a receiver of satellites, without battery,
+converter or program.
 """
 
 import subprocess

@@ -92,20 +92,20 @@ def test_nothing_is_found_in_the_shipped_specification() -> None:
     assert findings(ROOT / "specs") == []
 
 
-def test_a_warning_where_a_float_has_to_be_made() -> None:
-    """Doubles, products that are too large and divisors that are; not one field more."""
-    rule, says = "allocating-field", "allocates at each build"
-    assert findings(PROJECTS / "float_fields" / "specs") == [
-        (rule, f"WITH_FLOATS.voltage is a double and {says}", None),
-        (
-            rule,
-            f"WITH_FLOATS.current is a float and {says}",
-            "limit it with min and max: times 1000 it has to stay within 1073741823",
-        ),
-        (
-            rule,
-            f"WITH_FLOATS.running is a float and {says}",
-            "it is divided by 60000000: keep it in a coarser unit",
-        ),
-        (rule, f"WITH_FLOATS.bus is a double and {says}", None),
-    ]
+def test_no_float_has_to_be_made() -> None:
+    """Doubles, products that no small integer holds, and divisors: whole numbers of several words make them all."""
+    assert findings(PROJECTS / "float_fields" / "specs") == []
+
+
+def test_what_no_whole_numbers_make_is_an_error(tmp_path: Path) -> None:
+    """A tenth of a picosecond is too small a part of a minute: at the field, with the unit in which it would go."""
+    shutil.copytree(PROJECTS / "float_fields" / "specs", tmp_path / "specs")
+    with (tmp_path / "specs" / "parameters.yaml").open("a") as file:
+        file.write("\n  TINY: {doc: A time., unit: ns, default: 1, min: 0, max: 1000, step: 0.0001}\n")
+    table = tmp_path / "specs" / "messages" / "with_floats.yaml"
+    text = table.read_text()
+    assert "{state: meter.running}" in text
+    table.write_text(text.replace("{state: meter.running}", "{parameter: TINY}"))
+    found = [each for each in findings(tmp_path / "specs") if each[0] == "beyond-float"]
+    says = "WITH_FLOATS.running is a float, and one step is 1/600000000000000 of it"
+    assert found == [("beyond-float", says, "keep it in min")]

@@ -134,7 +134,7 @@ class EachAnswer(KindOfAnswer):
             return self.fallback.values(known, instance, page) if self.fallback else (self.absent,) * count
         first = page * count if self.is_paged else self.first
         row = values[first : first + count]
-        sent = [self.absent if value is None else self.scaling.whole(value) for value in row]
+        sent = [self.absent if value is None else self.scaling.whole(int(value)) for value in row]
         return (*sent, *[self.absent] * (count - len(sent)))
 
     @property

@@ -61,6 +61,8 @@ def render_firmware(system: System) -> dict[str, str]:
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
+        "reals_plain": plain.puts_reals,
+        "reals_viper": plain.puts_reals and machine_code,
         **{name: name in view.modules for name in VIEWS.values()},
         "clock_viper": plain.ticks and machine_code,
     }

@@ -8,8 +8,13 @@ from codegen.model.storage import Storage
 from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.targets.naming import quoted
 
-VIEWS = {**dict.fromkeys(("integer", "shown_integer", "floating"), "wide"), "text": "letters", "ticking": "clock_plain"}
-"""The modules of those views that are there only where something needs them, by the view."""
+VIEWS = {
+    **dict.fromkeys(("integer", "shown_integer", "floating"), "wide"),
+    **dict.fromkeys(("integers", "shown_integers", "floats", "aging_row"), "rows"),
+    "text": "letters",
+    "ticking": "clock_plain",
+}
+"""The modules of those views that are there only where something needs them, by the view; rows needs wide."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +61,15 @@ def wide_attributes(quantity: Quantity, place: str, above: str, behind: str) -> 
     yield AttributeView(quantity.attribute, f"integer({joined(place, *limits)})", above, "")
     if quantity.attribute != quantity.name and quantity.kind is QuantityKind.NUMBER:
         yield AttributeView(quantity.name, f"shown_integer({joined(place, *limits, *steps)})", behind, "")
+
+
+def row_attributes(quantity: Quantity, place: str, above: str, behind: str) -> Iterator[AttributeView]:
+    """The same of a list: the view of one number has a name in the plural, and takes how many there are."""
+    count = max(quantity.elements or (0,))
+    for view in wide_attributes(quantity.element, place, above, behind):
+        name, _, arguments = view.expression.partition(f"({place}, ")
+        several = {"floating": "floats"}.get(name, f"{name}s")
+        yield AttributeView(view.name, f"{several}({place}, {count}, {arguments}", view.above, view.behind)
 
 
 def initial_words(quantity: Quantity, place: str) -> Iterator[tuple[str, str]]:

@@ -3,6 +3,7 @@
 from textwrap import wrap
 
 from codegen.frozen import dataclass
+from codegen.model.payload_code import ELEMENT
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
 from codegen.model.vehicle import Component
 from codegen.targets.firmware.choice import choosing
@@ -60,6 +61,7 @@ class FunctionsView:
     texts: tuple[tuple[str, str], ...]
     functions: tuple[FunctionView, ...]
     puts_floats: bool
+    puts_reals: bool
     is_withheld: bool
     ticks: bool
 
@@ -96,6 +98,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         texts=tuple(texts.items()),
         functions=tuple(functions),
         puts_floats="put_float" in uses,
+        puts_reals="put_real" in uses,
         is_withheld=any(function.is_withheld for function in functions),
         ticks="tick" in uses,
     )
@@ -113,8 +116,8 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
         names.add(("binascii", "hexlify"))
     if "put_float" in uses:
         names.add(("floats_viper", "put_floats") if machine_code else ("floats_plain", "put_float"))
-    if "make_float" in uses:
-        names.add(("conversion", "make_float"))
+    if "put_real" in uses:
+        names.add(("reals_viper" if machine_code else "reals_plain", "put_real"))
     return import_lines(modules, names)
 
 
@@ -177,8 +180,10 @@ def _store(message: PopulatedMessage) -> str:
 def _ageing(message: PopulatedMessage, system: System, code: SpelledCode) -> list[str]:
     """Forget what code has not set for too long, of all that the message reads."""
     paths = (quantity.decided_by for answer in message.answers for quantity in answer.quantities)
-    found = filter(None, map(system.quantity, dict.fromkeys(paths)))
-    lines = [line for quantity in found if quantity.ages for line in ["", *forgetting(quantity, code, "value", "age")]]
+    found = [quantity for quantity in map(system.quantity, dict.fromkeys(paths)) if quantity and quantity.ages]
+    # Loops over lists leave no room for one more variable in plain Python.
+    age = ELEMENT if any(quantity.elements for quantity in found) else "age"
+    lines = [line for quantity in found for line in ["", *forgetting(quantity, code, "value", age)]]
     now = code.now() if lines else ""
     return [*(["", f"value = {now}"] if now not in ("", "value") else []), *lines]
 

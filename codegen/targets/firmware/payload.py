@@ -8,7 +8,10 @@ from codegen.model.clock import CLOCK
 from codegen.model.dialect import Kind
 from codegen.model.letters import words_of
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
+from codegen.model.scaling import FloatParts
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
+from codegen.targets.firmware.turns import Turns
 from codegen.targets.firmware.words import Block, Layout, differ
 from codegen.targets.naming import parameter_attribute
 
@@ -44,13 +47,15 @@ class SpelledCode(PayloadCode):
         """The word, with its sign."""
         return self.number_of(self.word(quantity.component, quantity.attribute, element))
 
-    def is_unknown(self, quantity: Quantity) -> str:
+    def is_unknown(self, quantity: Quantity, element: str = "") -> str:
         """By its first word."""
-        return f"{self.number_of(self.word(quantity.component, quantity.attribute))} == {UNKNOWN}"
+        word = self.word(quantity.component, quantity.attribute, _first(quantity, element))
+        return f"{self.number_of(word)} == {UNKNOWN}"
 
-    def half(self, quantity: Quantity, at: int) -> str:
+    def half(self, quantity: Quantity, at: int, element: str = "") -> str:
         """The word, which has no sign."""
-        return self.word(quantity.component, quantity.attribute, str(at) if at else "")
+        place = " + ".join(filter(None, (_first(quantity, element), str(at) if at else "")))
+        return self.word(quantity.component, quantity.attribute, place)
 
     def clock_half(self, word: str, at: int) -> str:
         """The word."""
@@ -103,41 +108,53 @@ class SpelledCode(PayloadCode):
         return self.read(followed), quantity.derivation.holds(self.limit(quantity))
 
     def store(
-        self, covers: Elements, value: int | float | str, at: int = 0, *, always: bool = True, over: bool = False
+        self,
+        covers: Elements,
+        value: int | float | str,
+        at: int = 0,
+        *,
+        element: str = "",
+        always: bool = True,
+        over: bool = False,
     ) -> list[str]:
         """An expression as it is; a number as one that the spelling can write."""
-        size = covers.field.type.size
+        size, turns = covers.field.type.size, self.turns(covers, element)
         offset = covers.offset + at * size
         if over:
-            halves = _halves(covers, value)
-            return [
-                line for n, half in enumerate(halves) for line in self.put(offset + 2 * n, min(size, 2), _hex(half))
-            ]
+            return self._put_halves(offset, min(size, 2), list(map(_hex, _halves(covers, value))), turns)
         if isinstance(value, str):
-            return self.put(offset, size, value, always=always)
+            return self.put(offset, size, value, always=always, turns=turns)
         if covers.field.type.kind is not Kind.FLOAT and -(1 << 30) <= value < 1 << 30:
-            return self.put(offset, size, int(value), always=always)
+            return self.put(offset, size, int(value), always=always, turns=turns)
         halves = _halves(covers, value)
-        return [line for n, half in enumerate(halves) for line in self.put(offset + 2 * n, 2, half, always=always)]
-
-    def copy(self, covers: Elements, halves: list[str], *, signed: bool) -> list[str]:
-        """Half by half; a wider element is filled with the sign."""
-        size, offset = covers.field.type.size, covers.offset
-        if size == 1:
-            return self.put(offset, 1, halves[0])
-        lines = [
+        return [
             line
-            for n, half in zip(range(size // 2), halves, strict=False)
-            for line in self.put(offset + 2 * n, 2, half)
+            for n, half in enumerate(halves)
+            for line in self.put(offset + 2 * n, 2, half, always=always, turns=turns)
         ]
-        more = range(len(halves), size // 2)
-        if not more:
+
+    def copy(self, covers: Elements, halves: list[str], *, signed: bool, element: str = "") -> list[str]:
+        """Half by half; a wider element is filled with the sign."""
+        size, offset, turns = covers.field.type.size, covers.offset, self.turns(covers, element)
+        if size == 1:
+            return self.put(offset, 1, halves[0], turns=turns)
+        lines = self._put_halves(offset, 2, halves[: size // 2], turns)
+        more = size // 2 - len(halves)
+        if more <= 0:
             return lines
-        zeros = [line for n in more for line in self.put(offset + 2 * n, 2, "0x0")]
+        behind = offset + 2 * len(halves)
+        zeros = self._put_halves(behind, 2, ["0x0"] * more, turns)
         if not signed:
             return [*lines, *zeros]
-        ones = [line for n in more for line in self.put(offset + 2 * n, 2, "0xFFFF")]
+        ones = self._put_halves(behind, 2, ["0xFFFF"] * more, turns)
         return [*lines, f"if {halves[-1]} < 0x8000:", *indented(zeros), "else:", *indented(ones)]
+
+    def _put_halves(self, offset: int, size: int, halves: list[str], turns: Turns | None) -> list[str]:
+        return [line for n, half in enumerate(halves) for line in self.put(offset + 2 * n, size, half, turns=turns)]
+
+    def turns(self, covers: Elements, element: str) -> Turns | None:
+        """The loop over the covered elements in which ``element`` is one of them; None without it."""
+        return Turns(element, covers.field.type.size, covers.count) if element else None
 
     def copy_half(self, covers: Elements, at: int, value: str) -> list[str]:
         """As two bytes, or one."""
@@ -155,8 +172,10 @@ class SpelledCode(PayloadCode):
             return f"wire[{offset}]"
         return f"(wire[{offset}] | wire[{offset + 1}] << 8)"
 
-    def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
-        """Write a whole number of so many bytes at an offset of the payload."""
+    def put(
+        self, offset: int, size: int, value: int | str, *, always: bool = True, turns: Turns | None = None
+    ) -> list[str]:
+        """Write a whole number of so many bytes at an offset of the payload, or in a loop from there on."""
         raise NotImplementedError
 
     def bytes_of(self, covers: Elements) -> set[int]:
@@ -287,6 +306,24 @@ def _halves(covers: Elements, value: float | str) -> tuple[int, ...]:
     else:
         data = (int(value) & (1 << 8 * wire_type.size) - 1).to_bytes(wire_type.size, "little")
     return tuple(data) if len(data) == 1 else struct.unpack(f"<{len(data) // 2}H", data)
+
+
+def _first(quantity: Quantity, element: str) -> str:
+    """How many words the place of an element lies behind that of the first one; an expression."""
+    words = quantity.storage.words
+    return f"{words} * {element}" if element and words > 1 else element
+
+
+def real_about(covers: Elements, factor: FloatParts) -> tuple[int, int, int, int, int]:
+    """What ``put_real`` of the firmware wants to know: numerator, divisor, exponent, and two counts of bits and bytes.
+
+    The exponent is that of the wire for a quotient whose highest bit counts 2 ** 59; so many bits of it are found at
+    once as keep what is divided below 2 ** 30.
+    """
+    size = covers.field.type.size
+    room = SMALL_INT_MAX.bit_length() - factor.divisor.bit_length()
+    bits = max(each for each in (1, 3, 5, 15) if each <= room)
+    return factor.numerator, factor.divisor, 59 + factor.power + (1023 if size == 8 else 127), bits, size
 
 
 def escaped(byte: int) -> str:

@@ -5,10 +5,21 @@ from collections.abc import Iterable
 
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
+from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, byte_of, escaped, literal
+from codegen.targets.firmware.payload import (
+    SpelledCode,
+    byte_of,
+    escaped,
+    literal,
+    real_about,
+)
+from codegen.targets.firmware.turns import Turns, placed
 from codegen.targets.firmware.words import Block
 from codegen.targets.imports import LINE_LENGTH, in_brackets
+
+_POINTERS = {1: "wire", 2: "wire16", 4: "wire32"}
+"""The pointers to the payload, by the size of what each of them writes."""
 
 
 class MachineCode(SpelledCode):
@@ -25,25 +36,25 @@ class MachineCode(SpelledCode):
         self.uses.add("sign")
         return f"({word} ^ sign) - sign"
 
-    def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
+    def put(
+        self, offset: int, size: int, value: int | str, *, always: bool = True, turns: Turns | None = None
+    ) -> list[str]:
         """In one piece where the place is a multiple of the size; the smaller Cortex-M insist on that.
 
         A 0 that is known at build time is left to what is cleared, which is fewer and larger pieces.
         """
-        if value == 0 and (always or offset % size) and self.written.isdisjoint(range(offset, offset + size)):
+        if turns is not None:
+            starts = range(offset, offset + turns.size * turns.count, turns.size)
+            self.written |= {at for start in starts for at in range(start, start + size)}
+        elif value == 0 and (always or offset % size) and self.written.isdisjoint(range(offset, offset + size)):
             return []
-        if always:
+        elif always:
             self.written |= set(range(offset, offset + size))
-        if size == 1:
-            self.uses.add("wire")
-            return [f"wire[{offset}] = {value}"]
-        if size == 2 and offset % 2 == 0:
-            self.uses.add("wire16")
-            return [f"wire16[{offset // 2}] = {value}"]
-        if size == 4 and offset % 4 == 0:
-            self.uses.add("wire32")
-            return [f"wire32[{offset // 4}] = {value}"]
-        return self._by_bytes(offset, size, value)
+        is_aligned = offset % size == 0 and (turns is None or turns.size % size == 0)
+        if is_aligned and size in _POINTERS:
+            self.uses.add(_POINTERS[size])
+            return [f"{_POINTERS[size]}[{placed(offset, size, turns)}] = {value}"]
+        return self._by_bytes(offset, size, value, turns)
 
     def got(self, offset: int, size: int) -> str:
         """Two bytes in one piece, where they begin at an even place."""
@@ -94,20 +105,21 @@ class MachineCode(SpelledCode):
             lines += self.put(offset, width // 8, written)
         return lines
 
-    def _by_bytes(self, offset: int, size: int, value: int | str) -> list[str]:
+    def _by_bytes(self, offset: int, size: int, value: int | str, turns: Turns | None) -> list[str]:
         if size == 8:
-            low = self.put(offset, 4, value if isinstance(value, str) else _signed(value, 4), always=False)
+            low = self.put(offset, 4, value if isinstance(value, str) else _signed(value, 4), always=False, turns=turns)
             if not isinstance(value, str):
-                return [*low, *self.put(offset + 4, 4, -1 if value < 0 else 0, always=False)]
-            high = self.put(offset + 4, 4, -1, always=False)
-            none = self.put(offset + 4, 4, 0, always=False)
+                return [*low, *self.put(offset + 4, 4, -1 if value < 0 else 0, always=False, turns=turns)]
+            high = self.put(offset + 4, 4, -1, always=False, turns=turns)
+            none = self.put(offset + 4, 4, 0, always=False, turns=turns)
             return [*low, f"if {value} < 0:", *indented(high), "else:", *indented(none)]
         self.uses.add("wire")
         known = literal(value)
+        places = [placed(offset + n, 1, turns) for n in range(size)]
         if known is not None:
-            return [f"wire[{offset + n}] = {known >> 8 * n & 0xFF}" for n in range(size)]
+            return [f"wire[{place}] = {known >> 8 * n & 0xFF}" for n, place in enumerate(places)]
         shown = value if str(value).isidentifier() else f"({value})"
-        return [f"wire[{offset + n}] = {f'{shown} >> {8 * n}' if n else value}" for n in range(size)]
+        return [f"wire[{place}] = {f'{shown} >> {8 * n}' if n else value}" for n, place in enumerate(places)]
 
     def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
         """By a pointer of the type; into fields that are not aligned byte by byte."""
@@ -128,7 +140,9 @@ class MachineCode(SpelledCode):
             return []
         return super().rest(covers, value)
 
-    def put_float(self, covers: Elements, value: str, divisor: int, unknown: float | None) -> list[str]:
+    def put_float(
+        self, covers: Elements, value: str, divisor: int, unknown: float | None, element: str = ""
+    ) -> list[str]:
         """As a whole number at first: one call makes floats of all of them at the end, since calls are dear.
 
         A float that is not aligned, or one beside an ``unknown`` that reads as such a number, is made on the side.
@@ -137,9 +151,10 @@ class MachineCode(SpelledCode):
         if covers.offset % 4 or 0 < abs(bits) < 1 << 30 or bits == -1 << 31:
             self._use_side()
             made = ["side = ptr32(_FLOAT)", f"side[0] = {value}", *self._floats("int(side)", [(0, divisor)])]
-            return [*made, *self._copied_from_side(covers)]
-        self.floats.append((covers.offset, divisor))
-        return self.put(covers.offset, 4, value)
+            return [*made, *self._copied_from_side(covers, element)]
+        turns = self.turns(covers, element)
+        self.floats += [(covers.offset + 4 * at, divisor) for at in range(turns.count if turns else 1)]
+        return self.put(covers.offset, 4, value, turns=turns)
 
     def ending(self) -> list[str]:
         """Floats of the whole numbers."""
@@ -161,19 +176,23 @@ class MachineCode(SpelledCode):
     def _use_side(self) -> None:
         self.texts["_FLOAT"] = "bytearray(8)"
 
-    def _copied_from_side(self, covers: Elements) -> list[str]:
+    def _copied_from_side(self, covers: Elements, element: str = "") -> list[str]:
         self.written |= self.bytes_of(covers)
-        return self.copied(covers, "_FLOAT", covers.field.type.size)
+        turns, size = self.turns(covers, element), covers.field.type.size
+        if turns is None:
+            return self.copied(covers, "_FLOAT", size)
+        self.uses.add("wire")
+        places = (placed(covers.offset + n, 1, turns) for n in range(size))
+        return ["text = ptr8(_FLOAT)", *(f"wire[{place}] = text[{n}]" for n, place in enumerate(places))]
 
-    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
-        """On the side, too: the function for it takes an object."""
-        self.uses.add("make_float")
-        self._use_side()
-        code = f'"<{covers.field.type.code}"'
-        return [
-            f"make_float({code}, _FLOAT, 0, value, {numerator}, {divisor})",
-            *self._copied_from_side(covers),
-        ]
+    def put_real(self, covers: Elements, factor: FloatParts, element: str = "") -> list[str]:
+        """By the function for it, byte by byte."""
+        self.uses.add("put_real")
+        self.written |= self.bytes_of(covers)
+        place = placed(covers.offset, 1, self.turns(covers, element))
+        at = f"int(wire) + {place}" if place != "0" else "int(wire)"
+        data = struct.pack("<IIH2B", *real_about(covers, factor))
+        return [f'put_real({at}, value, b"{"".join(map(escaped, data))}")']
 
     def now(self) -> str:
         """Asked for where it is needed."""

@@ -2,8 +2,10 @@
 
 from codegen.model.answer import Elements
 from codegen.model.payload_code import indented
+from codegen.model.scaling import FloatParts
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.payload import SpelledCode, byte_of
+from codegen.targets.firmware.payload import SpelledCode, byte_of, real_about
+from codegen.targets.firmware.turns import Turns, placed
 from codegen.targets.firmware.words import Block
 
 
@@ -24,13 +26,16 @@ class PlainCode(SpelledCode):
         """An array knows signs."""
         return word
 
-    def put(self, offset: int, size: int, value: int | str, *, always: bool = True) -> list[str]:
+    def put(
+        self, offset: int, size: int, value: int | str, *, always: bool = True, turns: Turns | None = None
+    ) -> list[str]:
         """Byte by byte."""
-        if always:
+        if always and turns is None:
             self.written |= set(range(offset, offset + size))
+        places = [placed(offset + n, 1, turns) for n in range(size)]
         if isinstance(value, int):
-            return [f"wire[{offset + n}] = {value >> 8 * n & 0xFF}" for n in range(size)]
-        return [f"wire[{offset + n}] = {byte_of(value, n)}" for n in range(size)]
+            return [f"wire[{place}] = {value >> 8 * n & 0xFF}" for n, place in enumerate(places)]
+        return [f"wire[{place}] = {byte_of(value, n)}" for n, place in enumerate(places)]
 
     def store_at(self, covers: Elements, place: str, value: str) -> list[str]:
         """Byte by byte, too."""
@@ -63,15 +68,23 @@ class PlainCode(SpelledCode):
         ]
         return [f"wire[{place}] |= {part:#x}" for place, part in places if part]
 
-    def put_float(self, covers: Elements, value: str, divisor: int, unknown: float | None) -> list[str]:  # noqa: ARG002
+    def put_float(
+        self,
+        covers: Elements,
+        value: str,
+        divisor: int,
+        unknown: float | None,  # noqa: ARG002
+        element: str = "",
+    ) -> list[str]:
         """By the function for it."""
         self.uses.add("put_float")
-        return [f"put_float(wire, {covers.offset}, {value}, {divisor})"]
+        return [f"put_float(wire, {placed(covers.offset, 1, self.turns(covers, element))}, {value}, {divisor})"]
 
-    def make_float(self, covers: Elements, numerator: int, divisor: int) -> list[str]:
+    def put_real(self, covers: Elements, factor: FloatParts, element: str = "") -> list[str]:
         """By the function for it."""
-        self.uses.add("make_float")
-        return [f'make_float("<{covers.field.type.code}", wire, {covers.offset}, value, {numerator}, {divisor})']
+        self.uses.add("put_real")
+        place = placed(covers.offset, 1, self.turns(covers, element))
+        return [f"put_real(wire, {place}, value, {real_about(covers, factor)})"]
 
     def now(self) -> str:
         """What ``value`` is at first."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.model.payload_code import UNKNOWN, indented
+from codegen.model.payload_code import ELEMENT, UNKNOWN, each_element, indented
 from codegen.model.vehicle import Component, Quantity, Returns, Threshold
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, measured_of
@@ -44,13 +44,15 @@ def forgetting(quantity: Quantity, code: SpelledCode, now: str, age: str) -> lis
     """Forget what code has set where that was too long ago by the time ``now``, in ms; ``age`` is a variable."""
     expires = code.word(quantity.component, age_word(quantity))
     cited = _cited(quantity.cited("stale_after"))
+    element = ELEMENT if quantity.elements else ""
+    forget = [f"{code.half(quantity, 0, element)} = {UNKNOWN}"]
+    forget = each_element(0, quantity.elements[0], forget) if quantity.elements else forget
     return [
         f"# {quantity.path} is forgotten {quantity.trust.stale_after_ms} ms after it was set{cited}.",
         f"if {code.number_of(expires)} != {UNKNOWN}:",
         f"    {age} = {now} - {expires} & {CLOCK_MASK}",
         f"    if {age} > 0 and {age} < 0x20000000:",
-        f"        {code.word(quantity.component, quantity.attribute)} = {UNKNOWN}",
-        f"        {expires} = {UNKNOWN}",
+        *indented([*forget, f"{expires} = {UNKNOWN}"], 2),
     ]
 
 

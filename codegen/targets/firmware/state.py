@@ -16,6 +16,7 @@ from codegen.targets.firmware.attribute import (
     initial_words,
     joined,
     known_words,
+    row_attributes,
     text_attribute,
     wide_attributes,
 )
@@ -128,6 +129,7 @@ def state_view(system: System, layout: Layout) -> StateView:
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
     names |= {(VIEWS.get(word, "words"), word) for word in words}
+    modules = frozenset(VIEWS[word] for word in words & VIEWS.keys())
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -151,7 +153,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         components=components,
         families=_families(system),
         has_estimate=has_estimate,
-        modules=frozenset(VIEWS[word] for word in words & VIEWS.keys()),
+        modules=modules | ({"wide"} if "rows" in modules else set()),
         is_measured=bool(measured),
     )
 
@@ -267,6 +269,9 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
     numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
     steps = f"{numerator}, {denominator}" if denominator != 1 else str(numerator)
     shown = quantity.unit.name or "A number"
+    if quantity.elements is not None and quantity.storage is not Storage.SMALL:
+        yield from row_attributes(quantity, place, above, f"{shown} each, or None while it is unknown{cited}")
+        return
     if quantity.elements is not None:
         own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(quantity.elements) else ""
         most = max(quantity.elements)
@@ -302,7 +307,12 @@ def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[At
     place = block.constant(age_word(quantity))
     inner = f"_{view.name}"
     yield AttributeView(inner, view.expression, view.above, "")
-    forgets = f'aging("{inner}", {block.constant(quantity.attribute)}, {place}, {quantity.trust.stale_after_ms})'
+    first, after_ms = block.constant(quantity.attribute), quantity.trust.stale_after_ms
+    if quantity.elements:
+        count, words = max(quantity.elements), quantity.storage.words
+        forgets = f'aging_row("{inner}", {joined(first, count, words, place, after_ms)})'
+    else:
+        forgets = f'aging("{inner}", {joined(first, place, after_ms)})'
     yield AttributeView(view.name, forgets, view.behind, "")  # behind the long line there is no room for it
 
 

@@ -1,9 +1,9 @@
 """Where the state keeps what: 32-bit words in one array, a block of them for each instance of each component.
 
 A number, an enum's value and a boolean take one word; what is unknown is -2 ** 30 there, less than every limit, and the
-largest magnitude that 32-bit boards read without allocating. A quantity with elements takes a word for each, last of
-all. What a small integer does not hold takes a word for every 16 bits, the low ones first (codegen/model/storage.py);
-while it is unknown, the first of them is -2 ** 30.
+largest magnitude that 32-bit boards read without allocating. What a small integer does not hold takes a word for every
+16 bits, the low ones first (codegen/model/storage.py); while it is unknown, the first of them is -2 ** 30. A quantity
+with elements takes the words of each, one element behind the other, last of all.
 """
 
 from collections.abc import Iterator, Mapping
@@ -107,7 +107,7 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
         if quantity.elements is not None:
             if differ(quantity.elements):
                 yield f"{quantity.attribute}_count", 1
-            yield quantity.attribute, max(quantity.elements)
+            yield quantity.attribute, quantity.storage.words * max(quantity.elements)
 
 
 def age_word(quantity: Quantity) -> str:

@@ -1,0 +1,115 @@
+"""Attributes for lists of numbers of more than 30 bits, and of floats; wide has those for single ones.
+
+Each value is set and read by its place, and can be None: unknown. A list is set as a whole, too, by as many values as
+it has, or by None, which makes all of them unknown.
+"""
+
+import time
+
+from conversion import to_steps
+from wide import float_at, keep_float, keep_whole, whole_at
+from words import UNKNOWN, in_unit
+
+
+class _Row:
+    """The values of a list: `functions` read and write one by its place in the words, and by what it is about."""
+
+    def __init__(self, words, place, count, about, functions):
+        self._words = words
+        self._place = place
+        self._count = count
+        self._about = about
+        self._functions = functions
+
+    def __len__(self):
+        return self._count
+
+    def __getitem__(self, index):
+        return self._functions[0](self._words, self._at(index), self._about)
+
+    def __setitem__(self, index, value):
+        self._functions[1](self._words, self._at(index), self._about, value)
+
+    def _at(self, index):
+        if not -self._count <= index < self._count:
+            raise IndexError("there are fewer elements")
+        return self._place + self._about[0] * (index % self._count)
+
+
+def integers(place, count, halves, low, high):
+    """Return an attribute for a list of whole numbers from `low` to `high`."""
+    return _attribute(place, count, (halves, low, high), (whole_at, keep_whole))
+
+
+def shown_integers(place, count, halves, low, high, numerator, denominator=1):
+    """Return the same in the unit of people, `numerator` / `denominator` steps of which make one."""
+    return _attribute(place, count, (halves, low, high, numerator, denominator), (_shown_at, _keep_shown))
+
+
+def floats(place, count, halves, low=None, high=None, numerator=1, denominator=1):
+    """Return an attribute for a list of floats of 32 or 64 bits, with limits in the units that are kept."""
+    return _attribute(place, count, (halves, low, high, numerator, denominator), (float_at, keep_float))
+
+
+class _Believed:
+    """A list that is forgotten: it can be read, and is set as a whole, by which its age is known."""
+
+    def __init__(self, owner, believed):
+        self._owner = owner
+        self._believed = believed
+
+    def __len__(self):
+        return len(self._believed(self._owner))
+
+    def __getitem__(self, index):
+        return self._believed(self._owner)[index]
+
+
+def aging_row(name, place, count, words, expires, after_ms):
+    """Return the attribute `name`, a list from `place` on, that is forgotten so many ms after it was set as a whole.
+
+    The word at `expires` is as words.aging() has it.
+    """
+    back_ms = 0x3FFFFFFF - after_ms + 1
+
+    def believed(self):
+        until_ms = self.words[expires]
+        if until_ms != UNKNOWN and 0 < (time.ticks_ms() - until_ms & 0x3FFFFFFF) < 0x20000000:
+            for at in range(place, place + count * words, words):
+                self.words[at] = UNKNOWN
+            self.words[expires] = UNKNOWN
+        return getattr(self, name)
+
+    def get(self):
+        return _Believed(self, believed)
+
+    def put(self, values):
+        setattr(self, name, values)
+        self.words[expires] = time.ticks_ms() - back_ms & 0x3FFFFFFF
+
+    return property(get, put)
+
+
+def _attribute(place, count, about, functions):
+    def get(self):
+        return _Row(self.words, place, count, about, functions)
+
+    def put(self, values):
+        if values is not None and len(values) != count:
+            raise ValueError(f"there are {count} values, not {len(values)}")
+        row = get(self)
+        for index in range(count):
+            row[index] = None if values is None else values[index]
+
+    return property(get, put)
+
+
+def _shown_at(words, at, about):
+    value = whole_at(words, at, about)
+    return None if value is None else in_unit(value, about[3], about[4])
+
+
+def _keep_shown(words, at, about, value):
+    if about[3] != about[4] or not isinstance(value, int):
+        value = to_steps(value, about[3], about[4], about[1], about[2])
+    keep_whole(words, at, about, value)
