@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.answers.filling import comment, origin
 from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
-from codegen.answers.limits import check_reach, scaling_of
+from codegen.answers.limits import check_reach, kept_apart, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.source import take
@@ -74,7 +74,8 @@ class CopiedAnswer(LiveAnswer):
         if source.initial is None and sentinel is None and not withholds:
             no_sentinel(covers, "state", source.path, scope.report)
             return None
-        at_end = None if source.storage.is_float else sentinel  # beside a float are others that are much closer
+        # Beside a float are others that are much closer than a step.
+        at_end = None if source.storage.is_float else kept_apart(source, sentinel)
         scaling = scaling_of(field, at_end, taken.bounds, Fraction(1), covers.written, scope.report)
         if scaling is None:
             return None

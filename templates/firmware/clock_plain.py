@@ -54,3 +54,21 @@ def _divide(words, at, to):
         words[to + place] = left // 1000
         left %= 1000
         place -= 1
+
+
+def counting(name):
+    """Return the attribute `name` of the clock, which goes on to now before it is read or set.
+
+    Else the time since the clocks went on last, with a message, would be missing in what is read and added to what is
+    set.
+    """
+
+    def get(self):
+        tick(self.words, 0)
+        return getattr(self, name)
+
+    def put(self, value):
+        tick(self.words, 0)
+        setattr(self, name, value)
+
+    return property(get, put)

@@ -102,3 +102,32 @@ print(json.dumps(found + [clock.unix]))
     assert done.returncode == 0, done.stderr
     kept = [2**53 + 1, 2**64 - 1, 2**64 - 1, 0, 3, 2**64 - 1]
     assert json.loads(done.stdout) == [*(str(value) for one in kept for value in (one, one)), None]
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_a_clock_that_is_set_goes_on_from_there(boat, interpreter):
+    """Not from the last message: what passed between that and the setting is neither added to it nor left out."""
+    script = (
+        SCRIPT.partition("gps, attitude =")[0]
+        + """
+clock, gps = state.clock, state.gps
+gps.lat, gps.lon, gps.alt, gps.ellipsoid, gps.accuracy = 1, 2, 3, 4, 5
+assert telemetry.encode_gps_raw_int(link, state)
+mock_time.advance_us(900000)
+found = [clock.boot_us, clock.unix_us]
+clock.unix_us = 1790000000000000
+mock_time.advance_us(50)
+found += [clock.unix_us, clock.boot]
+clock.boot_us = 7
+mock_time.advance_us(1000000)
+frame = bytes(telemetry.encode_gps_raw_int(link, state)).hex()
+print(json.dumps([str(each) for each in found + [clock.unix]] + [frame]))
+"""
+    )
+    (boat / "clock.py").write_text(script)
+    done = subprocess.run([str(BIN / interpreter), "clock.py"], cwd=boat, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    *found, frame = json.loads(done.stdout)
+    assert found == ["900000", "None", "1790000000000050", "900050", "1790000001000050"]
+    message = ardupilotmega.MAVLink(None).parse_buffer(bytearray(bytes.fromhex(frame)))[0]
+    assert message.time_usec == 1000007

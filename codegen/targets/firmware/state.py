@@ -11,8 +11,10 @@ from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
+    MODULES,
     WIDE,
     AttributeView,
+    counted_on,
     initial_words,
     joined,
     known_words,
@@ -123,7 +125,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
-    names |= {("wide" if word in WIDE else "words", word) for word in words}
+    names |= {(MODULES.get(word, "words"), word) for word in words}
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -229,7 +231,11 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
 def _attributes(component: Component, block: Block) -> Iterator[AttributeView]:
     for quantity in component.quantities.values():
         views = _views(quantity, component, block)
-        yield from (each for view in views for each in _aging(view, quantity, block)) if quantity.ages else views
+        if quantity.ages:
+            views = (each for view in views for each in _aging(view, quantity, block))
+        elif component.name == CLOCK:
+            views = (each for view in views for each in counted_on(view))
+        yield from views
     told = {
         "number": "What messages call it",
         "failures": "Failed readings in a row",
