@@ -92,10 +92,14 @@ class CopiedAnswer(LiveAnswer):
         if kept is None:
             assert self.unknown is not None
             return (self.unknown,)
-        value = max(self.scaling.low, min(self.scaling.high, kept))
-        if self.scaling.beside is not None and value == self.scaling.hole:
-            value = self.scaling.beside
+        value = self._fitting(kept)
         return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
+
+    def _fitting(self, kept: int | Fraction) -> int | Fraction:
+        """Within the limits, and not the sentinel."""
+        value = max(self.scaling.low, min(self.scaling.high, kept))
+        beside = self.scaling.beside
+        return beside if beside is not None and value == self.scaling.hole else value
 
     @property
     def makes_float(self) -> bool:
@@ -115,7 +119,7 @@ class CopiedAnswer(LiveAnswer):
         compared = [*halves[:-1], "value"]
         tests: list[tuple[str, float | Fraction, str]] = [*self._limited(compared), *self._hole(compared)]
         lines = [comment(covers, origin(covers, source)), *([f"value = {halves[-1]}"] if tests else [])]
-        instead = self.unknown if self.unknown is not None else source.initial
+        instead = self.unknown if source.initial is None else self._fitting(source.initial)
         why = "unknown" if self.unknown is not None else "until it is set"
         if instead is not None:
             tests.insert(0, (f"{halves[0]} >> {HALF}", instead, why))
