@@ -16,10 +16,12 @@ STALE_S = 1
 class Answer:
     """What answers an element of a field.
 
-    ``kind`` is number, enum, flags, clock or fixed. ``written`` is the answer in the table of the message, ``quantity``
-    what state.yaml says of the quantity ``name``, by key. Of a number: 1 ``unit`` is ``wire`` on the wire and ``steps``
-    as it is kept, None where that is a float; ``attribute`` is the name of what is kept, if it has another one; ``low``
-    and ``high`` are the limits in steps, or of a float in units; ``least`` and ``most`` those of the table.
+    ``kind`` is number, enum, flags, clock, text or fixed. ``written`` is the answer in the table of the message,
+    ``quantity`` what state.yaml says of the quantity ``name``, by key. Of a number: 1 ``unit`` is ``wire`` on the wire
+    and ``steps`` as it is kept, None where that is a float; ``attribute`` is the name of what is kept, if it has
+    another one; ``low`` and ``high`` are the limits in steps, or of a float in units; ``least`` and ``most`` those of
+    the table. Of a text ``steps`` is how many bytes are kept, None for a constant. ``listed`` is the length of the
+    list that answers the whole array, of which this is one value.
     """
 
     field: Field
@@ -40,6 +42,7 @@ class Answer:
     is_aging: bool = False
     withholds: bool = False
     microseconds: int = 0
+    listed: int = 0
     flags: tuple[tuple[str, int], ...] = ()
 
     @cached_property
@@ -51,7 +54,17 @@ class Answer:
     @property
     def key(self) -> str:
         """The key of the table."""
-        return self.label.partition(".")[2]
+        return self.field.name if self.listed else self.label.partition(".")[2]
+
+    @property
+    def is_first(self) -> bool:
+        """Whether it is the one of a list that stands for all in the specification."""
+        return not self.listed or self.at == 0
+
+    @property
+    def hides_all(self) -> bool:
+        """Whether the whole array is unknown while this is: the sentinel speaks for all of it."""
+        return bool(self.listed) and self.field.unknown[0] is not None and self.field.unknown[-1] is None
 
     @cached_property
     def factor(self) -> Fraction:

@@ -15,6 +15,10 @@ from population.fields import Field, Message
 from population.numeric import real, trusted, whole
 
 TAKEN = {"instance", "number", "failures", "expire", "forget", "keep", "gone"}
+LISTS = False
+"""Whether a quantity with ``elements`` answers arrays as a whole; else each element has a quantity of its own."""
+TEXTS = False
+"""Whether a quantity is a ``text``; else texts are constants."""
 CLOCKS = {"us": 1, "ms": 1000, "cs": 10_000, "ds": 100_000, "s": 1_000_000}
 
 
@@ -33,14 +37,26 @@ def answer(message: Message, seed: int) -> list[Answer]:
 
 def refused(before: Answer) -> Answer:
     """What is said of an element instead, where the generator refuses its quantity: nothing is known, or 0."""
+    if before.kind == "text":
+        return Answer(before.field, 0, "text", '{constant: "x"}')
     written = "unknown" if before.unknown is not None else "{constant: 0}"
     return Answer(before.field, before.at, "fixed", written)
 
 
 def _elements(message: Message, field: Field, clocks: list[str], dice: random.Random) -> Iterator[Answer]:
     if field.code == "s":
+        if TEXTS:
+            yield _text(message, field, dice)
+            return
         text = "".join(dice.choices("abcXYZ 019", k=dice.randint(1, max(1, field.count)))).strip() or "x"
         yield Answer(field, 0, "text", f'{{constant: "{text}"}}')
+        return
+    if LISTS and field.count > 1 and field.enum is None and dice.random() < 0.6:
+        name = field.name.lower().replace("_", "") + "list"
+        base = Answer(field, 0, "number", f"{{state: {component(message)}.{name}}}", name)
+        drawn = real(base, dice) if field.is_float else whole(base, dice)
+        drawn = replace(drawn, quantity=(*drawn.quantity, ("elements", str(field.count))))
+        yield from (replace(drawn, at=at, listed=field.count) for at in range(field.count))
         return
     for at in range(max(1, field.count)):
         name = field.name.lower().replace("_", "") + (f"x{at}" if field.count else "")
@@ -99,3 +115,12 @@ def _enum(base: Answer, dice: random.Random) -> Answer:
         value = dice.choice(fitting)
         return replace(found, initial=Fraction(value), quantity=(*found.quantity, ("initial", enum.entries[value])))
     return trusted(replace(found, withholds=base.unknown is None), dice)
+
+
+def _text(message: Message, field: Field, dice: random.Random) -> Answer:
+    """Kept in as many bytes as the field has, or fewer, or more."""
+    name = field.name.lower().replace("_", "") + "text"
+    kept = max(1, field.count + dice.randint(-3, 5))
+    base = Answer(field, 0, "text", f"{{state: {component(message)}.{name}}}", name, steps=Fraction(kept))
+    base = replace(base, quantity=(("text", str(kept)),))
+    return trusted(replace(base, withholds=base.unknown is None), dice)

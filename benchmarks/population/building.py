@@ -2,6 +2,7 @@
 
 import shutil
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from codegen.diagnostics import Diagnostic, Report
@@ -40,7 +41,7 @@ def build(
             return tables, found
         found |= _refusals(errors, places, folder, found)
         tables = {
-            name: [refused(each) if each.label in found else each for each in answers]
+            name: [refused(each) if _first(each) in found else each for each in answers]
             for name, answers in tables.items()
         }
 
@@ -55,3 +56,8 @@ def _refusals(errors: Sequence[Diagnostic], places: Places, folder: Path, known:
         found.setdefault(about.label, error.rule.id)
     assert found.keys() - known.keys(), [error.message for error in errors]
     return found
+
+
+def _first(answer: Answer) -> str:
+    """The label under which a finding about an answer is known: of a list that of its first value."""
+    return replace(answer, at=0).label if answer.listed else answer.label

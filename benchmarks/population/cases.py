@@ -11,6 +11,7 @@ from fractions import Fraction
 
 from population.answer import STALE_S, Answer
 from population.expected import Carried, carried
+from population.lists import alone, lists, together
 from population.settings import LEAVE, Setting, extremes, kept, lots
 
 AGES_US = STALE_S * 900_000, STALE_S * 200_000
@@ -36,7 +37,7 @@ class State:
 
     answers: Sequence[Answer]
     now_us: int = 0
-    values: dict[int, Fraction | float | None] = field(default_factory=dict)
+    values: dict[int, Fraction | float | str | None] = field(default_factory=dict)
     set_us: dict[int, int] = field(default_factory=dict)
 
     def put(self, at: int, setting: Setting) -> None:
@@ -44,11 +45,11 @@ class State:
         if setting != LEAVE:
             self.values[at], self.set_us[at] = kept(self.answers[at], setting), self.now_us
 
-    def value(self, at: int) -> Fraction | float | None:
+    def value(self, at: int) -> Fraction | float | str | None:
         """What is known of an answer now; a clock goes on."""
         found, value = self.answers[at], self.values.get(at)
         age_us = self.now_us - self.set_us.get(at, 0)
-        if found.kind == "clock" and value is not None:
+        if found.kind == "clock" and isinstance(value, Fraction):
             return (Fraction(value) + age_us) % (1 << 64)
         return None if found.is_aging and age_us > STALE_S * 1_000_000 else value
 
@@ -58,7 +59,12 @@ class State:
         pairs = list(zip(self.answers, values, strict=True))
         if any(value is None and each.withholds for each, value in pairs):
             return None
-        return tuple(carried(each, value) for each, value in pairs)
+        found = [None if each.hides_all and value is None else carried(each, value) for each, value in pairs]
+        for places in lists(self.answers):
+            if any(found[at] is None for at in places):  # the first element speaks for all, behind it are zeros
+                found[places[0]] = carried(self.answers[places[0]], None)
+                found[places[1] : places[-1] + 1] = [Carried(0, 0)] * (len(places) - 1)
+        return tuple(each for each in found if each is not None)
 
 
 def make_cases(answers: Sequence[Answer], seed: int, rounds: int) -> Iterator[Case]:
@@ -70,6 +76,7 @@ def make_cases(answers: Sequence[Answer], seed: int, rounds: int) -> Iterator[Ca
 
     def case(settings: Sequence[Setting], age_us: int = 0, before_us: int = 0) -> Case:
         state.now_us += before_us
+        settings = together(answers, settings, dice)
         for at, setting in enumerate(settings):
             state.put(at, setting)
         state.now_us += age_us
@@ -79,14 +86,13 @@ def make_cases(answers: Sequence[Answer], seed: int, rounds: int) -> Iterator[Ca
         yield case([settings[(start + turn) % len(settings)] for settings, start in zip(known, starts, strict=True)])
     for turn in range(rounds):
         yield case([lots(each, dice) for each in answers], before_us=WAITS_US[turn % len(WAITS_US)])
-    for at, each in enumerate(answers):
-        if each.withholds:
-            unknown = [setting for setting in extremes(each) if _withholds(each, setting)]
-            settings = [LEAVE] * len(answers)
-            settings[at] = dice.choice(unknown)
-            yield case(settings)
-            settings[at] = lots(each, dice)
-            yield case(settings)
+    for at in alone(answers, dice):
+        unknown = [setting for setting in extremes(answers[at]) if _withholds(answers[at], setting)]
+        settings = [LEAVE] * len(answers)
+        settings[at] = dice.choice(unknown)
+        yield case(settings)
+        settings[at] = lots(answers[at], dice)
+        yield case(settings)
     if any(each.is_aging for each in answers):
         yield case([lots(each, dice) for each in answers], AGES_US[0])
         yield case([LEAVE] * len(answers), AGES_US[1])
@@ -95,4 +101,4 @@ def make_cases(answers: Sequence[Answer], seed: int, rounds: int) -> Iterator[Ca
 
 
 def _withholds(answer: Answer, setting: Setting) -> bool:
-    return answer.withholds and kept(answer, setting) is None
+    return (answer.withholds or answer.hides_all) and kept(answer, setting) is None

@@ -55,8 +55,8 @@ def prove(
     write_cases(folder, tables, cases)
     outcome = Outcome(refused=refused)
     for answers in tables.values():
-        outcome.texts |= {each.label for each in answers if each.kind == "text"}
-        outcome.proven |= {each.label for each in answers} - refused.keys() - outcome.texts
+        outcome.texts |= {each.label for each in answers if each.kind == "text" and each.steps is None}
+        outcome.proven |= {each.label for each in answers if each.kind != "fixed"} - outcome.texts
     printed = [run(folder, form) for form in forms]
     assert {len(lines) for lines in printed} == {sum(map(len, cases.values()))}
     sent = zip(*printed, strict=True)
@@ -99,6 +99,6 @@ def _differences(
 
 
 def _shown(expected: Carried) -> str:
-    if expected.text:
+    if expected.text is not None:
         return repr(expected.text)
     return repr(expected.low) if expected.low == expected.high else f"{expected.low!r} to {expected.high!r}"

@@ -16,7 +16,8 @@ import telemetry  # noqa: E402
 from mavlink import Link  # noqa: E402  the clock has to be in place before the firmware looks at it
 from state import SystemState  # noqa: E402
 
-LEAVE, NONE, REAL, SIGNED, UNSIGNED = 0, 1, 2, 3, 4
+LEAVE, NONE, REAL, SIGNED, UNSIGNED, TEXT = 0, 1, 2, 3, 4, 5
+values_of_list = []
 
 
 class Wire:
@@ -28,17 +29,20 @@ class Wire:
 
 
 def read(data, at):
-    """Return how a value is set, the value, and where the next one begins: a byte, and but for None eight more."""
+    """Return how a value is set, the value, and where the next one begins: a byte, and but for None what it says."""
     how = data[at]
     kind = how & 7
     if kind in (LEAVE, NONE):
         return how, None, at + 1
+    if kind == TEXT:
+        end = at + 3 + struct.unpack_from("<H", data, at + 1)[0]
+        return how, data[at + 3 : end].decode(), end
     return how, struct.unpack_from({REAL: "<d", SIGNED: "<q", UNSIGNED: "<Q"}[kind], data, at + 1)[0], at + 9
 
 
 def put(state, target, stored, value):
     """Set one of both attributes of a quantity, or the booleans of flags."""
-    component, people, kept, flags = target
+    component, people, kept, flags, left = target
     owner = getattr(state, component)
     if flags:
         for name, number in flags:
@@ -47,6 +51,12 @@ def put(state, target, stored, value):
         return
     name = kept if stored else people
     assert hasattr(type(owner), name), name  # else a new attribute would be made of it, without a word
+    if left:
+        values_of_list.append(value)
+        value = tuple(values_of_list)
+        if left > 1:
+            return
+        values_of_list.clear()
     setattr(owner, name, value)
 
 

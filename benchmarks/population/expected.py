@@ -16,11 +16,11 @@ class Carried:
 
     low: float
     high: float
-    text: str = ""
+    text: str | None = None
 
     def is_met_by(self, value: object) -> bool:
         """Whether what pymavlink decodes is right."""
-        if self.text:
+        if self.text is not None:
             return value == self.text
         if not isinstance(value, int | float):
             return False
@@ -30,10 +30,12 @@ class Carried:
         return self.low <= value <= self.high and same_sign
 
 
-def carried(answer: Answer, value: Fraction | float | None) -> Carried:
+def carried(answer: Answer, value: Fraction | float | str | None) -> Carried:
     """What an element of a field carries while its source has a value; None is unknown, and said by the sentinel."""
     if answer.kind == "text":
-        return Carried(0, 0, answer.written.split('"')[1])
+        if answer.steps is None:
+            return Carried(0, 0, answer.written.split('"')[1])
+        return Carried(0, 0, cut(str(value or ""), answer.field.count))
     if answer.kind == "fixed":
         unknown = answer.unknown if answer.written == "unknown" else 0
         assert unknown is not None
@@ -41,6 +43,7 @@ def carried(answer: Answer, value: Fraction | float | None) -> Carried:
     if answer.kind == "flags":
         fixed = sum(number for name, number in answer.flags if not name)
         return _exactly(fixed + int(value or 0))
+    assert not isinstance(value, str)
     if value is None:
         assert answer.unknown is not None, answer.label
         return Carried(answer.unknown, answer.unknown)
@@ -49,6 +52,11 @@ def carried(answer: Answer, value: Fraction | float | None) -> Carried:
     if answer.field.is_float:
         return _float(answer, value)
     return _exactly(_whole(answer, Fraction(value)))
+
+
+def cut(text: str, size: int) -> str:
+    """As many whole characters of a text as so many bytes of UTF-8 hold, up to a NUL."""
+    return text.partition("\0")[0].encode()[:size].decode(errors="ignore")
 
 
 def _exactly(number: int, answer: Answer | None = None) -> Carried:

@@ -49,7 +49,7 @@ def _write(
 def _state(tables: Mapping[str, Sequence[Answer]]) -> Iterator[tuple[str, Answer | None]]:
     yield "components:", None
     for message, answers in tables.items():
-        lines = [line for each in answers for line in _quantities(each)]
+        lines = [line for each in answers if each.is_first for line in _quantities(each)]
         if lines:
             yield f"  {message.lower()}:", None
             yield f"    doc: What {message} tells.", None
@@ -62,7 +62,7 @@ def _quantities(found: Answer) -> Iterator[tuple[str, Answer]]:
         for name, value in found.flags:
             if name:
                 yield f"      {name}: {{doc: Flag {value}., boolean: true, initial: false}}", found
-    elif found.kind in ("number", "enum"):
+    elif found.kind in ("number", "enum") or found.quantity:
         keys = "".join(f", {key}: {_quoted(value)}" for key, value in found.quantity)
         yield f'      {found.name}: {{doc: "{found.key}."{keys}}}', found
 
@@ -78,5 +78,4 @@ def _table(message: str, answers: Sequence[Answer]) -> Iterator[tuple[str, Answe
     if any(each.withholds for each in answers):
         yield "send: while_known", None
     yield "fields:", None
-    for each in answers:
-        yield f"  {each.key}: {each.written}", each
+    yield from ((f"  {each.key}: {each.written}", each) for each in answers if each.is_first)

@@ -38,8 +38,9 @@ def write_cases(folder: Path, tables: Mapping[str, Sequence[Answer]], cases: Map
 def _target(message: str, found: Answer) -> list[Any]:
     """The component, the attribute for people, the one for what is kept, and the booleans of flags."""
     if found.kind == "clock":
-        return ["clock", "", f"{found.name}_us", []]
-    return [message.lower(), found.name, found.attribute, [each for each in found.flags if each[0]]]
+        return ["clock", "", f"{found.name}_us", [], 0]
+    left = found.listed - found.at if found.listed else 0  # of the list, with this one
+    return [message.lower(), found.name, found.attribute, [each for each in found.flags if each[0]], left]
 
 
 def _packed(setting: Setting) -> bytes:
@@ -49,6 +50,8 @@ def _packed(setting: Setting) -> bytes:
     stored, value = 8 if setting.how == STORED else 0, setting.value
     if value is None:
         return bytes([1 | stored])
+    if isinstance(value, str):
+        return struct.pack("<BH", 5, len(value.encode())) + value.encode()
     if isinstance(value, float):
         return struct.pack("<Bd", 2 | stored, value)
     is_signed = value < 1 << 63

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from population.answer import SMALL, Answer
+from population.expected import cut
 
 STORED, PEOPLE = "stored", "people"
 
@@ -17,7 +18,7 @@ class Setting:
     """A value for one of both attributes; ``how`` is empty where an attribute is left as it is."""
 
     how: str = ""
-    value: int | float | None = None
+    value: int | float | str | None = None
 
 
 LEAVE = Setting()
@@ -27,8 +28,12 @@ BEYOND = (1e39, -1e300, math.inf, -math.inf, 1e-38, 1e-45, -7e-46, 5e-324, 2.225
 
 def extremes(answer: Answer) -> list[Setting]:
     """The ends, beyond both, unknown, zero, and what is next to a sentinel."""
-    if answer.kind in ("fixed", "text"):
+    if answer.kind == "fixed" or (answer.kind == "text" and answer.steps is None):
         return [LEAVE]
+    if answer.kind == "text":
+        size = answer.field.count
+        cuts = ("x" * (size + extra) + letter * 4 for letter in "\u00e9\u20ac\U0001f600" for extra in range(-4, 1))
+        return [Setting(PEOPLE, text) for text in (None, "", "y" * size, "a\0b", "\0", *cuts)]
     if answer.kind == "flags":
         every = sum(value for name, value in answer.flags if name)
         return [Setting(PEOPLE, every), Setting(PEOPLE, 0)]
@@ -66,10 +71,12 @@ def _whole(answer: Answer) -> Iterator[Setting]:
 
 def lots(answer: Answer, dice: random.Random) -> Setting:
     """A random value that is known; one in eight that need not be is unknown."""
-    if answer.kind in ("number", "enum") and not answer.withholds and dice.random() < 0.125:
+    if answer.kind in ("number", "enum") and not answer.withholds and dice.random() < 0.125 / max(1, answer.listed):
         return Setting(PEOPLE, None)
-    if answer.kind in ("fixed", "text"):
+    if answer.kind == "fixed" or (answer.kind == "text" and answer.steps is None):
         return LEAVE
+    if answer.kind == "text":
+        return Setting(PEOPLE, "".join(dice.choices("az \u00fc\u2013\U0001f6a2", k=dice.randint(0, 20))))
     if answer.kind == "flags":
         every = sum(value for name, value in answer.flags if name)
         return Setting(PEOPLE, dice.getrandbits(64) & every)
@@ -92,11 +99,14 @@ def lots(answer: Answer, dice: random.Random) -> Setting:
     return Setting(STORED, steps)
 
 
-def kept(answer: Answer, setting: Setting) -> Fraction | float | None:
+def kept(answer: Answer, setting: Setting) -> Fraction | float | str | None:
     """What the state then has: whole steps between the limits, or the float as it was set; None is unknown."""
     value = setting.value
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return answer.initial if answer.kind != "clock" else None
+    if isinstance(value, str):
+        assert answer.steps is not None
+        return cut(value, int(answer.steps))
     if answer.kind != "number":
         return Fraction(value)
     low, high = answer.low, answer.high
