@@ -27,6 +27,20 @@ def tick(words, at):
         _divide(words, at + _UNIX, at + _UNIX_MS)
 
 
+def ticking(name):
+    """Return the attribute `name` of the component of the clocks as of now: they go on before it is read or set."""
+
+    def get(self):
+        tick(self.words, 0)
+        return getattr(self, name)
+
+    def put(self, value):
+        tick(self.words, 0)
+        setattr(self, name, value)
+
+    return property(get, put)
+
+
 def _since(words, at, now):
     """Return the ticks since those in a word, which become these."""
     passed = now - words[at] & 0x3FFFFFFF
@@ -54,21 +68,3 @@ def _divide(words, at, to):
         words[to + place] = left // 1000
         left %= 1000
         place -= 1
-
-
-def counting(name):
-    """Return the attribute `name` of the clock, which goes on to now before it is read or set.
-
-    Else the time since the clocks went on last, with a message, would be missing in what is read and added to what is
-    set.
-    """
-
-    def get(self):
-        tick(self.words, 0)
-        return getattr(self, name)
-
-    def put(self, value):
-        tick(self.words, 0)
-        setattr(self, name, value)
-
-    return property(get, put)

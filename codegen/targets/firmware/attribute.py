@@ -8,7 +8,7 @@ from codegen.model.vehicle import Quantity, QuantityKind
 
 WIDE = frozenset({"integer", "shown_integer", "floating"})
 """The views that stand in the module wide, which is there only where something needs it."""
-MODULES = {**dict.fromkeys(WIDE, "wide"), "counting": "clock_plain"}
+MODULES = {**dict.fromkeys(WIDE, "wide"), "ticking": "clock_plain"}
 """The module of each view that does not stand in words."""
 
 
@@ -61,10 +61,3 @@ def initial_words(quantity: Quantity, place: str) -> Iterator[tuple[str, str]]:
         return
     for at, half in enumerate(storage.split(float(initial) if storage.is_float else int(initial))):
         yield f"{place} + {at}" if at else place, str(half)
-
-
-def counted_on(view: AttributeView) -> Iterator[AttributeView]:
-    """An attribute of the clock as it is, under a name of the module's own, and what counts on to now in its place."""
-    inner = f"_{view.name}"
-    yield AttributeView(inner, view.expression, view.above, "")
-    yield AttributeView(view.name, f'counting("{inner}")', view.behind, "")

@@ -14,7 +14,6 @@ from codegen.targets.firmware.attribute import (
     MODULES,
     WIDE,
     AttributeView,
-    counted_on,
     initial_words,
     joined,
     known_words,
@@ -232,10 +231,11 @@ def _attributes(component: Component, block: Block) -> Iterator[AttributeView]:
     for quantity in component.quantities.values():
         views = _views(quantity, component, block)
         if quantity.ages:
-            views = (each for view in views for each in _aging(view, quantity, block))
-        elif component.name == CLOCK:
-            views = (each for view in views for each in counted_on(view))
-        yield from views
+            yield from (each for view in views for each in _aging(view, quantity, block))
+        elif quantity.derivation.counts_time:
+            yield from (each for view in views for each in _ticking(view))
+        else:
+            yield from views
     told = {
         "number": "What messages call it",
         "failures": "Failed readings in a row",
@@ -282,6 +282,13 @@ def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[A
     if quantity.attribute != quantity.name:
         view = "result" if derivation.kept_readings else "shown"
         yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known_words(quantity)}{cited}")
+
+
+def _ticking(view: AttributeView) -> Iterator[AttributeView]:
+    """The attribute of a clock, under a name of the module's own, and as of now in its place."""
+    inner = f"_{view.name}"
+    yield AttributeView(inner, view.expression, view.above, view.behind)
+    yield AttributeView(view.name, f'ticking("{inner}")', "", "")
 
 
 def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:
