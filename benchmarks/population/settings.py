@@ -26,9 +26,15 @@ REALS = (0.0, -0.0, 1.0, -1.0, 0.1, -0.6, 1.5, 16777217.0, 1e-3, 1e10, -3.402823
 BEYOND = (1e39, -1e300, math.inf, -math.inf, 1e-38, 1e-45, -7e-46, 5e-324, 2.2250738585072014e-308)
 
 
+def is_fixed(answer: Answer) -> bool:
+    """Whether there is nothing to set: a constant, or flags of which none depends on the state."""
+    is_constant = answer.kind == "fixed" or (answer.kind == "text" and answer.steps is None)
+    return is_constant or (answer.kind == "flags" and not any(name for name, _ in answer.flags))
+
+
 def extremes(answer: Answer) -> list[Setting]:
     """The ends, beyond both, unknown, zero, and what is next to a sentinel."""
-    if answer.kind == "fixed" or (answer.kind == "text" and answer.steps is None):
+    if is_fixed(answer):
         return [LEAVE]
     if answer.kind == "text":
         size = answer.field.count
@@ -73,7 +79,7 @@ def lots(answer: Answer, dice: random.Random) -> Setting:
     """A random value that is known; one in eight that need not be is unknown."""
     if answer.kind in ("number", "enum") and not answer.withholds and dice.random() < 0.125 / max(1, answer.listed):
         return Setting(PEOPLE, None)
-    if answer.kind == "fixed" or (answer.kind == "text" and answer.steps is None):
+    if is_fixed(answer):
         return LEAVE
     if answer.kind == "text":
         return Setting(PEOPLE, "".join(dice.choices("az \u00fc\u2013\U0001f6a2", k=dice.randint(0, 20))))
