@@ -42,7 +42,7 @@ lint: $(INSTALLED)
 benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
 	$(BIN)/python benchmarks/report.py
 
-# About three minutes; docs/conformance.md says what was compared with pymavlink.
+# Some ten minutes; docs/conformance.md says what was compared with pymavlink.
 conformance: $(INSTALLED) $(MICROPYTHON32)
 	$(BIN)/python benchmarks/conformance.py --write
 

@@ -1,6 +1,7 @@
 """Compares the codec of every dialect that pymavlink ships with pymavlink, message by message, on MicroPython.
 
 tests/codec/conformance_cases.py makes the cases, tests/codec/conformance_run.py runs them with tests/codec/conform.py.
+Then what tables populate is compared, every field of every message: benchmarks/population/.
 """
 # ruff: noqa: T201, S603 - a command: it prints, and it starts the MicroPython that comes with the dependencies
 
@@ -22,6 +23,9 @@ sys.path.insert(0, str(ROOT / "tests" / "codec"))
 
 import conformance_run as conformance  # noqa: E402 - the tests are no package
 from conformance_oracle import read_dialect  # noqa: E402 - as above
+from population.comparing import Outcome  # noqa: E402 - as above
+from population.section import section  # noqa: E402 - as above
+from population.whole import prove_all  # noqa: E402 - as above
 
 from codegen.load.shipped import shipped_dialect_names  # noqa: E402 - as above
 
@@ -182,10 +186,11 @@ Where pymavlink is no yardstick:
 No dialect has ids above 65535: the third byte of an id comes up in unknown messages only.
 
 No board was compared; what stands in for one has floats of 64 bits outside of `struct`.
-"""
+
+{population}"""
 
 
-def page(rows: Sequence[Row], board: Sequence[Row], distinct: int, rounds: int) -> str:
+def page(rows: Sequence[Row], board: Sequence[Row], distinct: int, rounds: int, population: Outcome) -> str:
     """docs/conformance.md."""
     together = total(rows)
     counts = together.outcome.counts
@@ -203,6 +208,7 @@ def page(rows: Sequence[Row], board: Sequence[Row], distinct: int, rounds: int) 
         kinds=table(kinds, left=(0, 2)),
         refused=f"{counts['refused']:,}",
         undone=_undone([*rows, *board]),
+        population=section(population, table),
     )
 
 
@@ -225,9 +231,14 @@ def main() -> int:
     parser.add_argument("--rounds", type=int, default=2, metavar="N", help="how many random values of each kind (2)")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="other random values (1)")
     parser.add_argument("--dialects", metavar="A,B", help="only these dialects")
+    parser.add_argument("--population", action="store_true", help="only what tables populate")
     parser.add_argument("--write", action="store_true", help=f"write {PAGE.relative_to(ROOT)}")
     arguments = parser.parse_args()
     names = shipped_dialect_names()
+    if arguments.population:
+        if arguments.write or arguments.dialects:
+            parser.error("--population is for itself")
+        return 1 if _populated(arguments.seed, arguments.rounds).differences else 0
     if arguments.dialects:
         if arguments.write:
             parser.error("--write needs all dialects")
@@ -247,10 +258,13 @@ def main() -> int:
             tell(f"{name}, 32 bits", board[-1])
     together = total(rows)
     print(f"\n{table([HEAD, *(row.cells for row in rows), together.cells])}\n\n{len(distinct)} different messages")
+    if arguments.dialects:
+        return 1 if together.outcome.different else 0
+    population = _populated(arguments.seed, arguments.rounds)
     if arguments.write:
         PAGE.parent.mkdir(exist_ok=True)
-        PAGE.write_text(page(rows, board, len(distinct), arguments.rounds), encoding="utf-8")
-    return 1 if together.outcome.different or total(board).outcome.different else 0
+        PAGE.write_text(page(rows, board, len(distinct), arguments.rounds, population), encoding="utf-8")
+    return 1 if together.outcome.different or total(board).outcome.different or population.differences else 0
 
 
 def tell(name: str, row: Row) -> None:
@@ -258,6 +272,15 @@ def tell(name: str, row: Row) -> None:
     print(f"{name}: {row.messages} messages, {row.cells[-1]}", flush=True)
     for difference in row.outcome.differences:
         print(f"    {difference}", flush=True)
+
+
+def _populated(seed: int, rounds: int) -> Outcome:
+    """Prove the population of every message; say so, and what differs."""
+    outcome = prove_all(seed, 5 * rounds, lambda line: print(line, flush=True))
+    for difference in outcome.differences:
+        print(f"    {difference}")
+    print(f"\n{section(outcome, table)}")
+    return outcome
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.answers.filling import tested
 from codegen.answers.fitting import no_sentinel
 from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
-from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, kept_apart, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
 from codegen.answers.source import Taken, take
@@ -74,7 +74,8 @@ class CopiedAnswer(LiveAnswer):
         if may_be_unknown and sentinel is None and not withholds:
             no_sentinel(covers, "state", source.path, scope.report)
             return None
-        at_end = None if source.storage.is_float else sentinel  # beside a float are others that are much closer
+        # Beside a float are others that are much closer than a step.
+        at_end = None if source.storage.is_float else kept_apart(source, sentinel)
         scaling = scaling_of(field, at_end, taken.bounds, Fraction(1), covers.written, scope.report)
         if scaling is None:
             return None
@@ -93,10 +94,14 @@ class CopiedAnswer(LiveAnswer):
         if kept is None:
             assert self.unknown is not None
             return (self.unknown,)
-        value = max(self.scaling.low, min(self.scaling.high, kept))
-        if self.scaling.beside is not None and value == self.scaling.hole:
-            value = self.scaling.beside
+        value = self._fitting(kept)
         return (self.source.storage.held(float(value) if self.source.storage.is_float else int(value)),)
+
+    def _fitting(self, kept: int | Fraction) -> int | Fraction:
+        """Within the limits, and not the sentinel."""
+        value = max(self.scaling.low, min(self.scaling.high, kept))
+        beside = self.scaling.beside
+        return beside if beside is not None and value == self.scaling.hole else value
 
     def used_bytes(self, first: int, last: int) -> tuple[int, int]:
         """All at most, and none where the value can be 0."""
@@ -112,10 +117,11 @@ class CopiedAnswer(LiveAnswer):
         compared = [*halves[:-1], "value"]
         tests: list[tuple[str, float | Fraction, str]] = [*self._limited(compared), *self._hole(compared)]
         lines = [f"value = {halves[-1]}"] if tests else []
-        instead = self.unknown if self.unknown is not None else source.initial
+        initial = source.initial
+        assert not isinstance(initial, str)
+        instead = self.unknown if initial is None else self._fitting(initial)
         why = "unknown" if self.unknown is not None else "until it is set"
         if instead is not None:
-            assert not isinstance(instead, str)
             tests.insert(0, (f"{halves[0]} >> {HALF}", instead, why))
         if not tests:
             return [*lines, *copy]

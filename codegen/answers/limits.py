@@ -13,6 +13,7 @@ from codegen.model.literals import exact_number
 from codegen.model.population_spec import FieldAnswer
 from codegen.model.scaling import Scaling, rounded
 from codegen.model.unit import Unit, decimal
+from codegen.model.vehicle import Parameter, Quantity, QuantityKind
 
 if TYPE_CHECKING:
     from codegen.answers.source import Taken
@@ -70,6 +71,16 @@ def dialect_bounds(field: WireField) -> Bounds:
     """``minValue`` and ``maxValue`` of the dialect, numbers on the wire; text that is not a number is no bound."""
     low, high = field.definition.minimum, field.definition.maximum
     return Bounds(None if low is None else exact_number(low), None if high is None else exact_number(high))
+
+
+def kept_apart(source: Quantity | Parameter, sentinel: int | float | None) -> int | float | None:
+    """The sentinel that no value of a source may become by chance; None where there is none.
+
+    An entry of an enum that has the number of the sentinel says the same as that, such as MAV_LANDED_STATE_UNDEFINED:
+    the entry or flag beside it would say something else.
+    """
+    is_number = isinstance(source, Parameter) or source.kind is QuantityKind.NUMBER
+    return sentinel if is_number else None
 
 
 def scaling_of(

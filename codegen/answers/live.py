@@ -7,7 +7,7 @@ from codegen.answers.filling import comment, fitted, origin, read, stand_in
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, no_sentinel
 from codegen.answers.instance import bytes_of
 from codegen.answers.kind import KindOfAnswer
-from codegen.answers.limits import Bounds, check_declared, check_reach, scaling_of
+from codegen.answers.limits import Bounds, check_declared, check_reach, kept_apart, scaling_of
 from codegen.answers.scaled import (
     conversion_trait,
     conversion_words,
@@ -83,7 +83,8 @@ class LiveAnswer(KindOfAnswer):
         if may_be_unknown and sentinel is None and not withholds:
             no_sentinel(covers, taken.key, source.path, report)
             return None
-        scaling = scaling_of(covers.field, sentinel, taken.bounds, taken.factor, covers.written, report)
+        apart = kept_apart(source, sentinel)
+        scaling = scaling_of(covers.field, apart, taken.bounds, taken.factor, covers.written, report)
         if scaling is None:
             return None
         unknown = sentinel if may_be_unknown else None

@@ -33,7 +33,7 @@ class Unit:
 
         Known are the symbols with their prefixes and what is made of them: ``m/s/s``, ``cm^3/min``, ``kg*m/s^2``,
         ``1/s``, from left to right. What follows says what was done to the number, as in the dialects: ``degE7`` is
-        degrees times 10 ** 7, ``m/s*5`` metres per second times 5, ``deg/2`` degrees divided by 2.
+        degrees times 10 ** 7, ``m/sE3`` and ``m/s*1000`` metres per second times 1000, ``deg/2`` degrees divided by 2.
         """
         return None if not text else _parsed(text)
 
@@ -83,8 +83,8 @@ def symbols() -> Mapping[str, tuple[str, str]]:
     return names
 
 
-# A symbol, what its numbers were multiplied with (E7), and its power.
-_PART = re.compile(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:E(?P<tens>\d))?(?:\^(?P<power>-?[1-9]))?")
+# A symbol, its power, and what the number was multiplied with (E7).
+_PART = re.compile(r"(?P<symbol>[A-Za-z%]{1,12}?)(?:\^(?P<power>-?[1-9]))?(?:E(?P<tens>\d))?")
 _NUMBER = re.compile(r"\d{1,9}(?:\.\d{1,9})?")
 _MOST_PARTS = 8
 
@@ -109,10 +109,10 @@ def _parsed(text: str) -> Unit | None:
         found = _part(piece)
         if found is None:
             return None
-        unit, power = found
+        unit, power, tens = found
         power *= direction
         parts += 1
-        scale *= unit.scale**power
+        scale *= unit.scale**power / 10**tens  # the number is larger, on whichever side of a stroke that is said
         pi += unit.pi * power
         zero = unit.zero if parts == 1 and power == 1 else Fraction(0)  # in a compound a degree is a difference
         for base, exponent in unit.dimension:
@@ -121,8 +121,8 @@ def _parsed(text: str) -> Unit | None:
     return Unit(text, dimension, scale, pi, zero) if parts else None
 
 
-def _part(text: str) -> tuple[Unit, int] | None:
-    """A symbol with its prefix and what it is scaled by, and its power."""
+def _part(text: str) -> tuple[Unit, int, int] | None:
+    """A symbol with its prefix, its power, and the power of 10 that the number was multiplied with."""
     match = _PART.fullmatch(text)
     if match is None or match["symbol"] not in symbols():
         return None
@@ -133,11 +133,11 @@ def _part(text: str) -> tuple[Unit, int] | None:
     unit = Unit(
         text,
         base.dimension,
-        scale / 10 ** int(match["tens"] or 0),
+        scale,
         base.pi - amount.endswith("/pi"),
         Fraction(ZEROS.get(name, "0")),
     )
-    return unit, int(match["power"] or 1)
+    return unit, int(match["power"] or 1), int(match["tens"] or 0)
 
 
 @cache

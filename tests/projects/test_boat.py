@@ -128,7 +128,10 @@ def test_its_documents_hold(boat: Path) -> None:
         assert done.returncode == 0, done.stdout
         assert ": warning " not in done.stdout
     assert "14 criteria" in done.stdout
-    for topic, words in (("ATTITUDE.pitch", " -3.4028234663852886e+38..3.4028234663852886e+38\n"), ("gps.lon", " -180..180 deg\n")):
+    for topic, words in (
+        ("ATTITUDE.pitch", " -3.4028234663852886e+38..3.4028234663852886e+38\n"),
+        ("gps.lon", " -180..180 deg\n"),
+    ):
         command = [str(BIN / "codegen"), "explain", topic]
         assert words in subprocess.run(command, cwd=boat, capture_output=True, text=True, check=True).stdout
 

@@ -1,0 +1,104 @@
+"""Holds every frame against pymavlink and against what was set."""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+
+from population.answer import Answer
+from population.building import build
+from population.cases import Case, make_cases
+from population.expected import Carried
+from population.fields import Message
+from population.running import FORMS, run, write_cases
+
+
+@dataclass
+class Outcome:
+    """What came of it: proven elements by label, rules of those refused, numbers by message, and what differs.
+
+    ``texts`` are fields that a constant answers; ``withheld`` are cases in which nothing goes out.
+    """
+
+    proven: set[str] = field(default_factory=set)
+    refused: dict[str, str] = field(default_factory=dict)
+    texts: set[str] = field(default_factory=set)
+    frames: Counter[str] = field(default_factory=Counter)
+    withheld: Counter[str] = field(default_factory=Counter)
+    values: Counter[str] = field(default_factory=Counter)
+    differences: list[str] = field(default_factory=list)
+
+    def add(self, other: "Outcome") -> None:
+        """Take in what another batch brought."""
+        self.proven |= other.proven
+        self.refused |= other.refused
+        self.texts |= other.texts
+        self.frames += other.frames
+        self.withheld += other.withheld
+        self.values += other.values
+        self.differences += other.differences
+
+
+def prove(
+    dialect: str,
+    module: ModuleType,
+    messages: Sequence[Message],
+    folder: Path,
+    seed: int = 1,
+    rounds: int = 10,
+    forms: Sequence[str] = tuple(FORMS),
+) -> Outcome:
+    """Build a project of some messages, and compare what it sends in each form; ``module`` is pymavlink's."""
+    tables, refused = build(dialect, messages, folder, seed)
+    cases = {name: list(make_cases(answers, seed, rounds)) for name, answers in tables.items()}
+    write_cases(folder, tables, cases)
+    outcome = Outcome(refused=refused)
+    for answers in tables.values():
+        outcome.texts |= {each.label for each in answers if each.kind == "text" and each.steps is None}
+        outcome.proven |= {each.label for each in answers if each.kind != "fixed"} - outcome.texts
+    printed = [run(folder, form) for form in forms]
+    assert {len(lines) for lines in printed} == {sum(map(len, cases.values()))}
+    sent = zip(*printed, strict=True)
+    for name, answers in tables.items():
+        for number, case in enumerate(cases[name]):
+            first, *others = next(sent)
+            problems = _differences(module, name, answers, case, first, outcome)
+            odd = [(form, line) for form, line in zip(forms[1:], others, strict=True) if line != first]
+            problems += [f"{form} sends {line}, and {forms[0]} {first}" for form, line in odd]
+            outcome.differences += [f"{name}, case {number}: {problem}" for problem in problems]
+    return outcome
+
+
+def _differences(
+    module: ModuleType, name: str, answers: Sequence[Answer], case: Case, line: str, outcome: Outcome
+) -> list[str]:
+    """What is wrong with a frame: pymavlink's reading of each field is held against what was set, and packed again."""
+    if case.expected is None or line == "-" or " or " in line:
+        outcome.withheld[name] += line == "-"
+        is_right = (line == "-") == (case.expected is None) and " or " not in line
+        return [] if is_right else [f"{line} in place of {'-' if case.expected is None else 'a frame'}"]
+    outcome.frames[name] += 1
+    outcome.values[name] += len(answers)
+    try:
+        decoded = module.MAVLink(None).decode(bytearray.fromhex(line))
+    except module.MAVError as error:
+        return [f"pymavlink refuses {line}: {error}"]
+    found = []
+    for each, expected, setting in zip(answers, case.expected, case.settings, strict=True):
+        value = getattr(decoded, each.field.name)
+        value = value[each.at] if each.field.count and each.field.code != "s" else value
+        if not expected.is_met_by(value):
+            found.append(f"{each.key} is {value!r}, not {_shown(expected)}: {setting}, {dict(each.quantity)}")
+    known = getattr(module, f"MAVLink_{name.lower()}_message")
+    values = {item: getattr(decoded, item) for item in known.fieldnames}
+    values = {item: value.encode() if isinstance(value, str) else value for item, value in values.items()}
+    if known(**values).pack(module.MAVLink(None, srcSystem=1, srcComponent=1)).hex() != line:
+        found.append(f"the frame is not pymavlink's: {line}")
+    return found
+
+
+def _shown(expected: Carried) -> str:
+    if expected.text is not None:
+        return repr(expected.text)
+    return repr(expected.low) if expected.low == expected.high else f"{expected.low!r} to {expected.high!r}"
