@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from population.answer import Answer
 from population.building import build
@@ -86,16 +87,23 @@ def _differences(
         return [f"pymavlink refuses {line}: {error}"]
     found = []
     for each, expected, setting in zip(answers, case.expected, case.settings, strict=True):
-        value = getattr(decoded, each.field.name)
-        value = value[each.at] if each.field.count and each.field.code != "s" else value
+        value = _read(decoded, each.field.name)
+        if isinstance(value, bytes):
+            value = value.partition(b"\0")[0].decode(errors="replace")
+        elif each.field.count:
+            value = value[each.at]
         if not expected.is_met_by(value):
             found.append(f"{each.key} is {value!r}, not {_shown(expected)}: {setting}, {dict(each.quantity)}")
     known = getattr(module, f"MAVLink_{name.lower()}_message")
-    values = {item: getattr(decoded, item) for item in known.fieldnames}
-    values = {item: value.encode() if isinstance(value, str) else value for item, value in values.items()}
+    values = {item: _read(decoded, item) for item in known.fieldnames}
     if known(**values).pack(module.MAVLink(None, srcSystem=1, srcComponent=1)).hex() != line:
         found.append(f"the frame is not pymavlink's: {line}")
     return found
+
+
+def _read(decoded: Any, name: str) -> Any:
+    """What pymavlink decodes; of a text the bytes, since it takes all texts for ASCII."""
+    return getattr(decoded, f"_{name}_raw", getattr(decoded, name))
 
 
 def _shown(expected: Carried) -> str:
