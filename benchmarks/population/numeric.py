@@ -52,7 +52,9 @@ def _shaped(found: Answer, dice: random.Random) -> Answer:
         inner = sorted(dice.randint(low, high) / found.factor for _ in range(2))
         units = [end // found.steps for end in inner]
         least, most = (end * found.steps for end in units)
-        if low <= least * found.factor and most * found.factor <= high and least < most:
+        stands_in = least if found.initial is None else found.initial  # a table does not limit what stands in
+        is_inner = low <= least * found.factor and most * found.factor <= high and least < most
+        if is_inner and least <= stands_in <= most:
             found = replace(found, least=least, most=most)
             keys += f", min: {units[0]}, max: {units[1]}"
     return replace(found, written=found.written.replace("}", f"{keys}}}"))

@@ -134,6 +134,10 @@ def check_reach(
             report.add(LIMIT_BEYOND_FIELD, covers.written.at(key), message)
 
 
+def _inside(limit: Fraction, key: str) -> int:
+    return math.ceil(limit) if key == "min" else math.floor(limit)
+
+
 def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Report) -> None:
     """Report what the source says that it reaches, where the field, which carries ``carried``, ends before.
 
@@ -156,7 +160,10 @@ def check_declared(covers: Elements, taken: "Taken", carried: Bounds, report: Re
     ):
         if declared is None or end is None or stated is not None:
             continue
-        value = Fraction(rounded(declared, written.rounding)) if covers.field.type.is_integer else declared
+        value = declared
+        if covers.field.type.is_integer:  # a limit between two steps of the field is the step inside
+            inside = rounded(declared, written.rounding) if declared is initial else _inside(declared, key)
+            value = Fraction(inside)
         if value not in sentinels and (value < end if key == "min" else value > end):
             what = "is initially" if declared is initial else "goes down to" if key == "min" else "goes up to"
             report.add(

@@ -12,7 +12,7 @@ MV = 'type="uint16_t" units="mV" invalid="UINT16_MAX"'
 UP_TO_20 = 'type="uint16_t" units="mV" maxValue="20000"'
 FILES = {
     "codegen.yaml": "project: e\ndialect: minimal\noverlays: [e.xml]\n",
-    "board.yaml": "board: b\nmcu: RP2350\nfacts:\n  m: {volts: 21 V, cells: 3}\n",
+    "board.yaml": "board: pico_2\nfacts:\n  m: {volts: 21 V, cells: 3}\n",
     "streams.yaml": "streams:\n  only: {doc: d., rate: 1 Hz}\n",
     "requirements/FR-1.md": "# FR-1 | T\n\n## Metadata\n\n- Status: Draft\n\n## Acceptance Criteria\n\n1. a.\n",
 }

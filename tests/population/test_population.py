@@ -35,7 +35,7 @@ def test_every_kind_of_field_carries_what_was_set(messages: dict[str, Message], 
     """Machine code, plain Python and words of 32 bits send the same, and it is right to the last bit."""
     outcome = prove(LARGEST, ardupilotmega, chosen(messages)[part::PARTS], tmp_path, rounds=2)
     assert not outcome.differences
-    assert outcome.refused.keys() <= KNOWN.keys()
+    assert outcome.refused.keys() <= KNOWN.keys(), outcome.refused
     assert outcome.proven
     assert all(outcome.frames[name] for name in outcome.values)
     assert sum(outcome.withheld.values())
