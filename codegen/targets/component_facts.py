@@ -5,7 +5,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.reach import Reach, reaches
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.storage import Storage
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
 from codegen.targets.firmware.words import measured_of
@@ -18,6 +20,8 @@ class QuantityFacts:
 
     ``stale_after_ms``: so long after code has set it, it is unknown.
     ``is_float``: it is kept as one, and MicroPython allocates where code sets it. ``samples`` are two plain values.
+    ``within`` and ``beyond`` are literals of what code can set without a word, and of what is limited and told as
+    ``called``.
     """
 
     name: str
@@ -31,6 +35,9 @@ class QuantityFacts:
     citation: str
     stale_after_ms: int | None
     stale_criterion: str
+    called: str
+    within: str
+    beyond: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,10 +110,11 @@ class ComponentFacts:
 
 def component_facts(system: System) -> tuple[ComponentFacts, ...]:
     """Every component, in order."""
-    return tuple(_component(component, system) for component in system.components.values())
+    told = reaches(system)
+    return tuple(_component(component, system, told) for component in system.components.values())
 
 
-def _component(component: Component, system: System) -> ComponentFacts:
+def _component(component: Component, system: System, told: Mapping[str, Reach]) -> ComponentFacts:
     quantities = tuple(component.quantities.values())
     measured = measured_of(component)
     enabled = component.enabled
@@ -118,7 +126,7 @@ def _component(component: Component, system: System) -> ComponentFacts:
         several=component.instances > 1,
         enabled=enabled.name if enabled else None,
         enabled_by=parameter_attribute(switch.name) if switch else None,
-        quantities=tuple(_quantity(quantity) for quantity in quantities),
+        quantities=tuple(_quantity(quantity, told[quantity.path]) for quantity in quantities),
         measured=_measured(measured, component, system) if measured else None,
         trend=TrendFacts(trend.attribute, trend.derivation.kept_readings // 2) if trend else None,
         estimate=_estimate(component),
@@ -127,7 +135,10 @@ def _component(component: Component, system: System) -> ComponentFacts:
     )
 
 
-def _quantity(quantity: Quantity) -> QuantityFacts:
+def _quantity(quantity: Quantity, told: Reach) -> QuantityFacts:
+    low, high = map(Fraction, told)
+    step = max(abs(low), abs(high)) + 1 if quantity.storage.is_float else 1
+    is_limited = quantity.kind is not QuantityKind.BOOLEAN and low <= high
     return QuantityFacts(
         name=quantity.name,
         attribute=quantity.attribute,
@@ -140,7 +151,20 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         citation=str(quantity.citation or ""),
         stale_after_ms=quantity.trust.stale_after_ms if quantity.ages else None,
         stale_criterion=quantity.cited("stale_after"),
+        called=quantity.attribute if quantity.elements else quantity.name,
+        within=_literal(quantity, max(low, min(high, Fraction(5)))),
+        beyond=(_literal(quantity, low - step), _literal(quantity, high + step)) if is_limited else (),
     )
+
+
+def _literal(quantity: Quantity, value: Fraction) -> str:
+    """A number as its attribute takes it; of a list the first one has it."""
+    if quantity.elements is not None:
+        return f"[{', '.join([str(value), *['None'] * (quantity.elements[0] - 1)])}]"
+    if not quantity.storage.is_float:
+        return str(value)
+    largest = Storage.BINARY64.limits[1]
+    return repr(float(value)) if abs(value) <= largest else f'float("{"-" if value < 0 else ""}inf")'
 
 
 def _samples(quantity: Quantity) -> tuple[float, float]:

@@ -57,9 +57,11 @@ def render_firmware(system: System) -> dict[str, str]:
     accelerated = [MACHINE_CODE] if machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", *accelerated)}
     optional = {
+        "ages": view.has_ages,
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
+        "made_floats": plain.makes_floats,
         "wide": view.has_wide,
         "clock_plain": plain.ticks,
         "clock_viper": plain.ticks and machine_code,

@@ -60,6 +60,7 @@ class FunctionsView:
     texts: tuple[tuple[str, str], ...]
     functions: tuple[FunctionView, ...]
     puts_floats: bool
+    makes_floats: bool
     is_withheld: bool
     ticks: bool
 
@@ -96,6 +97,7 @@ def functions_view(system: System, layout: Layout, *, machine_code: bool) -> Fun
         texts=tuple(texts.items()),
         functions=tuple(functions),
         puts_floats="put_float" in uses,
+        makes_floats="make_float" in uses,
         is_withheld=any(function.is_withheld for function in functions),
         ticks="tick" in uses,
     )
@@ -114,7 +116,7 @@ def _imports(uses: set[str], *, machine_code: bool) -> tuple[str, ...]:
     if "put_float" in uses:
         names.add(("floats_viper", "put_floats") if machine_code else ("floats_plain", "put_float"))
     if "make_float" in uses:
-        names.add(("conversion", "make_float"))
+        names.add(("made_floats", "make_float"))
     return import_lines(modules, names)
 
 

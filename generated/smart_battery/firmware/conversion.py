@@ -1,28 +1,29 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: cbf5dc43c7d550aa
+# Inputs: 72b06bb49ef209b1
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
 nothing as long as it stays below 2 ** 30.
 """
 
-from struct import pack_into
-
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
 
-def to_steps(value, numerator, denominator=1, low=-LARGEST, high=LARGEST):
+def to_steps(value, numerator, denominator=1, high=LARGEST):
     """Return a number as whole steps of numerator / denominator each, or None for None and NaN: unknown.
 
-    A half is rounded away from zero; what is beyond a limit, infinity too, becomes the limit.
+    A half is rounded away from zero; what is beyond -high or high, infinity too, is left to whoever limits it.
     """
     if value is None or value != value:  # noqa: PLR0124  only NaN differs from itself
         return None
-    steps = value * numerator / denominator
-    if steps >= high:
-        return high
-    if steps <= low:
-        return low
+    steps = value * numerator
+    if denominator != 1:
+        steps = steps / denominator
+    if not -high <= steps <= high:
+        return steps
+    whole = int(steps)
+    if whole == steps:  # no float is made of a whole number, which may have more digits
+        return whole
     return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
 
 
@@ -33,8 +34,3 @@ def limited(value, low, high):
     if value > high:
         return high
     return value
-
-
-def make_float(code, wire, offset, value, numerator, denominator):
-    """Write value * numerator / denominator as a float that is made for it, by struct's code."""
-    pack_into(code, wire, offset, value * numerator / denominator)

@@ -1,10 +1,11 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: 315eff55dc2fee92
+# Inputs: 823c9707df3aed38
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
 known, the first one is UNKNOWN. Set to None, or to NaN, a number becomes unknown. What is beyond its limits becomes
-the limit.
+the limit, is counted and told. Where some message carries less, that is what `told` says: what is beyond that is
+counted and told, too.
 """
 
 from struct import pack_into, unpack_from
@@ -15,26 +16,26 @@ from words import UNKNOWN, in_unit
 _data = bytearray(8)  # where a float and its bits are exchanged
 
 
-def integer(place, halves, low, high):
+def integer(place, halves, low, high, name, told=None):
     """Return an attribute for a whole number from `low` to `high`; one below 0 is kept as its two's complement."""
-    about = place, halves, low, high  # a call with more than a few variables of its own would allocate
+    about = _about(place, halves, low, high, name, told)  # a call with more variables of its own would allocate
 
     def get(self):
         return _whole(self.words, about)
 
     def put(self, value):
-        _keep(self.words, about, value)
+        _set(self, about, value)
 
     return property(get, put)
 
 
-def shown_integer(place, halves, low, high, numerator, denominator=1):
+def shown_integer(place, halves, low, high, name, numerator, denominator=1, told=None):
     """Return an attribute in the unit of people, `numerator` / `denominator` steps of which make one.
 
     It is as exact as the floats of the port, where a board with floats of 32 bits has 7 digits; a whole number in the
     unit that is kept is exact.
     """
-    about = place, halves, low, high
+    about = _about(place, halves, low, high, name, told)
 
     def get(self):
         value = _whole(self.words, about)
@@ -42,42 +43,43 @@ def shown_integer(place, halves, low, high, numerator, denominator=1):
 
     def put(self, value):
         if numerator != denominator or not isinstance(value, int):
-            value = to_steps(value, numerator, denominator, low, high)
-        _keep(self.words, about, value)
+            value = to_steps(value, numerator, denominator, 1 << 64)
+        _set(self, about, value)
 
     return property(get, put)
 
 
-def floating(place, halves, low=None, high=None, numerator=1, denominator=1):
+def floating(place, halves, name, low=None, high=None, told=None, numerator=1, denominator=1):
     """Return an attribute for a float of 32 or 64 bits; `numerator` / `denominator` of its units make one that is kept.
 
     What is beyond the largest float of these bits becomes that one. Limits are in units that are kept.
     """
     code, largest = ("<f", b"\xff\xff\x7f\x7f") if halves == 2 else ("<d", b"\xff\xff\xff\xff\xff\xff\xef\x7f")
+    most = unpack_from(code, largest)[0]
+    about = _about(place, halves, -most if low is None else low, most if high is None else high, name, told, code)
 
     def get(self):
         words = self.words
         if words[place] == UNKNOWN:
             return None
-        for at in range(halves):
+        for at in range(about[1]):
             _data[2 * at] = words[place + at] & 0xFF
             _data[2 * at + 1] = words[place + at] >> 8
-        return in_unit(unpack_from(code, _data)[0], numerator, denominator)
+        return in_unit(unpack_from(about[7], _data)[0], numerator, denominator)
 
     def put(self, value):
-        words = self.words
-        if value is None or value != value:  # noqa: PLR0124
-            words[place] = UNKNOWN
-            return
-        if numerator != denominator:
+        if value is not None and value != value:  # noqa: PLR0124
+            value = None
+        if value is not None and numerator != denominator:
             value = value * numerator / denominator
-        most = unpack_from(code, largest)[0]
-        value = limited(value, -most if low is None else low, most if high is None else high)
-        pack_into(code, _data, 0, value)
-        for at in range(halves):
-            words[place + at] = _data[2 * at] | _data[2 * at + 1] << 8
+        _set(self, about, value)
 
     return property(get, put)
+
+
+def _about(place, halves, low, high, name, told, code=None):
+    told = told or (low, high)
+    return place, halves, low, high, told[0], told[1], name, code
 
 
 def _whole(words, about):
@@ -94,14 +96,33 @@ def _whole(words, about):
     return value
 
 
-def _keep(words, about, value):
-    """Write the halves of a number within its limits, or that it is unknown."""
-    at = about[0]
+def _set(component, about, value):
+    """Keep a number, limited, or that it is unknown; one beyond what is told is counted and told."""
     if value is None:
-        words[at] = UNKNOWN
-        return
-    value = limited(value, about[2], about[3])
+        component.words[about[0]] = UNKNOWN
+    elif about[4] <= value <= about[5]:
+        _keep(component.words, about, value)
+        if component.beyond:
+            component.beyond.pop(about[0], None)
+    else:
+        value = limited(value, about[2], about[3])
+        _keep(component.words, about, value)  # raises for what is no number of the kind
+        _keep(component.words, about, about[4] if value < about[4] else about[5])
+        component.tell(about[0], about[6])
+        _keep(component.words, about, value)
+
+
+def _keep(words, about, value):
+    """Write the halves of a number within its limits."""
+    at = about[0]
     end = at + about[1]
+    if about[7] is not None:
+        pack_into(about[7], _data, 0, value)
+        while at < end:
+            half = 2 * (at - about[0])
+            words[at] = _data[half] | _data[half + 1] << 8
+            at += 1
+        return
     while at < end:
         words[at] = value & 0xFFFF
         value >>= 16

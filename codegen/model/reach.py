@@ -1,0 +1,41 @@
+"""Within which limits every message carries a quantity as it is: what code sets beyond them is counted and told."""
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from codegen.model.scaling import Scaling
+from codegen.model.system import System
+from codegen.model.vehicle import Quantity
+
+Reach = tuple[int | Fraction, int | Fraction]
+
+
+def reaches(system: System) -> Mapping[str, Reach]:
+    """The smallest and the largest number of each quantity by path, in stored units: its own limits and the fields'.
+
+    Where a table has a ``min`` or a ``max`` of its own, its field is limited on purpose, and counts no further.
+    """
+    found = {quantity.path: (quantity.minimum, quantity.maximum) for quantity in _quantities(system)}
+    for message in system.messages:
+        for answer in message.answers:
+            for quantity, scaling in zip(answer.carried, answer.scalings, strict=False):
+                low, high = found[quantity.path]
+                smallest, largest = _carried(quantity, scaling)
+                if answer.covers.written.min is None:
+                    low = max(low, smallest)
+                if answer.covers.written.max is None:
+                    high = min(high, largest)
+                found[quantity.path] = low, high
+    return found
+
+
+def _quantities(system: System) -> Iterator[Quantity]:
+    for component in system.components.values():
+        yield from component.quantities.values()
+
+
+def _carried(quantity: Quantity, scaling: Scaling) -> Reach:
+    """What goes out as it is kept, but for the rounding of an integer field in coarser steps."""
+    if quantity.storage.is_float:
+        return scaling.low, scaling.high
+    return scaling.steps
