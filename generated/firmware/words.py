@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 975dcab279b7a7a6
+# Inputs: a9e6b12aaafccdce
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -83,11 +83,10 @@ def _accessors(place, low, high, name):
             if self.beyond:
                 self.beyond.pop(place, None)
         else:
-            value = limited(value, -LARGEST, LARGEST)
-            self.words[place] = value  # raises for what is no whole number
-            self.words[place] = low if value < low else high
+            self.words[place] = limited(value, -LARGEST, LARGEST)  # raises for what is no whole number
+            self.words[place] = limited(value, low, high)
             self.tell(place, name)
-            self.words[place] = value
+            self.words[place] = limited(value, -LARGEST, LARGEST)
 
     return get, put
 

@@ -81,11 +81,10 @@ def _accessors(place, low, high, name):
             if self.beyond:
                 self.beyond.pop(place, None)
         else:
-            value = limited(value, -LARGEST, LARGEST)
-            self.words[place] = value  # raises for what is no whole number
-            self.words[place] = low if value < low else high
+            self.words[place] = limited(value, -LARGEST, LARGEST)  # raises for what is no whole number
+            self.words[place] = limited(value, low, high)
             self.tell(place, name)
-            self.words[place] = value
+            self.words[place] = limited(value, -LARGEST, LARGEST)
 
     return get, put
 

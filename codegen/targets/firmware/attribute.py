@@ -41,6 +41,11 @@ def attributes(component: Component, block: Block, told: Mapping[str, Reach]) ->
             yield AttributeView(word, f"whole({block.constant(word)})", meaning, "")
 
 
+def _lines(*comments: str) -> str:
+    """One comment below the other, above an attribute behind which there is no room."""
+    return "\n    # ".join(comments)
+
+
 def _joined(*parts: object) -> str:
     """The arguments that there are."""
     return ", ".join(str(part) for part in parts if part != "")
@@ -66,8 +71,8 @@ def _wide(quantity: Quantity, told: Reach, place: str, called: str, above: str, 
         narrower = "" if told == own else f"told=({float(told[0])!r}, {float(told[1])!r})"
         scale = [f"{name}={part}" for name, part in zip(("numerator", "denominator"), steps, strict=False) if part != 1]
         arguments = _joined(place, halves, called, low, high, narrower)
-        behind_own = behind if quantity.attribute == quantity.name else ""
-        yield AttributeView(quantity.attribute, f"floating({arguments})", above, behind_own)
+        own_line = _lines(above, behind) if quantity.attribute == quantity.name else above
+        yield AttributeView(quantity.attribute, f"floating({arguments})", own_line, "")
         if quantity.attribute != quantity.name:
             yield AttributeView(quantity.name, f"floating({_joined(arguments, *scale)})", behind, "")
         return
@@ -122,8 +127,9 @@ def _views(quantity: Quantity, component: Component, block: Block, told: Reach) 
         yield AttributeView(quantity.name, f"result({place}, {steps})", "", f"{shown}, {_known_words(quantity)}{cited}")
     else:
         names = f"{quantity.attribute}, {quantity.name}"
-        above = f"{above}\n    # {shown}, {_known_words(quantity)}{cited}"  # behind the line there is no room for it
-        yield AttributeView(names, f"number({limits}, {steps})", above, "")
+        yield AttributeView(
+            names, f"number({limits}, {steps})", _lines(above, f"{shown}, {_known_words(quantity)}{cited}"), ""
+        )
 
 
 def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:

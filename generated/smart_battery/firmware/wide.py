@@ -1,5 +1,5 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: 823c9707df3aed38
+# Inputs: 13fb6314853afab6
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
@@ -105,11 +105,10 @@ def _set(component, about, value):
         if component.beyond:
             component.beyond.pop(about[0], None)
     else:
-        value = limited(value, about[2], about[3])
-        _keep(component.words, about, value)  # raises for what is no number of the kind
-        _keep(component.words, about, about[4] if value < about[4] else about[5])
+        _keep(component.words, about, limited(value, about[2], about[3]))  # raises for what is no number of the kind
+        _keep(component.words, about, limited(value, about[4], about[5]))
         component.tell(about[0], about[6])
-        _keep(component.words, about, value)
+        _keep(component.words, about, limited(value, about[2], about[3]))
 
 
 def _keep(words, about, value):
