@@ -17,12 +17,12 @@ def to_steps(value, numerator, denominator=1, high=LARGEST):
     steps = value * numerator
     if denominator != 1:
         steps = steps / denominator
-    if not -high <= steps <= high:
-        return steps
-    whole = int(steps)
-    if whole == steps:  # no float is made of a whole number, which may have more digits
-        return whole
-    return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
+    if -high <= steps <= high:
+        whole = int(steps)
+        if whole == steps:  # no float is made of a whole number, which may have more digits
+            return whole
+        return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
+    return steps
 
 
 def limited(value, low, high):

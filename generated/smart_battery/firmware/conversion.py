@@ -1,5 +1,5 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: 72b06bb49ef209b1
+# Inputs: 011d510b4085c30e
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
@@ -19,12 +19,12 @@ def to_steps(value, numerator, denominator=1, high=LARGEST):
     steps = value * numerator
     if denominator != 1:
         steps = steps / denominator
-    if not -high <= steps <= high:
-        return steps
-    whole = int(steps)
-    if whole == steps:  # no float is made of a whole number, which may have more digits
-        return whole
-    return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
+    if -high <= steps <= high:
+        whole = int(steps)
+        if whole == steps:  # no float is made of a whole number, which may have more digits
+            return whole
+        return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
+    return steps
 
 
 def limited(value, low, high):
