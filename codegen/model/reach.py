@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
+from codegen.model.answer import Answer
 from codegen.model.scaling import Scaling
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity
@@ -20,7 +21,7 @@ def reaches(system: System) -> Mapping[str, Reach]:
         for answer in message.answers:
             for quantity, scaling in zip(answer.carried, answer.scalings, strict=False):
                 low, high = found[quantity.path]
-                smallest, largest = _carried(quantity, scaling)
+                smallest, largest = _carried(answer, quantity, scaling)
                 if answer.covers.written.min is None:
                     low = max(low, smallest)
                 if answer.covers.written.max is None:
@@ -34,8 +35,14 @@ def _quantities(system: System) -> Iterator[Quantity]:
         yield from component.quantities.values()
 
 
-def _carried(quantity: Quantity, scaling: Scaling) -> Reach:
-    """What goes out as it is kept, but for the rounding of an integer field in coarser steps."""
+def _carried(answer: Answer, quantity: Quantity, scaling: Scaling) -> Reach:
+    """What goes out as it is kept, but for the rounding of an integer field in coarser steps.
+
+    A field that says unknown by 0 carries a real 0 as 1, which is the dialect's way to tell it.
+    """
     if quantity.storage.is_float:
         return scaling.low, scaling.high
-    return scaling.steps
+    low, high = scaling.steps
+    sentinel = answer.covers.field.sentinel
+    is_next_to_zero = scaling.low > 0 and scaling.low == (1 if answer.covers.field.type.is_integer else scaling.factor)
+    return (0 if is_next_to_zero and sentinel and 0 in sentinel.values else low), high

@@ -363,7 +363,7 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
     ("battery", "energy_hj", "energy", 5, (-1073741824, 1073741824)),
     ("battery", "remaining_pct", "remaining", 5, (-1, 101)),
     ("battery", "left_mah", "left", 5, (-1, 1073741824)),
-    ("battery", "cells_mv", "cells_mv", [5, None, None], ([0, None, None], [65535, None, None])),
+    ("battery", "cells_mv", "cells_mv", [5, None, None], ([-1, None, None], [65535, None, None])),
     ("battery", "temperature_cdegc", "temperature", 5, (-32769, 32767)),
     ("battery", "trend_mv_s", "trend", 5, (-1073741824, 1073741824)),
     ("battery", "health_number", "health", 2, (-1, 3)),

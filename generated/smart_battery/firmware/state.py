@@ -97,7 +97,7 @@ class BatteryState(Component):
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell [mV]
-    cells_mv = elements(_BATTERY_CELLS_MV, 3, 1, 65534, "cells_mv")
+    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv")
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack [cdegC]
     # degC, or None while it is unknown; FR-00074.9

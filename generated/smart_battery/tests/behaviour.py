@@ -355,7 +355,7 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
     ("battery", "energy_hj", "energy", 5, (-2147483649, 2147483648)),
     ("battery", "remaining_pct", "remaining", 5, (-1, 101)),
     ("battery", "left_mah", "left", 5, (-1, 1073741824)),
-    ("battery", "cells_mv", "cells_mv", [5, None, None], ([0, None, None], [65535, None, None])),
+    ("battery", "cells_mv", "cells_mv", [5, None, None], ([-1, None, None], [65535, None, None])),
     ("battery", "temperature_cdegc", "temperature", 5, (-32769, 32767)),
     ("battery", "swaps_number", "swaps", 5, (-1, 1000001)),
 )
