@@ -9,6 +9,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.explained_corrections import correction_facts
 from codegen.model.account import FLAGS
 from codegen.model.dialect import WireField, WireMessage
+from codegen.model.reach import reach_words, reaches
 from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
@@ -314,8 +315,14 @@ def _quantity(quantity: Quantity, system: System) -> str:
         for answer in message.answers
         if quantity in answer.quantities
     ]
+    limits = reach_words(quantity, reaches(system)[quantity.path])
+    told = "; what is set beyond them is limited in messages, counted, and told once" if limits else ""
     facts = [
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
+        (
+            "limits",
+            f"{limits}; what is set beyond them is limited in messages, counted, and told once" if limits else "",
+        ),
         *quantity.derivation.story(quantity, system),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
         ("unknown", quantity.lost),

@@ -6,7 +6,7 @@ from fractions import Fraction
 from codegen.model.answer import Answer
 from codegen.model.scaling import Scaling
 from codegen.model.system import System
-from codegen.model.vehicle import Quantity
+from codegen.model.vehicle import Quantity, QuantityKind
 
 Reach = tuple[int | Fraction, int | Fraction]
 
@@ -30,18 +30,32 @@ def reaches(system: System) -> Mapping[str, Reach]:
     return found
 
 
+def reach_words(quantity: Quantity, reach: Reach) -> str:
+    """``0..65534 mV`` for people; nothing for a boolean, and where no number suits all messages."""
+    low, high = reach
+    if quantity.kind is QuantityKind.BOOLEAN:
+        return ""
+    if low > high:
+        return "none that all messages carry"
+    ends = [f"{float(end):.7g}" if quantity.storage.is_float else str(int(end)) for end in reach]
+    return f"{'..'.join(ends)} {quantity.stored.name}".rstrip()
+
+
 def _quantities(system: System) -> Iterator[Quantity]:
     for component in system.components.values():
         yield from component.quantities.values()
 
 
 def _carried(answer: Answer, quantity: Quantity, scaling: Scaling) -> Reach:
-    """What goes out as it is kept, but for the rounding of an integer field in coarser steps.
+    """What goes out as it is kept."""
+    return (scaling.low, scaling.high) if quantity.storage.is_float else smallest_and_largest(answer, scaling)
+
+
+def smallest_and_largest(answer: Answer, scaling: Scaling) -> tuple[int, int]:
+    """The stored steps that go out as they are, but for the rounding of an integer field in coarser steps.
 
     A field that says unknown by 0 carries a real 0 as 1, which is the dialect's way to tell it.
     """
-    if quantity.storage.is_float:
-        return scaling.low, scaling.high
     low, high = scaling.steps
     sentinel = answer.covers.field.sentinel
     is_next_to_zero = scaling.low > 0 and scaling.low == (1 if answer.covers.field.type.is_integer else scaling.factor)
