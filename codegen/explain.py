@@ -319,10 +319,7 @@ def _quantity(quantity: Quantity, system: System) -> str:
     told = "; what is set beyond them is limited in messages, counted, and told once" if limits else ""
     facts = [
         ("kept as", f"{quantity.attribute}, {quantity.stored.name or quantity.kind.value}"),
-        (
-            "limits",
-            f"{limits}; what is set beyond them is limited in messages, counted, and told once" if limits else "",
-        ),
+        ("limits", limits + told),
         *quantity.derivation.story(quantity, system),
         ("initial", "unknown" if quantity.initial is None else str(quantity.initial)),
         ("unknown", quantity.lost),

@@ -102,3 +102,33 @@ print(json.dumps(found + [clock.unix]))
     assert done.returncode == 0, done.stderr
     kept = [2**53 + 1, 2**64 - 1, 2**64 - 1, 0, 3, 2**64 - 1]
     assert json.loads(done.stdout) == [*(str(value) for one in kept for value in (one, one)), None]
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_what_is_limited_is_counted_and_told_once(boat, interpreter):
+    """A longitude of 200 degrees, twice, and again once one was right; an angle and an entry that there is not."""
+    script = (
+        SCRIPT.partition("gps, attitude =")[0]
+        + """
+from state import SystemState
+told = []
+state = SystemState(log=told.append)
+gps, attitude = state.gps, state.attitude
+for lon in (200, 201, None, -200, 180, float("inf")):
+    gps.lon = lon
+attitude.roll = 7
+gps.fix = 300
+print(json.dumps([told, gps.limited, attitude.limited, gps.lon_dege7]))
+"""
+    )
+    (boat / "limited.py").write_text(script)
+    done = subprocess.run([str(BIN / interpreter), "limited.py"], cwd=boat, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    told, gps, attitude, lon = json.loads(done.stdout)
+    assert told == [
+        "warning: gps.lon beyond 180: limited",
+        "warning: gps.lon beyond 180: limited",
+        "warning: attitude.roll beyond 3.141593: limited",
+        "warning: gps.fix beyond 8: limited",
+    ]
+    assert (gps, attitude, lon) == ({"lon": 4, "fix": 1}, {"roll": 1}, 1800000000)
