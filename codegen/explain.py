@@ -9,6 +9,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.explained_corrections import correction_facts
 from codegen.model.account import FLAGS
 from codegen.model.dialect import WireField, WireMessage
+from codegen.model.reach import reach_words, reaches
 from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
@@ -314,10 +315,12 @@ def _quantity(quantity: Quantity, system: System) -> str:
         for answer in message.answers
         if quantity in answer.quantities
     ]
+    limits = reach_words(quantity, reaches(system)[quantity.path])
+    told = "; what is set beyond them is limited in messages, counted, and told once" if limits else ""
     facts = [
         ("kept as", f"{quantity.attribute}, {quantity.kept_in}"),
+        ("limits", limits + told),
         *quantity.derivation.story(quantity, system),
-        ("range", _range(quantity)),
         ("initial", quantity.start),
         ("unknown", quantity.lost),
         ("sent in", ", ".join(fields)),
@@ -325,12 +328,6 @@ def _quantity(quantity: Quantity, system: System) -> str:
         ("declared at", quantity.spec.place.shown()),
     ]
     return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *_facts(facts)]) + "\n"
-
-
-def _range(quantity: Quantity) -> str:
-    """The limits that the table states, in the unit of the quantity; what is beyond them becomes the limit."""
-    low, high = ("" if limit is None else decimal(limit) for limit in (quantity.spec.min, quantity.spec.max))
-    return f"{low}..{high} {quantity.unit.name}".rstrip() if low or high else ""
 
 
 def _requirement(topic: str, system: System) -> str | None:

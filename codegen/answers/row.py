@@ -93,8 +93,8 @@ class RowAnswer(KindOfAnswer):
 
     @property
     def carried(self) -> tuple[Quantity, ...]:
-        """The same."""
-        return (self.source,)
+        """The same, once for each part."""
+        return (self.source,) * len(self.parts)
 
     @property
     def withheld_for(self) -> tuple[Quantity, ...]:

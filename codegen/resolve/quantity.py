@@ -29,6 +29,10 @@ _RESERVED_QUANTITIES = {
     "keep",
     "gone",
     "has_returned",
+    "words",
+    "limited",
+    "beyond",
+    "tell",
 }
 LONGEST_NAME = 64
 _SUFFIX = {"%": "pct", "d%": "dpct", "c%": "cpct"}

@@ -68,6 +68,9 @@ def behaviour_checks(
         BehaviourCheck(message.criterion, f"{message.identifier}_is_withheld_while_unknown") for message in withheld
     ]
     checks.append(BehaviourCheck("", "every_value_allocates_nothing"))
+    if any(quantity.beyond for component in components for quantity in component.quantities):
+        checks.append(BehaviourCheck("", "what_is_limited_is_counted_and_told_once"))
+        checks.append(BehaviourCheck("", "all_that_is_limited_is_told"))
     for component in components:
         for quantity in component.quantities:
             if quantity.stale_after_ms is not None:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.reach import Reach, reaches
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
 from codegen.model.system import System
@@ -24,6 +25,8 @@ class QuantityFacts:
     values as literals, of a list for all of it, and ``tried`` many of one value; ``is_unknown`` is how to compare it
     with none, as an end of an expression.
     ``row`` is a literal with some for the elements of a list of what more than a word holds, or nothing.
+    ``within`` and ``beyond`` are literals of what code can set without a word, and of what is limited and told as
+    ``called``.
     """
 
     name: str
@@ -40,6 +43,9 @@ class QuantityFacts:
     citation: str
     stale_after_ms: int | None
     stale_criterion: str
+    called: str
+    within: str
+    beyond: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,10 +118,11 @@ class ComponentFacts:
 
 def component_facts(system: System) -> tuple[ComponentFacts, ...]:
     """Every component, in order."""
-    return tuple(_component(component, system) for component in system.components.values())
+    told = reaches(system)
+    return tuple(_component(component, system, told) for component in system.components.values())
 
 
-def _component(component: Component, system: System) -> ComponentFacts:
+def _component(component: Component, system: System, told: Mapping[str, Reach]) -> ComponentFacts:
     quantities = tuple(component.quantities.values())
     measured = measured_of(component)
     enabled = component.enabled
@@ -127,7 +134,7 @@ def _component(component: Component, system: System) -> ComponentFacts:
         several=component.instances > 1,
         enabled=enabled.name if enabled else None,
         enabled_by=parameter_attribute(switch.name) if switch else None,
-        quantities=tuple(_quantity(quantity) for quantity in quantities),
+        quantities=tuple(_quantity(quantity, told[quantity.path]) for quantity in quantities),
         measured=_measured(measured, component, system) if measured else None,
         trend=TrendFacts(trend.attribute, trend.derivation.kept_readings // 2) if trend else None,
         estimate=_estimate(component),
@@ -136,8 +143,12 @@ def _component(component: Component, system: System) -> ComponentFacts:
     )
 
 
-def _quantity(quantity: Quantity) -> QuantityFacts:
+def _quantity(quantity: Quantity, told: Reach) -> QuantityFacts:
     low, high = _samples(quantity)
+    least, most = map(Fraction, told)
+    step = max(abs(least), abs(most)) + 1 if quantity.storage.is_float else 1
+    is_number = quantity.kind not in (QuantityKind.BOOLEAN, QuantityKind.TEXT)
+    is_limited = is_number and least <= most
     return QuantityFacts(
         name=quantity.name,
         attribute=quantity.attribute,
@@ -153,7 +164,21 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         citation=str(quantity.citation or ""),
         stale_after_ms=quantity.trust.stale_after_ms if quantity.ages else None,
         stale_criterion=quantity.cited("stale_after"),
+        called=quantity.attribute if quantity.elements else quantity.name,
+        within=_literal(quantity, max(least, min(most, Fraction(5)))),
+        beyond=(_literal(quantity, least - step), _literal(quantity, most + step)) if is_limited else (),
     )
+
+
+def _literal(quantity: Quantity, value: Fraction) -> str:
+    """A number as its attribute takes it; of a list the first one has it."""
+    text = str(value)
+    if quantity.storage.is_float:
+        largest = Storage.BINARY64.limits[1]
+        text = repr(float(value)) if abs(value) <= largest else f'float("{"-" if value < 0 else ""}inf")'
+    if quantity.elements is not None:
+        return f"first({text}, {quantity.elements[0]})"
+    return text
 
 
 def _samples(quantity: Quantity) -> tuple[str, str]:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from codegen.frozen import dataclass
+from codegen.model.reach import Reach, reach_words, reaches
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
@@ -37,6 +38,7 @@ class QuantityRow:
 
     path: str
     kept: str
+    limits: str
     source: str
     initial: str
     criterion: str
@@ -86,13 +88,14 @@ def render_documents(system: System) -> dict[str, str]:
     """The files below ``docs/``."""
     wires = [message.wire for message in system.messages]
     origin = origin_of(system, system.spec.files, wires)
+    told = reaches(system)
     view = TelemetryDocument(
         project=system.spec.project.project,
         sources=origin.sources,
         digest=origin.open.digest,
         messages=tuple(_message(message, system) for message in system.messages),
         quantities=tuple(
-            _quantity(quantity)
+            _quantity(quantity, told[quantity.path])
             for component in system.components.values()
             for quantity in component.quantities.values()
         ),
@@ -131,10 +134,11 @@ def _rate(stream: Stream | None) -> str:
     return f"stream {stream.name}: {rate}"
 
 
-def _quantity(quantity: Quantity) -> QuantityRow:
+def _quantity(quantity: Quantity, told: Reach) -> QuantityRow:
     return QuantityRow(
         path=quantity.path,
         kept=f"{_counted(quantity)}{quantity.attribute} ({quantity.kept_in})",
+        limits=reach_words(quantity, told),
         source=quantity.derivation.words(quantity),
         initial=quantity.start,
         criterion=str(quantity.citation or ""),

@@ -20,8 +20,8 @@ from words import (
     below,
     elements,
     known,
+    number,
     result,
-    shown,
     shown_elements,
     together,
     truth,
@@ -121,46 +121,47 @@ _VEHICLE_START = (
 class BatteryState(Component):
     """One battery of the rover."""
 
+    NAME = "battery"
     # Voltage of the whole pack [mV]
-    voltage_mv = whole(_BATTERY_VOLTAGE_MV)
-    voltage = shown(_BATTERY_VOLTAGE_MV, 1000)  # V, or None while it is unknown; FR-00069.1
+    # V, or None while it is unknown; FR-00069.1
+    voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000)
     # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
-    current_ca = whole(_BATTERY_CURRENT_CA)
-    current = shown(_BATTERY_CURRENT_CA, 100)  # A, or None while it is unknown; FR-00068.4
+    # A, or None while it is unknown; FR-00068.4
+    current_ca, current = number(_BATTERY_CURRENT_CA, -32768, 32767, "current", 100)
     # Charge drawn since the pack was full, or put in [mAh]
-    consumed_mah = whole(_BATTERY_CONSUMED_MAH)
-    consumed = shown(_BATTERY_CONSUMED_MAH, 1)  # mAh, or None while it is unknown; FR-00068.6
+    # mAh, or None while it is unknown; FR-00068.6
+    consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
     # Energy drawn since the pack was full, or put in [hJ]
-    energy_hj = whole(_BATTERY_ENERGY_HJ)
-    energy = shown(_BATTERY_ENERGY_HJ, 1)  # hJ, or None while it is unknown; FR-00068.6
+    # hJ, or None while it is unknown; FR-00068.6
+    energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1)
     # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
-    remaining_pct = whole(_BATTERY_REMAINING_PCT)
-    remaining = shown(_BATTERY_REMAINING_PCT, 1)  # %, or None while it is unknown; FR-00068.5
+    # %, or None while it is unknown; FR-00068.5
+    remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
     # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]
-    left_mah = whole(_BATTERY_LEFT_MAH)
-    left = shown(_BATTERY_LEFT_MAH, 1)  # mAh, or None while it is unknown; FR-00072.4
+    # mAh, or None while it is unknown; FR-00072.4
+    left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1)
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell. Unknown until code sets it [mV]
-    cells_mv = elements(_BATTERY_CELLS_MV, 3)
-    cells = shown_elements(_BATTERY_CELLS_MV, 3, 1000)  # V each, or None while it is unknown; FR-00076.7
+    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv")
+    cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack. The rover has no sensor for it [cdegC]
-    temperature_cdegc = whole(_BATTERY_TEMPERATURE_CDEGC)
-    temperature = shown(_BATTERY_TEMPERATURE_CDEGC, 100)  # degC, or None while it is unknown; FR-00068.6
+    # degC, or None while it is unknown; FR-00068.6
+    temperature_cdegc, temperature = number(_BATTERY_TEMPERATURE_CDEGC, -32768, 32766, "temperature", 100)
     # Change of the pack's voltage per second, positive while it rises [mV/s]
-    trend_mv_s = whole(_BATTERY_TREND_MV_S)
+    trend_mv_s = whole(_BATTERY_TREND_MV_S, -1073741823, 1073741823, "trend")
     trend = result(_BATTERY_TREND_MV_S, 1000)  # V/s, or None while it is unknown; FR-00021.1
     # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
-    health_number = whole(_BATTERY_HEALTH_NUMBER)
-    health = shown(_BATTERY_HEALTH_NUMBER, 1)  # A number, known from the start; FR-00021.3
+    # A number, known from the start; FR-00021.3
+    health_number, health = number(_BATTERY_HEALTH_NUMBER, 0, 2, "health", 1)
     # The level that the failsafe has reached, 0 none, 1 low, 2 critical
-    failsafe_number = whole(_BATTERY_FAILSAFE_NUMBER)
-    failsafe = shown(_BATTERY_FAILSAFE_NUMBER, 1)  # A number, known from the start; FR-00073.5
+    # A number, known from the start; FR-00073.5
+    failsafe_number, failsafe = number(_BATTERY_FAILSAFE_NUMBER, 0, 2, "failsafe", 1)
     # Whether no pack is connected. One that works has more volts; a failed reading does not count
     absent = below(_BATTERY_VOLTAGE_MV, 3000)  # FR-00073.8
     # How often a pack was put in since the start, and so may be another one
-    swaps_number = whole(_BATTERY_SWAPS_NUMBER)
-    swaps = shown(_BATTERY_SWAPS_NUMBER, 1)  # A number, known from the start; FR-00073.8
+    # A number, known from the start; FR-00073.8
+    swaps_number, swaps = number(_BATTERY_SWAPS_NUMBER, 0, 1000000, "swaps", 1)
     # Whether the pack is measured at all: whether BATT_MONITOR is not 0
     monitored = truth(_BATTERY_MONITORED)
     # Whether the pack's voltage is known
@@ -224,18 +225,19 @@ class BatteryState(Component):
 class VehicleState(Component):
     """The rover as a whole."""
 
+    NAME = "vehicle"
     # Whether the motors may turn
     armed = truth(_VEHICLE_ARMED)
     # Whether the checks before arming pass
     ready = truth(_VEHICLE_READY)
     # Drive mode, a number of the autopilot's own
-    mode_number = whole(_VEHICLE_MODE_NUMBER)
-    mode = shown(_VEHICLE_MODE_NUMBER, 1)  # A number, known from the start
+    # A number, known from the start
+    mode_number, mode = number(_VEHICLE_MODE_NUMBER, 0, 1000000, "mode", 1)
     # What the vehicle is doing (MAV_STATE)
-    status = whole(_VEHICLE_STATUS)
+    status = whole(_VEHICLE_STATUS, 0, 8, "status")
     # Share of the main loop's time that is used [d%]
-    load_dpct = whole(_VEHICLE_LOAD_DPCT)
-    load = shown(_VEHICLE_LOAD_DPCT, 10)  # %, known from the start
+    # %, known from the start
+    load_dpct, load = number(_VEHICLE_LOAD_DPCT, 0, 1000, "load", 10)
 
     def __init__(self, words=None, instance=0):
         Component.__init__(self, _VEHICLE_SIZE, _VEHICLE_START, words, instance)
@@ -250,14 +252,14 @@ class SystemState:
         self.words_at = address(self.words)
         self._log = log
         self._guard = Guard()
-        self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 2)
+        self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 2, log)
         for instance in range(2):
             words = self.battery[instance].words
             words[_BATTERY_MONITORED] = 1 if getattr(self.parameters, _BATT_MONITOR[instance]) != 0 else 0
             words[_BATTERY_MULTIPLIER] = getattr(self.parameters, _BATT_VOLT_MULT[instance])
         self.battery_words = tuple(self.battery[instance].words for instance in range(2))
         self._start_battery()
-        self.vehicle = together(VehicleState, self.words, _VEHICLE, _VEHICLE_SIZE, 1)
+        self.vehicle = together(VehicleState, self.words, _VEHICLE, _VEHICLE_SIZE, 1, log)
 
     def _start_battery(self):
         updates = self._battery_updates()

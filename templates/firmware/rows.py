@@ -1,21 +1,20 @@
 """Attributes for lists of numbers of more than 30 bits, and of floats; wide has those for single ones.
 
 Each value is set and read by its place, and can be None: unknown. A list is set as a whole, too, by as many values as
-it has, or by None, which makes all of them unknown.
+it has, or by None, which makes all of them unknown. Each value is told by itself where it is beyond its limits.
 """
 
 import time
 
-from conversion import to_steps
-from wide import float_at, keep_float, keep_whole, whole_at
-from words import UNKNOWN, in_unit
+from wide import about_real, about_whole, float_at, keep, keep_float, keep_shown, shown_at, whole_at
+from words import UNKNOWN
 
 
 class _Row:
     """The values of a list: `functions` read and write one by its place in the words, and by what it is about."""
 
-    def __init__(self, words, place, count, about, functions):
-        self._words = words
+    def __init__(self, component, place, count, about, functions):
+        self._component = component
         self._place = place
         self._count = count
         self._about = about
@@ -25,10 +24,14 @@ class _Row:
         return self._count
 
     def __getitem__(self, index):
-        return self._functions[0](self._words, self._at(index), self._about)
+        return self._functions[0](self._component.words, self._at(index), self._about)
 
     def __setitem__(self, index, value):
-        self._functions[1](self._words, self._at(index), self._about, value)
+        self._functions[1](self._component, self._at(index), self._about, value)
+
+    def index(self, place):
+        """Return which value it is whose words begin at a place."""
+        return (place - self._place) // self._about[0]
 
     def _at(self, index):
         if not -self._count <= index < self._count:
@@ -36,19 +39,21 @@ class _Row:
         return self._place + self._about[0] * (index % self._count)
 
 
-def integers(place, count, halves, low, high):
+def integers(place, count, halves, low, high, name, told=None):
     """Return an attribute for a list of whole numbers from `low` to `high`."""
-    return _attribute(place, count, (halves, low, high), (whole_at, keep_whole))
+    return _attribute(place, count, about_whole(halves, low, high, name, told), (whole_at, keep))
 
 
-def shown_integers(place, count, halves, low, high, numerator, denominator=1):
+def shown_integers(place, count, halves, low, high, name, numerator, denominator=1, told=None):
     """Return the same in the unit of people, `numerator` / `denominator` steps of which make one."""
-    return _attribute(place, count, (halves, low, high, numerator, denominator), (_shown_at, _keep_shown))
+    about = about_whole(halves, low, high, name, told, numerator, denominator)
+    return _attribute(place, count, about, (shown_at, keep_shown))
 
 
-def floats(place, count, halves, low=None, high=None, numerator=1, denominator=1):
+def floats(place, count, halves, name, low=None, high=None, told=None, numerator=1, denominator=1):
     """Return an attribute for a list of floats of 32 or 64 bits, with limits in the units that are kept."""
-    return _attribute(place, count, (halves, low, high, numerator, denominator), (float_at, keep_float))
+    about = about_real(halves, name, low, high, told, numerator, denominator)
+    return _attribute(place, count, about, (float_at, keep_float))
 
 
 class _Believed:
@@ -68,7 +73,7 @@ class _Believed:
 def aging_row(name, place, count, words, expires, after_ms):
     """Return the attribute `name`, a list from `place` on, that is forgotten so many ms after it was set as a whole.
 
-    The word at `expires` is as words.aging() has it.
+    The word at `expires` is as ages.aging() has it.
     """
     back_ms = 0x3FFFFFFF - after_ms + 1
 
@@ -92,7 +97,7 @@ def aging_row(name, place, count, words, expires, after_ms):
 
 def _attribute(place, count, about, functions):
     def get(self):
-        return _Row(self.words, place, count, about, functions)
+        return _Row(self, place, count, about, functions)
 
     def put(self, values):
         if values is not None and len(values) != count:
@@ -102,14 +107,3 @@ def _attribute(place, count, about, functions):
             row[index] = None if values is None else values[index]
 
     return property(get, put)
-
-
-def _shown_at(words, at, about):
-    value = whole_at(words, at, about)
-    return None if value is None else in_unit(value, about[3], about[4])
-
-
-def _keep_shown(words, at, about, value):
-    if about[3] != about[4] or not isinstance(value, int):
-        value = to_steps(value, about[3], about[4], about[1], about[2])
-    keep_whole(words, at, about, value)

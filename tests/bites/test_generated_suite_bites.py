@@ -37,7 +37,7 @@ WRONG_FRAMES = [
     ),
     ("factor-of-the-adc", "state_plain.py", "// 136500 * 11 +", "// 136500 * 10 +"),
     ("factor-of-the-adc-in-machine-code", "state_viper.py", "// 136500 * 11 +", "// 136500 * 10 +"),
-    ("factor-of-volts", "state.py", "shown(_BATTERY_VOLTAGE_MV, 1000)", "shown(_BATTERY_VOLTAGE_MV, 1001)"),
+    ("factor-of-volts", "state.py", '"voltage", 1000)', '"voltage", 1001)'),
     ("rounding", "state_viper.py", " + 68250) //", ") //"),
     ("constant", "telemetry_plain.py", "wire[34] = 1", "wire[34] = 2"),
     ("place-of-a-constant", "telemetry_viper.py", "wire[33] = 1", "wire[35] = 1"),
@@ -103,6 +103,9 @@ WRONG_BEHAVIOUR = [
         "            return -1\n        if took",
         "            return 0\n        if took",
     ),
+    ("told-again-and-again", "words.py", "if place not in self.beyond:", "if True:"),
+    ("right-again", "words.py", "self.beyond.pop(place, None)", "self.beyond.get(place)"),
+    ("limit-of-a-quantity", "state.py", '65534, "voltage"', '65535, "voltage"'),
     ("failure-that-is-over", "samples_plain.py", "failures[instance] = 0", "pass"),
     ("failure-that-is-over-in-machine-code", "samples_viper.py", "failures[instance] = 0", "pass"),
 ]

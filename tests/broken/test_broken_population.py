@@ -31,6 +31,13 @@ CASES = [
     Case("bad-each", STATUS, EXTENDED, "voltages_ext: {each: battery.cells, from: §-1,", "from is -1"),
     Case("pointless-key", SYS, "load: {state: vehicle.load}", "load: {state: vehicle.load, from: §2}", "without each"),
     Case("pointless-key", STATUS, EXTENDED, "voltages_ext: {each: battery.cells, split: §true, from: 10,", "split"),
+    Case(
+        "parameter-beyond-field",
+        SYS,
+        "voltage_battery: {state: battery.voltage}",
+        "voltage_battery: {parameter: §BATT_LOW_VOLT}",
+        "voltage_battery carries no more than 65.53",
+    ),
     Case("bad-pages", CELLS, "pages: battery.cells", "pages: §battery.voltage", "one value"),
     Case("bad-pages", CELLS, "pages: battery.cells\n", "", "no pages"),
     Case("bad-pages", CELLS, "{page: true, note", "{constant: 0, note", "tell the pages apart"),

@@ -28,6 +28,14 @@ CASES = [
         is_alone=False,
     ),
     Case(
+        "reading-beyond-limits",
+        STATE,
+        VOLTAGE,
+        VOLTAGE + "        max: §20\n",
+        "battery.voltage is 0 to 33000 mV",
+        is_alone=False,
+    ),
+    Case(
         "not-as-kept",
         STATE,
         "      left:\n        doc: Charge that is left. Nothing on the rover counts it; code that does sets it.\n"

@@ -130,7 +130,7 @@ def test_its_documents_hold(boat: Path) -> None:
     assert "14 criteria" in done.stdout
     for topic, words in (
         ("ATTITUDE.pitch", " -3.4028234663852886e+38..3.4028234663852886e+38\n"),
-        ("gps.lon", " -180..180 deg\n"),
+        ("gps.lon", " -1800000000..1800000000 degE7"),
     ):
         command = [str(BIN / "codegen"), "explain", topic]
         assert words in subprocess.run(command, cwd=boat, capture_output=True, text=True, check=True).stdout
@@ -159,3 +159,26 @@ print(json.dumps(found + [clock.unix]))
 """
     kept = [2**53 + 1, 2**64 - 1, 2**64 - 1, 0, 3, 2**64 - 1]
     assert exact(interpreter, boat, script) == [*(str(value) for one in kept for value in (one, one)), None]
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_what_is_limited_is_counted_and_told_once(boat: Path, interpreter: str) -> None:
+    """A longitude of 200 degrees, twice, and again once one was right; an angle and an entry that there is not."""
+    script = """
+told = []
+state = SystemState(log=told.append)
+gps, attitude = state.gps, state.attitude
+for lon in (200, 201, None, -200, 180, float("inf")):
+    gps.lon = lon
+attitude.roll = 7
+gps.fix = 300
+print(json.dumps([told, gps.limited, attitude.limited, gps.lon_dege7]))
+"""
+    told, gps, attitude, lon = exact(interpreter, boat, script)
+    assert told == [
+        "warning: gps.lon beyond 180: limited",
+        "warning: gps.lon beyond 180: limited",
+        "warning: attitude.roll beyond 3.141593: limited",
+        "warning: gps.fix beyond 8: limited",
+    ]
+    assert (gps, attitude, lon) == ({"lon": 4, "fix": 1}, {"roll": 1}, 1800000000)

@@ -37,9 +37,16 @@ board = MockBoard()
 streams = Streams(state, link)
 battery, vehicle = state.battery[0], state.vehicle
 
+aside = 0
+
 def build_and_send():
+    global aside
     for value in VALUES:
+        before = mem_total()
+        set_all(value)  # what is beyond its limits is told, which takes memory: once
+        aside += mem_total() - before
         set_all(value)
+        vehicle.armed = not vehicle.armed
         link.send(telemetry.build_heartbeat(state))
         link.send(telemetry.build_sys_status(state))
         link.send(telemetry.build_battery_status(state))
@@ -48,7 +55,6 @@ def set_all(value):
     battery.voltage_mv = battery.current_ca = battery.consumed_mah = battery.energy_hj = value
     battery.remaining_pct = battery.temperature_cdegc = value
     vehicle.mode_number = vehicle.status = vehicle.load_dpct = value
-    vehicle.armed = not vehicle.armed
 
 def sample():
     for count in range(950, 3600, 5):  # texts of their own tell of a pack that is away, below, and of a high voltage
@@ -69,8 +75,9 @@ def counted(function):
     start = mem_total()
     repeat(function, 0)
     middle = mem_total()
+    told = aside
     repeat(function, 3)
-    return (mem_total() - middle) - (middle - start)
+    return (mem_total() - middle) - (middle - start) - (aside - told)
 
 for function in (build_and_send, sample, stream):
     before = sink.frames

@@ -43,7 +43,7 @@ class Sink:
 with open(sys.argv[1]) as file:
     states = json.load(file)
 links = [Link(Sink(), version=2), Link(Sink(), version=1)]
-state = SystemState()
+state = SystemState(log=lambda *words: None)
 for values in states:
     for name, value in values["battery"].items():
         setattr(state.battery[0], name, value)

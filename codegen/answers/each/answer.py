@@ -122,8 +122,8 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def carried(self) -> tuple[Quantity, ...]:
-        """The same."""
-        return self.quantities
+        """The same, but for values that there are not: the field begins behind the last one."""
+        return self.quantities if self._is_reached else self.quantities[1:]
 
     def values(self, known: Known, instance: int, page: int) -> tuple[Value, ...]:
         """The values that are known, and the sentinel."""
@@ -139,8 +139,12 @@ class EachAnswer(KindOfAnswer):
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
-        """That of the values, and that of what goes out in their place."""
-        return (self.scaling, *(self.fallback.scalings if self.fallback else ()))
+        """That of the values that there are, and that of what goes out in their place."""
+        return (*((self.scaling,) if self._is_reached else ()), *(self.fallback.scalings if self.fallback else ()))
+
+    @property
+    def _is_reached(self) -> bool:
+        return self.is_paged or self.first < max(self.source.elements or (0,))
 
     @property
     def together(self) -> Together | None:

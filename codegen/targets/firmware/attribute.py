@@ -1,20 +1,27 @@
 """Attributes of the components in state.py: which view of the words each of them is."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from codegen.frozen import dataclass
 from codegen.model.letters import letter_words
+from codegen.model.reach import Reach
 from codegen.model.storage import Storage
-from codegen.model.vehicle import Quantity, QuantityKind
-from codegen.targets.naming import quoted
+from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.targets.firmware.words import Block, age_word, differ
+from codegen.targets.naming import prose, quoted
 
 VIEWS = {
     **dict.fromkeys(("integer", "shown_integer", "floating"), "wide"),
     **dict.fromkeys(("integers", "shown_integers", "floats", "aging_row"), "rows"),
     "text": "letters",
     "ticking": "clock_plain",
+    "aging": "ages",
 }
 """The modules of those views that are there only where something needs them, by the view; rows needs wide."""
+
+LONGEST = 120
+"""Columns of a line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,49 +34,176 @@ class AttributeView:
     behind: str
 
 
-def text_attribute(quantity: Quantity, place: str, above: str, behind: str) -> AttributeView:
-    """The attribute of a text."""
-    initial = f"initial={quoted(quantity.initial)}" if isinstance(quantity.initial, str) else ""
-    return AttributeView(quantity.attribute, f"text({joined(place, quantity.length, initial)})", above, behind)
+def attributes(component: Component, block: Block, told: Mapping[str, Reach]) -> Iterator[AttributeView]:
+    """The attributes of a component, in order; ``told`` has the limits of its quantities by path."""
+    return (_broken(view) for view in _attributes(component, block, told))
 
 
-def joined(*parts: object) -> str:
+def _broken(view: AttributeView) -> AttributeView:
+    """The same, with the arguments in a line of their own where one line has no room, as the formatter has them."""
+    if len(f"    {view.name} = {view.expression}") <= LONGEST:
+        return view
+    called, _, arguments = view.expression.partition("(")
+    return replace(view, expression=f"{called}(\n        {arguments.removesuffix(')')}\n    )")
+
+
+def _attributes(component: Component, block: Block, told: Mapping[str, Reach]) -> Iterator[AttributeView]:
+    for quantity in component.quantities.values():
+        views = _views(quantity, component, block, told[quantity.path])
+        if quantity.ages:
+            yield from (each for view in views for each in _aging(view, quantity, block))
+        elif quantity.derivation.counts_time:
+            yield from (each for view in views for each in _ticking(view))
+        else:
+            yield from views
+    others = {
+        "number": "What messages call it",
+        "failures": "Failed readings in a row",
+        "expires_ms": "When the last good reading will be too old",
+    }
+    for word, meaning in others.items():
+        if word in block.offsets:
+            yield AttributeView(word, f"whole({block.constant(word)})", meaning, "")
+
+
+def _lines(*comments: str) -> str:
+    """One comment below the other, above an attribute behind which there is no room."""
+    return "\n    # ".join(comments)
+
+
+def _joined(*parts: object) -> str:
     """The arguments that there are."""
     return ", ".join(str(part) for part in parts if part != "")
 
 
-def known_words(quantity: Quantity) -> str:
+def _known_words(quantity: Quantity) -> str:
     """Whether there is a value at all times, in words."""
     return "known from the start" if quantity.initial is not None else "or None while it is unknown"
 
 
-def wide_attributes(quantity: Quantity, place: str, above: str, behind: str) -> Iterator[AttributeView]:
-    """The attributes of what is kept in halves: in stored units, and, where these are others, in those of people."""
+def _wide(quantity: Quantity, told: Reach, place: str, called: str, above: str, behind: str) -> Iterator[AttributeView]:
+    """The attributes of what is kept in halves: in stored units, and, where these are others, in those of people.
+
+    ``called`` is the literal by which it is told that a number is beyond ``told``, where the quantity has wider limits.
+    """
     storage, halves = quantity.storage, quantity.storage.halves
     numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
     steps = (numerator, denominator) if denominator != 1 else (numerator,)
+    own = (quantity.minimum, quantity.maximum)
     if storage.is_float:
         low = "" if quantity.spec.min is None else f"low={float(quantity.minimum)!r}"
         high = "" if quantity.spec.max is None else f"high={float(quantity.maximum)!r}"
+        narrower = "" if told == own else f"told=({float(told[0])!r}, {float(told[1])!r})"
         scale = [f"{name}={part}" for name, part in zip(("numerator", "denominator"), steps, strict=False) if part != 1]
-        own = behind if quantity.attribute == quantity.name else ""
-        yield AttributeView(quantity.attribute, f"floating({joined(place, halves, low, high)})", above, own)
+        arguments = _joined(place, halves, called, low, high, narrower)
+        own_line = _lines(above, behind) if quantity.attribute == quantity.name else above
+        yield AttributeView(quantity.attribute, f"floating({arguments})", own_line, "")
         if quantity.attribute != quantity.name:
-            yield AttributeView(quantity.name, f"floating({joined(place, halves, low, high, *scale)})", behind, "")
+            yield AttributeView(quantity.name, f"floating({_joined(arguments, *scale)})", behind, "")
         return
-    limits = (halves, quantity.minimum, quantity.maximum)
-    yield AttributeView(quantity.attribute, f"integer({joined(place, *limits)})", above, "")
+    limits = (halves, *own, called)
+    narrower = "" if told == own else f"told=({told[0]}, {told[1]})"
+    yield AttributeView(quantity.attribute, f"integer({_joined(place, *limits, narrower)})", above, "")
     if quantity.attribute != quantity.name and quantity.kind is QuantityKind.NUMBER:
-        yield AttributeView(quantity.name, f"shown_integer({joined(place, *limits, *steps)})", behind, "")
+        yield AttributeView(quantity.name, f"shown_integer({_joined(place, *limits, *steps, narrower)})", behind, "")
 
 
-def row_attributes(quantity: Quantity, place: str, above: str, behind: str) -> Iterator[AttributeView]:
+def _views(quantity: Quantity, component: Component, block: Block, told: Reach) -> Iterator[AttributeView]:
+    """The attribute for the integer, with what the quantity is above it, and the one for people.
+
+    A number beyond ``told`` is limited on its way to some message.
+    """
+    cited = f"; {quantity.citation}" if quantity.citation else ""
+    above = prose(quantity.spec.doc).rstrip(".")
+    derivation = quantity.derivation
+    if derivation.follows is not None:
+        followed = block.constant(component.quantities[derivation.follows].attribute)
+        expression = derivation.attribute(followed, block.constant(f"{quantity.name}_limit"))
+        yield AttributeView(quantity.name, expression, above, str(quantity.citation or ""))
+        return
+    place = block.constant(quantity.attribute)
+    above += f" [{quantity.stored.name}]" if quantity.stored.name else ""
+    above += f" ({quantity.enum.name})" if quantity.enum else ""
+    if derivation.switch:
+        above += f": whether {derivation.switch.name} is not 0"
+    numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
+    steps = f"{numerator}, {denominator}" if denominator != 1 else str(numerator)
+    shown = quantity.unit.name or "A number"
+    inner = "_" if quantity.ages else ""
+    if quantity.elements is not None:
+        yield from _elements(quantity, told, block, above, f"{shown} each, or None while it is unknown{cited}")
+        return
+    if quantity.kind is QuantityKind.BOOLEAN:
+        yield AttributeView(quantity.attribute, f"truth({place})", above, "")
+        return
+    if quantity.kind is QuantityKind.TEXT:
+        yield _text(quantity, place, above, f"A text, {_known_words(quantity)}{cited}")
+        return
+    called = f'"{inner}{quantity.name}"'
+    if quantity.storage is not Storage.SMALL:
+        yield from _wide(quantity, told, place, called, above, f"{shown}, {_known_words(quantity)}{cited}")
+        return
+    limits = _joined(place, *told, called)
+    if quantity.attribute == quantity.name:
+        yield AttributeView(quantity.attribute, f"whole({limits})", above, "")
+    elif derivation.kept_readings:
+        yield AttributeView(quantity.attribute, f"whole({limits})", above, "")
+        yield AttributeView(quantity.name, f"result({place}, {steps})", "", f"{shown}, {_known_words(quantity)}{cited}")
+    else:
+        names = f"{quantity.attribute}, {quantity.name}"
+        yield AttributeView(
+            names, f"number({limits}, {steps})", _lines(above, f"{shown}, {_known_words(quantity)}{cited}"), ""
+        )
+
+
+def _elements(quantity: Quantity, told: Reach, block: Block, above: str, behind: str) -> Iterator[AttributeView]:
+    """The attributes of a list."""
+    elements, place = quantity.elements or (0,), block.constant(quantity.attribute)
+    inner = f'"{"_" if quantity.ages else ""}{quantity.attribute}"'
+    if quantity.storage is not Storage.SMALL:
+        yield from _rows(quantity, told, place, inner, above, behind)
+        return
+    own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(elements) else ""
+    yield AttributeView(quantity.attribute, f"elements({_joined(place, max(elements), *told, inner, own)})", above, "")
+    if quantity.attribute != quantity.name:
+        numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
+        steps = _joined(inner, numerator, denominator if denominator != 1 else "")
+        yield AttributeView(quantity.name, f"shown_elements({steps})", "", behind)
+
+
+def _text(quantity: Quantity, place: str, above: str, behind: str) -> AttributeView:
+    initial = f"initial={quoted(quantity.initial)}" if isinstance(quantity.initial, str) else ""
+    return AttributeView(quantity.attribute, f"text({_joined(place, quantity.length, initial)})", above, behind)
+
+
+def _rows(quantity: Quantity, told: Reach, place: str, called: str, above: str, behind: str) -> Iterator[AttributeView]:
     """The same of a list: the view of one number has a name in the plural, and takes how many there are."""
     count = max(quantity.elements or (0,))
-    for view in wide_attributes(quantity.element, place, above, behind):
+    for view in _wide(quantity.element, told, place, called, above, behind):
         name, _, arguments = view.expression.partition(f"({place}, ")
         several = {"floating": "floats"}.get(name, f"{name}s")
         yield AttributeView(view.name, f"{several}({place}, {count}, {arguments}", view.above, view.behind)
+
+
+def _ticking(view: AttributeView) -> Iterator[AttributeView]:
+    """The attribute of a clock, under a name of the module's own, and as of now in its place."""
+    inner = f"_{view.name}"
+    yield AttributeView(inner, view.expression, view.above, view.behind)
+    yield AttributeView(view.name, f'ticking("{inner}")', "", "")
+
+
+def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:
+    """The attributes as they are, under names of the module's own, and what forgets them in their place."""
+    names = view.name.split(", ")
+    yield AttributeView(", ".join(f"_{name}" for name in names), view.expression, view.above, "")
+    arguments: tuple[object, ...] = (block.constant(age_word(quantity)), quantity.trust.stale_after_ms)
+    kind = "aging"
+    if quantity.elements:
+        kind, arguments = "aging_row", (max(quantity.elements), quantity.storage.words, *arguments)
+    for name in names:
+        forgets = f'{kind}("_{name}", {_joined(block.constant(quantity.attribute), *arguments)})'
+        above = view.behind if name == names[-1] else ""  # behind the long line there is no room for it
+        yield AttributeView(name, forgets, above, "")
 
 
 def initial_words(quantity: Quantity, place: str) -> Iterator[tuple[str, str]]:

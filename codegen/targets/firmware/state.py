@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 
 from codegen.frozen import dataclass
 from codegen.model.clock import CLOCK
+from codegen.model.reach import Reach, reaches
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
-from codegen.model.storage import Storage
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Quantity, QuantityKind
@@ -13,15 +13,11 @@ from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
     VIEWS,
     AttributeView,
+    attributes,
     initial_words,
-    joined,
-    known_words,
-    row_attributes,
-    text_attribute,
-    wide_attributes,
 )
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
-from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, age_word, differ, measured_of
+from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ, measured_of
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
 
@@ -121,7 +117,8 @@ class StateView:
 
 def state_view(system: System, layout: Layout) -> StateView:
     """The view of the whole module."""
-    components = tuple(_component(component, layout) for component in system.components.values())
+    told = reaches(system)
+    components = tuple(_component(component, layout, told) for component in system.components.values())
     measured = [component for component in components if component.measured]
     has_estimate = any(component.estimate for component in components)
     words = {"Component", "UNKNOWN", "together"} | {
@@ -166,7 +163,7 @@ def _families(system: System) -> tuple[FamilyView, ...]:
     return tuple(family_view(parameter) for parameter in (*switches, *multipliers) if parameter.siblings)
 
 
-def _component(component: Component, layout: Layout) -> ComponentView:
+def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) -> ComponentView:
     block = layout.blocks[component.name]
     quantities = component.quantities.values()
     measured = measured_of(component)
@@ -180,7 +177,7 @@ def _component(component: Component, layout: Layout) -> ComponentView:
         several=component.instances > 1,
         base=block.base_constant,
         size=block.size_constant,
-        attributes=tuple(_attributes(component, block)),
+        attributes=tuple(attributes(component, block, told)),
         start=tuple(_start(component, block)),
         switch=block.constant(enabled.attribute) if enabled else None,
         forgotten=tuple(_forgotten(component, block)),
@@ -230,90 +227,6 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
         yield block.constant(component.enabled.attribute), f"1 if {switch} != 0 else 0"
     if measured:
         yield block.constant("multiplier"), measured.own_multiplier
-
-
-def _attributes(component: Component, block: Block) -> Iterator[AttributeView]:
-    for quantity in component.quantities.values():
-        views = _views(quantity, component, block)
-        if quantity.ages:
-            yield from (each for view in views for each in _aging(view, quantity, block))
-        elif quantity.derivation.counts_time:
-            yield from (each for view in views for each in _ticking(view))
-        else:
-            yield from views
-    told = {
-        "number": "What messages call it",
-        "failures": "Failed readings in a row",
-        "expires_ms": "When the last good reading will be too old",
-    }
-    for word, meaning in told.items():
-        if word in block.offsets:
-            yield AttributeView(word, f"whole({block.constant(word)})", meaning, "")
-
-
-def _views(quantity: Quantity, component: Component, block: Block) -> Iterator[AttributeView]:
-    """The attribute for the integer, with what the quantity is above it, and the one for people."""
-    cited = f"; {quantity.citation}" if quantity.citation else ""
-    above = prose(quantity.spec.doc).rstrip(".")
-    derivation = quantity.derivation
-    if derivation.follows is not None:
-        followed = block.constant(component.quantities[derivation.follows].attribute)
-        expression = derivation.attribute(followed, block.constant(f"{quantity.name}_limit"))
-        yield AttributeView(quantity.name, expression, above, str(quantity.citation or ""))
-        return
-    place = block.constant(quantity.attribute)
-    above += f" [{quantity.stored.name}]" if quantity.stored.name else ""
-    above += f" ({quantity.enum.name})" if quantity.enum else ""
-    if derivation.switch:
-        above += f": whether {derivation.switch.name} is not 0"
-    numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
-    steps = f"{numerator}, {denominator}" if denominator != 1 else str(numerator)
-    shown = quantity.unit.name or "A number"
-    if quantity.elements is not None and quantity.storage is not Storage.SMALL:
-        yield from row_attributes(quantity, place, above, f"{shown} each, or None while it is unknown{cited}")
-        return
-    if quantity.elements is not None:
-        own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(quantity.elements) else ""
-        most = max(quantity.elements)
-        yield AttributeView(quantity.attribute, f"elements({joined(place, most, own)})", above, "")
-        if quantity.attribute != quantity.name:
-            expression = f"shown_elements({joined(place, most, steps, own)})"
-            yield AttributeView(quantity.name, expression, "", f"{shown} each, or None while it is unknown{cited}")
-        return
-    if quantity.kind is QuantityKind.BOOLEAN:
-        yield AttributeView(quantity.attribute, f"truth({place})", above, "")
-        return
-    if quantity.kind is QuantityKind.TEXT:
-        yield text_attribute(quantity, place, above, f"A text, {known_words(quantity)}{cited}")
-        return
-    if quantity.storage is not Storage.SMALL:
-        yield from wide_attributes(quantity, place, above, f"{shown}, {known_words(quantity)}{cited}")
-        return
-    yield AttributeView(quantity.attribute, f"whole({place})", above, "")
-    if quantity.attribute != quantity.name:
-        view = "result" if derivation.kept_readings else "shown"
-        yield AttributeView(quantity.name, f"{view}({place}, {steps})", "", f"{shown}, {known_words(quantity)}{cited}")
-
-
-def _ticking(view: AttributeView) -> Iterator[AttributeView]:
-    """The attribute of a clock, under a name of the module's own, and as of now in its place."""
-    inner = f"_{view.name}"
-    yield AttributeView(inner, view.expression, view.above, view.behind)
-    yield AttributeView(view.name, f'ticking("{inner}")', "", "")
-
-
-def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:
-    """The attribute as it is, under a name of the module's own, and what forgets it in its place."""
-    place = block.constant(age_word(quantity))
-    inner = f"_{view.name}"
-    yield AttributeView(inner, view.expression, view.above, "")
-    first, after_ms = block.constant(quantity.attribute), quantity.trust.stale_after_ms
-    if quantity.elements:
-        count, words = max(quantity.elements), quantity.storage.words
-        forgets = f'aging_row("{inner}", {joined(first, count, words, place, after_ms)})'
-    else:
-        forgets = f'aging("{inner}", {joined(first, place, after_ms)})'
-    yield AttributeView(view.name, forgets, view.behind, "")  # behind the long line there is no room for it
 
 
 def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: 763d33c56d332709
+# Inputs: 011d510b4085c30e
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
@@ -9,19 +9,22 @@ nothing as long as it stays below 2 ** 30.
 LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allocating
 
 
-def to_steps(value, numerator, denominator=1, low=-LARGEST, high=LARGEST):
+def to_steps(value, numerator, denominator=1, high=LARGEST):
     """Return a number as whole steps of numerator / denominator each, or None for None and NaN: unknown.
 
-    A half is rounded away from zero; what is beyond a limit, infinity too, becomes the limit.
+    A half is rounded away from zero; what is beyond -high or high, infinity too, is left to whoever limits it.
     """
     if value is None or value != value:  # noqa: PLR0124  only NaN differs from itself
         return None
-    steps = value * numerator / denominator
-    if steps >= high:
-        return high
-    if steps <= low:
-        return low
-    return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
+    steps = value * numerator
+    if denominator != 1:
+        steps = steps / denominator
+    if -high <= steps <= high:
+        whole = int(steps)
+        if whole == steps:  # no float is made of a whole number, which may have more digits
+            return whole
+        return int(steps + 0.5) if steps >= 0 else -int(0.5 - steps)
+    return steps
 
 
 def limited(value, low, high):

@@ -15,7 +15,7 @@ from guard import Guard
 from micropython import const
 from parameters import Parameters
 from wide import integer, shown_integer
-from words import UNKNOWN, Component, at_least, below, elements, known, shown, shown_elements, together, truth, whole
+from words import UNKNOWN, Component, at_least, below, elements, known, number, shown_elements, together, truth, whole
 
 try:
     from state_viper import expire_battery, read_battery
@@ -74,38 +74,39 @@ _BATTERY_START = (
 class BatteryState(Component):
     """The pack that this board is part of."""
 
+    NAME = "battery"
     # Voltage of the whole pack [mV]
-    voltage_mv = whole(_BATTERY_VOLTAGE_MV)
-    voltage = shown(_BATTERY_VOLTAGE_MV, 1000)  # V, or None while it is unknown; FR-00069.1
+    # V, or None while it is unknown; FR-00069.1
+    voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 655340, "voltage", 1000)
     # Current drawn from the pack, negative while charging [cA]
-    current_ca = whole(_BATTERY_CURRENT_CA)
-    current = shown(_BATTERY_CURRENT_CA, 100)  # A, or None while it is unknown; FR-00074.9
+    # A, or None while it is unknown; FR-00074.9
+    current_ca, current = number(_BATTERY_CURRENT_CA, -32768, 32767, "current", 100)
     # Charge drawn since the pack was full [mAh]
-    consumed_mah = whole(_BATTERY_CONSUMED_MAH)
-    consumed = shown(_BATTERY_CONSUMED_MAH, 1)  # mAh, or None while it is unknown; FR-00074.9
+    # mAh, or None while it is unknown; FR-00074.9
+    consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
     # Energy drawn since the pack was full [hJ]
-    energy_hj = integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647)
+    energy_hj = integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy")
     # hJ, or None while it is unknown; FR-00074.9
-    energy = shown_integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, 1)
+    energy = shown_integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy", 1)
     # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
-    remaining_pct = whole(_BATTERY_REMAINING_PCT)
-    remaining = shown(_BATTERY_REMAINING_PCT, 1)  # %, or None while it is unknown; FR-00074.9
+    # %, or None while it is unknown; FR-00074.9
+    remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
     # Charge that is left [mAh]
-    left_mah = whole(_BATTERY_LEFT_MAH)
-    left = shown(_BATTERY_LEFT_MAH, 1)  # mAh, or None while it is unknown; FR-00074.9
+    # mAh, or None while it is unknown; FR-00074.9
+    left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1)
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell [mV]
-    cells_mv = elements(_BATTERY_CELLS_MV, 3)
-    cells = shown_elements(_BATTERY_CELLS_MV, 3, 1000)  # V each, or None while it is unknown; FR-00076.7
+    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv")
+    cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack [cdegC]
-    temperature_cdegc = whole(_BATTERY_TEMPERATURE_CDEGC)
-    temperature = shown(_BATTERY_TEMPERATURE_CDEGC, 100)  # degC, or None while it is unknown; FR-00074.9
+    # degC, or None while it is unknown; FR-00074.9
+    temperature_cdegc, temperature = number(_BATTERY_TEMPERATURE_CDEGC, -32768, 32766, "temperature", 100)
     # Whether there are no cells, while the board has its power from elsewhere
     absent = below(_BATTERY_VOLTAGE_MV, 3000)  # FR-00073.8
     # How often cells were put in since the start, and so may be others; the gauge chip counts their charge
-    swaps_number = whole(_BATTERY_SWAPS_NUMBER)
-    swaps = shown(_BATTERY_SWAPS_NUMBER, 1)  # A number, known from the start; FR-00073.8
+    # A number, known from the start; FR-00073.8
+    swaps_number, swaps = number(_BATTERY_SWAPS_NUMBER, 0, 1000000, "swaps", 1)
     # Whether the pack is measured at all: whether BATT_MONITOR is not 0
     monitored = truth(_BATTERY_MONITORED)
     # Whether the pack's voltage is known
@@ -173,7 +174,7 @@ class SystemState:
         self.words_at = address(self.words)
         self._log = log
         self._guard = Guard()
-        self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 1)
+        self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 1, log)
         for instance in range(1):
             words = self.battery[instance].words
             words[_BATTERY_NUMBER] = self.parameters.batt_id

@@ -1,14 +1,15 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 410cf2270aa4fb9c
+# Inputs: 4c726cfeec8a289b
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
-Whole numbers in the units that go out; shown() has them in the units of people. To set an attribute to None, or one in
-the units of people to NaN, makes it unknown.
+Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
+in the units of people to NaN, makes it unknown. A number that some message does not carry as it is has limits: one
+beyond them is counted in `limited` of its component, by the name of the attribute, and told once, until one within them
+is set.
 
 What a view is about are defaults of its functions: closures and their cells would take twice the heap.
 """
 
-import time
 from array import array
 
 from conversion import LARGEST, limited, to_steps
@@ -24,7 +25,10 @@ class Component:
 
     def __init__(self, size, start, words=None, instance=0):
         self.words = array("i", [UNKNOWN] * size) if words is None else words
+        self.limited = {}
         self._all = (self,)
+        self._log = print
+        self.beyond = {}  # the places of what is beyond its limits
         for at in range(0, len(start), 2):
             values = start[at + 1]
             self.words[start[at]] = values[instance] if isinstance(values, tuple) else values
@@ -35,41 +39,81 @@ class Component:
     def __getitem__(self, instance):
         return self._all[instance]
 
+    def tell(self, place, name):
+        """Count that a number at a place is beyond its limits, and log it once; at this moment it has the limit."""
+        if place not in self.beyond:
+            self._begin(place, name)
+        name = self.beyond[place]  # in few variables: those of a larger function lie on the heap
+        count = self.limited.get(name, 0)
+        if count < LARGEST:
+            self.limited[name] = count + 1
 
-def together(cls, words, base, size, instances):
+    def _begin(self, place, name):
+        limit = getattr(self, name)
+        name = self.beyond[place] = name.lstrip("_")
+        if not isinstance(limit, (int, float)):  # a list
+            place = limit.index(place)
+            name, limit = f"{name}[{place}]", limit[place]
+        owner = self.NAME if len(self) == 1 else f"{self.NAME}[{self._all.index(self)}]"
+        self._log(f"warning: {owner}.{name} beyond {limit:.7g}: limited")
+
+
+def together(cls, words, base, size, instances, log):
     """Return the first of so many instances that share an array of words, one block behind the other."""
     whole = memoryview(words)
     every = tuple(cls(whole[base + size * at : base + size * (at + 1)], at) for at in range(instances))
     for each in every:
         each._all = every
+        each._log = log
     return every[0]
 
 
-def whole(place):
-    """Return an attribute for a whole number: what is beyond a word becomes the largest that it holds."""
+def _accessors(place, low, high, name):
+    """Return what gets and sets a whole number; `name` is what texts call it."""
 
     def get(self, place=place):
         value = self.words[place]
         return None if value == UNKNOWN else value
 
-    def put(self, value, place=place):
-        self.words[place] = UNKNOWN if value is None else limited(value, -LARGEST, LARGEST)
+    def put(self, value, place=place, low=low, high=high, name=name):
+        if value is None:
+            self.words[place] = UNKNOWN
+        elif low <= value <= high:
+            self.words[place] = value
+            if self.beyond:
+                self.beyond.pop(place, None)
+        else:
+            self.words[place] = limited(value, -LARGEST, LARGEST)  # raises for what is no whole number
+            self.words[place] = limited(value, low, high)
+            self.tell(place, name)
+            self.words[place] = limited(value, -LARGEST, LARGEST)
 
-    return property(get, put)
+    return get, put
 
 
-def shown(place, numerator, denominator=1):
-    """Return an attribute in the unit of people, `numerator` / `denominator` steps of which make one."""
+def whole(place, low=-LARGEST, high=LARGEST, name=""):
+    """Return an attribute for a whole number that all messages carry as it is from `low` to `high`.
 
-    def get(self, place=place, numerator=numerator, denominator=denominator):
+    What is beyond a word becomes the largest that it holds; messages limit it further.
+    """
+    return property(*_accessors(place, low, high, name))
+
+
+def number(place, low, high, name, numerator, denominator=1):
+    """Return two attributes, for a whole number and for it in the unit of people.
+
+    `numerator` / `denominator` steps make one unit.
+    """
+    get, put = _accessors(place, low, high, name)
+
+    def in_units(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
         return None if value == UNKNOWN else in_unit(value, numerator, denominator)
 
-    def put(self, value, place=place, numerator=numerator, denominator=denominator):
-        steps = to_steps(value, numerator, denominator)
-        self.words[place] = UNKNOWN if steps is None else steps
+    def put_units(self, value, put=put, numerator=numerator, denominator=denominator):
+        put(self, to_steps(value, numerator, denominator))
 
-    return property(get, put)
+    return property(get, put), property(get if numerator == denominator else in_units, put_units)
 
 
 def result(place, numerator, denominator=1):
@@ -80,27 +124,6 @@ def result(place, numerator, denominator=1):
         return None if value == UNKNOWN else in_unit(value, numerator, denominator)
 
     return property(get)
-
-
-def aging(name, place, expires, after_ms):
-    """Return the attribute `name`, of the word at `place`, that is forgotten so many ms after it was set.
-
-    The word at `expires` has the time until which it is believed, unknown is for ever. Ticks are counted in 30 bits.
-    """
-    back_ms = 0x3FFFFFFF - after_ms + 1  # so far back round the ticks: a sum with `after_ms` may be no small integer
-
-    def get(self):
-        until_ms = self.words[expires]
-        if until_ms != UNKNOWN and 0 < (time.ticks_ms() - until_ms & 0x3FFFFFFF) < 0x20000000:
-            self.words[place] = UNKNOWN
-            self.words[expires] = UNKNOWN
-        return getattr(self, name)
-
-    def put(self, value):
-        setattr(self, name, value)
-        self.words[expires] = time.ticks_ms() - back_ms & 0x3FFFFFFF
-
-    return property(get, put)
 
 
 def truth(place):
@@ -144,34 +167,39 @@ def below(place, limit, own=None):
 
 
 class _Elements:
-    """The whole numbers of a list, each of which can be None."""
+    """The whole numbers of a list, each of which can be None; `accessors` get and set the number at a place."""
 
-    def __init__(self, words, first, count):
-        self._words = words
+    def __init__(self, component, first, count, accessors):
         self._first = first
+        self._component = component
         self._count = count
+        self._accessors = accessors
 
     def __len__(self):
         return self._count
 
     def __getitem__(self, index):
-        value = self._words[self._place(index)]
-        return None if value == UNKNOWN else value
+        return self._accessors[0](self._component, self._place(index))
 
     def __setitem__(self, index, value):
-        self._words[self._place(index)] = UNKNOWN if value is None else limited(value, -LARGEST, LARGEST)
+        self._accessors[1](self._component, value, self._place(index))
 
     def _place(self, index):
         if not -self._count <= index < self._count:
             raise IndexError("there are fewer elements")
         return self._first + index % self._count
 
+    def index(self, place):
+        """Return which value it is that is kept at a place."""
+        return place - self._first
 
-def elements(first, count, own=None):
+
+def elements(first, count, low, high, name, own=None):
     """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count."""
+    accessors = _accessors(first, low, high, name)
 
     def get(self):
-        return _Elements(self.words, first, count if own is None else self.words[own])
+        return _Elements(self, first, count if own is None else self.words[own], accessors)
 
     def put(self, values):
         _fill(get(self), values, 1, 1)
@@ -179,17 +207,14 @@ def elements(first, count, own=None):
     return property(get, put)
 
 
-def shown_elements(first, count, numerator, denominator=1, own=None):
-    """Return an attribute for a list in the unit of people; None makes all of them unknown."""
-
-    def of(self):
-        return _Elements(self.words, first, count if own is None else self.words[own])
+def shown_elements(name, numerator, denominator=1):
+    """Return an attribute for the list `name` in the unit of people; None makes all of them unknown."""
 
     def get(self):
-        return [None if value is None else in_unit(value, numerator, denominator) for value in of(self)]
+        return [None if value is None else in_unit(value, numerator, denominator) for value in getattr(self, name)]
 
     def put(self, values):
-        _fill(of(self), values, numerator, denominator)
+        _fill(getattr(self, name), values, numerator, denominator)
 
     return property(get, put)
 

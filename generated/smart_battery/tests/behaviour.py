@@ -339,22 +339,120 @@ def every_value_allocates_nothing():
         (state.battery, "used_up"),
         (state.battery, "protected"),
     )
-    heap_lock()
-    try:
-        for owner, attribute in quantities:
-            for value in values:
+    for owner, attribute in quantities:
+        for value in values:
+            setattr(owner, attribute, value)  # what is beyond its limits is told now
+            before = mem_total()
+            heap_lock()
+            try:
                 setattr(owner, attribute, value)
                 for build in STEADY:
                     sent(link, build(state))
-    finally:
-        heap_unlock()
-    before = mem_total()
-    for owner, attribute in quantities:
-        for value in values:
-            setattr(owner, attribute, value)
-            for build in STEADY:
-                sent(link, build(state))
-    assert mem_total() == before
+            finally:
+                heap_unlock()
+            assert mem_total() == before, (attribute, value)
+
+
+def first(value, count):
+    """Return a list of so many values, of which the first one is known."""
+    return [value if at == 0 else None for at in range(count)]
+
+
+LIMITED = (  # component, attribute, what texts call it, a value within its limits, and some beyond
+    (
+        "battery",
+        "voltage_mv",
+        "voltage",
+        5,
+        (-1, 655341),
+    ),
+    (
+        "battery",
+        "current_ca",
+        "current",
+        5,
+        (-32769, 32768),
+    ),
+    (
+        "battery",
+        "consumed_mah",
+        "consumed",
+        5,
+        (-1073741824, 1073741824),
+    ),
+    (
+        "battery",
+        "energy_hj",
+        "energy",
+        5,
+        (-2147483649, 2147483648),
+    ),
+    (
+        "battery",
+        "remaining_pct",
+        "remaining",
+        5,
+        (-1, 101),
+    ),
+    (
+        "battery",
+        "left_mah",
+        "left",
+        5,
+        (-1, 1073741824),
+    ),
+    (
+        "battery",
+        "cells_mv",
+        "cells_mv",
+        first(5, 3),
+        (first(-1, 3), first(65535, 3)),
+    ),
+    (
+        "battery",
+        "temperature_cdegc",
+        "temperature",
+        5,
+        (-32769, 32767),
+    ),
+    (
+        "battery",
+        "swaps_number",
+        "swaps",
+        5,
+        (-1, 1000001),
+    ),
+)
+
+
+def what_is_limited_is_counted_and_told_once():
+    for name, attribute, called, within, beyond in LIMITED:
+        for value in beyond:
+            log = Log()
+            owner = getattr(SystemState(log=log), name)
+            for told in (0, 1, 2):
+                assert len(log.lines) == told, (name, attribute, value, log.lines)
+                assert owner.limited.get(called, 0) == 3 * told
+                if told == 2:
+                    break
+                for _ in range(3):
+                    setattr(owner, attribute, value)
+                assert owner.beyond
+                setattr(owner, attribute, None)  # unknown is not right again
+                assert owner.beyond
+                setattr(owner, attribute, within)
+                assert not owner.beyond
+            assert log.lines[0].startswith("warning: " + name)
+            assert "." + called in log.lines[0], log.lines
+
+
+def all_that_is_limited_is_told():
+    log = Log()
+    state = SystemState(log=log)
+    for _ in range(2):
+        for name, attribute, _, _, beyond in LIMITED:
+            setattr(getattr(state, name), attribute, beyond[1])
+    assert len(log.lines) == len(set(log.lines)) == len(LIMITED), log.lines
 
 
 def battery_cells_allocate_nothing():
@@ -362,13 +460,14 @@ def battery_cells_allocate_nothing():
     link = Link(Sink())
     steps = state.battery.cells_mv
     for turn in range(2):  # the first one is for what is only made once
-        before = mem_total()
         for place in range(len(steps)):
             for value in (None, 0, 1, -1, 65534, 65535, 1073741823, -1073741823, 3700):
+                steps[place] = value  # what is beyond its limits is told now
+                before = mem_total()
                 steps[place] = value
                 for build in STEADY:
                     sent(link, build(state))
-        assert mem_total() == before or turn == 0
+                assert mem_total() == before or turn == 0
 
 
 def battery_cells_in_their_unit():
@@ -517,6 +616,8 @@ CHECKS = (
     ("FR-00074.3", extra3_stream_keeps_its_rate),
     ("FR-00074.4", info_stream_keeps_its_rate),
     ("", every_value_allocates_nothing),
+    ("", what_is_limited_is_counted_and_told_once),
+    ("", all_that_is_limited_is_told),
     ("", battery_cells_allocate_nothing),
     ("FR-00076.7", battery_cells_in_their_unit),
     ("", late_pass_sends_no_burst),

@@ -1,0 +1,8 @@
+"""Floats that have to be made before they go out, for which MicroPython allocates."""
+
+from struct import pack_into
+
+
+def make_float(code, wire, offset, value, numerator, denominator):
+    """Write value * numerator / denominator as a float that is made for it, by struct's code."""
+    pack_into(code, wire, offset, value * numerator / denominator)
