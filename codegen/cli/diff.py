@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from codegen.trace.graph import Trace
 
 FORMATS = ("text", "markdown", "json", "github", "sarif", "html")
-KINDS = ("never", "any", "breaking", "silent", "wire", "behaviour", "trace", "documentation")
+KINDS = ("never", "any", "breaking", "silent", "person", "wire", "behaviour", "trace", "documentation")
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -33,8 +33,8 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fail-on",
         metavar="KIND[,KIND]",
-        default="breaking",
-        help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking)",
+        default="breaking,person",
+        help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking,person)",
     )
     parser.add_argument(
         "--all", action="store_true", help="show changes of the dialect that do not concern the project"

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from codegen.diff.bandwidth import Bandwidth
-from codegen.diff.change import Area, Notice, Victim
+from codegen.diff.change import Area, Notice, Victim, Weight
 from codegen.diff.grouping import Group
 from codegen.diff.review import Review, severity
 from codegen.model.price import Range
@@ -23,6 +23,7 @@ def review_json(found: Review) -> str:
             "changes": len(changes),
             "silent": sum(change.is_silent for change in changes),
             "breaking": sum(change.is_breaking for change in changes),
+            "person": sum(change.weight is Weight.PERSON for change in changes),
             **{area.value: sum(change.rule.area is area for change in changes) for area in Area},
         },
         "changes": [_change(group, index) for group in found.groups for index in range(len(group.changes))],
@@ -44,6 +45,9 @@ def _change(group: Group, index: int) -> _Object:
         "new": change.new,
         "effect": change.effect,
         "notice": change.notice.name.lower(),
+        "weight": change.weight.value,
+        "doubt": change.doubt,
+        "softened": change.softened,
         "breaks": [Victim(victim).name.lower() for victim in change.breaks],
         "causes": list(change.causes),
         "messages": list(change.messages),
@@ -100,6 +104,9 @@ def review_schema() -> str:
                 f"{notice.name.lower()}: {notice.value or 'not on the wire'}" for notice in Notice
             ),
         },
+        "weight": {"enum": [weight.value for weight in Weight]},
+        "doubt": text,
+        "softened": text,
         "breaks": {"type": "array", "items": {"enum": [victim.name.lower() for victim in Victim]}},
         "causes": texts,
         "messages": texts,
@@ -122,7 +129,7 @@ def review_schema() -> str:
         {
             "base": text,
             "head": text,
-            "summary": _closed(dict.fromkeys(("changes", "silent", "breaking", *map(str, Area)), count)),
+            "summary": _closed(dict.fromkeys(("changes", "silent", "breaking", "person", *map(str, Area)), count)),
             "changes": {"type": "array", "items": _closed(change)},
             "bandwidth": {"type": "array", "items": _closed(bandwidth)},
             "elsewhere": count,

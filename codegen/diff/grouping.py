@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from codegen.diagnostics import shortened_list
-from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, joined
+from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, Weight, joined
 from codegen.fingerprint import fingerprint
 from codegen.frozen import dataclass
 from codegen.source import Place
@@ -63,26 +63,25 @@ def _key(change: Change) -> object:
     if not dot or change.rule.area is Area.TRACE:
         return change.subject, change.rule.id, change.old, change.new
     said = change.old, change.new, change.effect, change.notice, change.breaks
-    return whole, change.rule.id, *said, change.place.file
+    return whole, change.rule.id, *said, change.doubt, change.softened, change.place.file
 
 
 def _gravity(group: Group) -> tuple[int, int]:
     change = group.first
-    rank = 2
-    if change.is_silent:
-        rank = 0
-    elif change.is_breaking:
-        rank = 1
-    return AREAS.index(change.rule.area), rank
+    return AREAS.index(change.rule.area), change.weight.rank
 
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """How many changes are not waived, how many of those break somebody silently or noticed, and how many are."""
+    """How many changes are not waived, how many of those break somebody silently or noticed, how many a person has to
+    judge, how many lose what a requirement had, and how many are waived.
+    """
 
     changes: int
     silent: int
     noticed: int
+    doubtful: int
+    lost: int
     waived: int
 
 
@@ -92,7 +91,9 @@ def numbers_of(groups: Sequence[Group]) -> Numbers:
     return Numbers(
         changes=len(changes),
         silent=sum(change.is_silent for change in changes),
-        noticed=sum(change.is_breaking and not change.is_silent for change in changes),
+        noticed=sum(change.weight is Weight.BREAKING for change in changes),
+        doubtful=sum(change.weight is Weight.PERSON for change in changes),
+        lost=sum(change.is_lost for change in changes),
         waived=sum(len(group.changes) for group in groups if group.waived is not None),
     )
 
@@ -103,11 +104,12 @@ def counted(groups: Sequence[Group]) -> str:
     told = [
         f"{found.silent} {'breaks' if found.silent == 1 else 'break'} somebody silently" if found.silent else "",
         f"{found.noticed} {'breaks' if found.noticed == 1 else 'break'} somebody who notices" if found.noticed else "",
-        f"{found.waived} waived" if found.waived else "",
+        f"{found.doubtful} {'needs' if found.doubtful == 1 else 'need'} a person" if found.doubtful else "",
+        f"{found.lost} {'loses' if found.lost == 1 else 'lose'} what a requirement asks for" if found.lost else "",
     ]
-    words = [word for word in told if word]
-    if not found.silent and not found.noticed:
-        words.insert(0, "none of them breaks anybody")
+    words = [word for word in told if word] or ["none of them breaks anybody"]
+    if found.waived:
+        words.append(f"{found.waived} waived")
     return f"{found.changes} {'change' if found.changes == 1 else 'changes'}: {', '.join(words)}"
 
 
@@ -121,6 +123,15 @@ def notice_text(change: Change) -> str:
     if change.notice is Notice.SILENT and not change.is_breaking:
         return "not in CRC_EXTRA"
     return change.notice.value
+
+
+def consequence(change: Change) -> str:
+    """Who breaks, what a person has to judge, or why it counts as no break; empty where there is none of these."""
+    if change.breaks:
+        return f"breaks {' and '.join(change.breaks)}"
+    if change.doubt:
+        return f"needs a person: {change.doubt}"
+    return f"breaks nobody who was told: {change.softened}" if change.softened else ""
 
 
 def difference(old: str | None, new: str | None) -> tuple[str | None, str | None]:

@@ -7,7 +7,7 @@ from enum import StrEnum
 from codegen.diagnostics import Diagnostic, Severity, shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change
-from codegen.diff.grouping import Group, counted, difference, grouped, notice_text
+from codegen.diff.grouping import Group, consequence, counted, difference, grouped, notice_text
 from codegen.diff.system import Comparison
 from codegen.frozen import dataclass
 from codegen.source import Place
@@ -22,6 +22,7 @@ class FailOn(StrEnum):
     ANY = "any"
     BREAKING = "breaking"
     SILENT = "silent"
+    PERSON = "person"
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,10 +72,12 @@ def fails(found: Review, fail_on: Sequence[str]) -> bool:
     for group in found.counting:
         change = group.first
         kinds = {FailOn.ANY.value, change.rule.area.value, change.rule.id}
-        if change.is_breaking:
+        if change.is_breaking or change.is_lost:
             kinds.add(FailOn.BREAKING.value)
         if change.is_silent:
             kinds.add(FailOn.SILENT.value)
+        if change.doubt:
+            kinds.add(FailOn.PERSON.value)
         if kinds.intersection(fail_on):
             return True
     return False
@@ -84,8 +87,7 @@ def as_finding(group: Group) -> Diagnostic:
     """A group as a finding: for terminals, annotations, SARIF and waivers."""
     change = group.first
     said = [what_changed(group), change.effect, notice_text(change)]
-    if change.breaks:
-        said.append(f"breaks {' and '.join(change.breaks)}")
+    said.append(consequence(change))
     related: list[tuple[Place, str]] = []
     if change.has_moved and change.was_at is not None:
         related.append((change.was_at, "before"))
@@ -102,9 +104,8 @@ def as_finding(group: Group) -> Diagnostic:
 
 
 def severity(change: Change) -> Severity:
-    """An error if somebody breaks, or by a rule of which that is not the question."""
-    is_grave = change.rule.severity is Severity.ERROR and not change.rule.breaks
-    return Severity.ERROR if change.is_breaking or is_grave else Severity.WARNING
+    """An error if somebody breaks or a person has to judge, or by a rule of which that is not the question."""
+    return Severity.ERROR if change.is_breaking or change.doubt or change.is_lost else Severity.WARNING
 
 
 def what_changed(group: Group) -> str:

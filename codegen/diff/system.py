@@ -13,6 +13,7 @@ from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
 from codegen.diff.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
+from codegen.diff.softening import softened
 from codegen.diff.state import parameter_subjects, state_subjects
 from codegen.diff.subject import Subject, cited, subject_changes
 from codegen.diff.trace_rules import CITATION
@@ -41,7 +42,7 @@ class Comparison:
 
 def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
     """Two dialects, each on its own."""
-    return Comparison(dialect_changes(old, new))
+    return Comparison(tuple(softened(dialect_changes(old, new), old)))
 
 
 def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fraction = THRESHOLD) -> Comparison:
@@ -78,7 +79,7 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     found += coverage_changes(old[0], new[0], _cited(old, said_before.values()), _cited(new, said_after.values()))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
-    return Comparison(_once(found), tuple(elsewhere), tuple(bandwidth))
+    return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth))
 
 
 def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:
