@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from codegen.sides import Around, Side, Unreadable
     from codegen.trace.graph import Trace
 
-FORMATS = ("text", "markdown", "json", "github", "sarif", "html")
+FORMATS = ("text", "markdown", "json", "github", "sarif", "junit", "gitlab", "html")
 KINDS = ("never", "any", "breaking", "silent", "person", "wire", "behaviour", "trace", "documentation")
 
 
@@ -35,6 +35,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         metavar="KIND[,KIND]",
         default="breaking,person",
         help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking,person)",
+    )
+    parser.add_argument(
+        "--allow-errors", action="store_true", help="compare sides that have errors as far as they can be read"
     )
     parser.add_argument(
         "--all", action="store_true", help="show changes of the dialect that do not concern the project"
@@ -106,8 +109,10 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
             found = _review(base, head, threshold, is_all=arguments.all)
             found, code = _waived(found, project, head)
             print_review(found, arguments.format)
-            is_broken = head.is_project and bool(head.findings)
-            return 1 if fails(found, kinds) or is_broken else code
+            if found.faults and not arguments.allow_errors:
+                print(f"codegen diff: {found.fault_line} (--allow-errors compares all the same)", file=sys.stderr)
+                return 1
+            return 1 if fails(found, kinds) else code
 
 
 def _around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":
@@ -142,12 +147,6 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     from codegen.diff.system import compare_dialects, compare_systems
     from codegen.diff.tested import tested_changes
 
-    notes = [
-        f"{side.label} has {_errors(len(side.findings))}, and what that concerns may be missing here. "
-        f"{side.findings[0].place.shown()}: {side.findings[0].message}"
-        for side in (base, head)
-        if side.findings
-    ]
     if base.is_project and head.is_project:
         compared = compare_systems(base.systems, head.systems, threshold)
         if is_all:
@@ -159,7 +158,8 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
         compared = replace(compared, changes=with_reach((*compared.changes, *tested), found))
     else:
         compared = compare_dialects(base.dialect, head.dialect)
-    return review(base.label, head.label, compared, notes)
+    faults = [(side.label, finding) for side in (base, head) for finding in side.findings]
+    return review(base.label, head.label, compared, (), faults)
 
 
 def _trace(side: "Side") -> "Trace":
@@ -169,10 +169,6 @@ def _trace(side: "Side") -> "Trace":
     from codegen.trace.graph import linked
 
     return linked((), (), ()) if side.findings else pipeline.read_trace(side.systems, Report())
-
-
-def _errors(count: int) -> str:
-    return "an error" if count == 1 else f"{count} errors, the first of which is shown"
 
 
 def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review, int]":

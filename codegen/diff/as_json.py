@@ -30,6 +30,10 @@ def review_json(found: Review) -> str:
         "bandwidth": [_bandwidth(program, bandwidth) for program, bandwidth in found.bandwidth],
         "elsewhere": found.elsewhere,
         "notes": list(found.notes),
+        "errors": [
+            {"side": label, "rule": fault.rule.id, "message": fault.message, **_place(fault.place)}
+            for label, fault in found.faults
+        ],
     }
     return json.dumps(stated, indent=2)
 
@@ -134,6 +138,7 @@ def review_schema() -> str:
             "bandwidth": {"type": "array", "items": _closed(bandwidth)},
             "elsewhere": count,
             "notes": texts,
+            "errors": {"type": "array", "items": _closed({"side": text, "rule": text, "message": text, **place})},
         }
     )
     title = "codegen diff --format json"

@@ -85,7 +85,7 @@ def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str], en
     for entry in gone.values():
         said = f"{entry.name} = {entry.value}"
         change = _enum(rules.ENTRY_REMOVED, f"{new.name}.{entry.name}", said, None, (entry.place, None), fields)
-        found = gone_entry(entry, old)
+        found = gone_entry(entry, is_bitmask=old.is_bitmask or new.is_bitmask)
         yield change if found.breaks else _as_judged(change, found)
 
 

@@ -51,7 +51,7 @@ class Group:
 
 
 def grouped(changes: Iterable[Change]) -> list[Group]:
-    """The groups, the gravest area first, within it what breaks somebody and nobody notices; then as found."""
+    """The groups, first what breaks somebody and nobody notices, among those of one weight by area; then as found."""
     found: dict[object, list[Change]] = {}
     for change in changes:
         found.setdefault(_key(change), []).append(change)
@@ -66,9 +66,9 @@ def _key(change: Change) -> object:
     return whole, change.rule.id, *said, change.doubt, change.softened, change.place.file
 
 
-def _gravity(group: Group) -> tuple[int, int]:
+def _gravity(group: Group) -> tuple[int, bool, int]:
     change = group.first
-    return AREAS.index(change.rule.area), change.weight.rank
+    return change.weight.rank, not change.is_lost, AREAS.index(change.rule.area)
 
 
 @dataclass(frozen=True, slots=True)

@@ -101,11 +101,11 @@ def same_entry(old: str, new: str) -> Judgement:
     return HARMLESS
 
 
-def gone_entry(entry: EnumEntry, enum: EnumDefinition) -> Judgement:
-    """What comes of an entry that is gone with its number."""
+def gone_entry(entry: EnumEntry, *, is_bitmask: bool) -> Judgement:
+    """What comes of an entry that is gone with its number, of an enum of bits or of numbers."""
     if says_reserved(entry.name):
         return Judgement(effect="it was reserved")
-    if enum.is_bitmask and entry.value == 0:
+    if is_bitmask and entry.value == 0:
         if not {"none", "default", "no"}.isdisjoint(entry.name.lower().split("_")):
             return Judgement(effect="0 is the set without any bit")
         return Judgement(doubt=f"whether 0 still says {entry.name}, which a set without any bit does not")

@@ -1,6 +1,7 @@
 """Everything that a report of a comparison says, whatever its format."""
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from enum import StrEnum
 
@@ -29,7 +30,8 @@ class FailOn(StrEnum):
 class Review:
     """A comparison of ``base`` and ``head`` (as people call them), its changes grouped, the gravest first.
 
-    ``notes`` say what may be missing; ``elsewhere`` counts changes of the dialect that do not concern the project.
+    ``faults`` are the errors of either side by its name: what they concern may be missing. ``notes`` say more of that
+    kind; ``elsewhere`` counts changes of the dialect that do not concern the project.
     """
 
     base: str
@@ -37,7 +39,13 @@ class Review:
     groups: tuple[Group, ...]
     bandwidth: tuple[tuple[str, Bandwidth], ...]
     elsewhere: int
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+    faults: tuple[tuple[str, Diagnostic], ...] = ()
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is nothing to say: nothing changed, and both sides could be read."""
+        return not self.groups and not self.faults
 
     @property
     def counting(self) -> tuple[Group, ...]:
@@ -46,18 +54,35 @@ class Review:
 
     @property
     def head_line(self) -> str:
-        """How much changed, and how bad it is."""
-        return counted(self.groups)
+        """How much changed, and how bad it is, as far as the sides can be read."""
+        known = counted(self.groups) if self.groups else "nothing changed"
+        return f"{known}; {self.fault_line}" if self.faults else known
+
+    @property
+    def fault_line(self) -> str:
+        """``work tree has 2 errors, and what they concern may be missing``; empty without any."""
+        counts = Counter(label for label, _ in self.faults)
+        told = [f"{label} has {'an error' if count == 1 else f'{count} errors'}" for label, count in counts.items()]
+        whose = "it concerns" if len(self.faults) == 1 else "they concern"
+        return f"{' and '.join(told)}, and what {whose} may be missing" if told else ""
 
     def of_area(self, area: Area) -> tuple[Group, ...]:
         """The groups of one area."""
         return tuple(group for group in self.groups if group.first.rule.area is area)
 
 
-def review(base: str, head: str, comparison: Comparison, notes: Sequence[str]) -> Review:
+def review(
+    base: str,
+    head: str,
+    comparison: Comparison,
+    notes: Sequence[str] = (),
+    faults: Iterable[tuple[str, Diagnostic]] = (),
+) -> Review:
     """The review of a comparison, nothing of it waived yet."""
     groups = tuple(grouped(comparison.changes))
-    return Review(base, head, groups, comparison.bandwidth, len(comparison.elsewhere), tuple(notes))
+    return Review(
+        base, head, groups, comparison.bandwidth, len(comparison.elsewhere), tuple(notes), tuple(dict.fromkeys(faults))
+    )
 
 
 def with_waived(found: Review, judged: Sequence[Diagnostic]) -> Review:
@@ -81,6 +106,11 @@ def fails(found: Review, fail_on: Sequence[str]) -> bool:
         if kinds.intersection(fail_on):
             return True
     return False
+
+
+def fault_finding(label: str, fault: Diagnostic) -> Diagnostic:
+    """An error of a side as a finding of the comparison."""
+    return replace(fault, message=f"{label} cannot be compared as a whole: {fault.message}")
 
 
 def as_finding(group: Group) -> Diagnostic:

@@ -81,6 +81,34 @@ def test_texts_say_the_same_or_not(old: str, new: str, likeness: Likeness) -> No
     assert text_likeness(old, new) is likeness
 
 
+def test_a_text_that_says_another_thing_is_a_change_of_meaning() -> None:
+    """It is told once, by its own rule and not as another text."""
+    score = scoring()
+    texts = "Speed along z, positive up", "Speed along z, positive down"
+    fields = [f'<field type="float" name="climb">{text}</field>' for text in texts]
+    entries = [f'<entry value="1" name="X"><description>{text}</description></entry>' for text in texts]
+    for (before, after), rule in ((fields, "field-meaning-changed"), (entries, "enum-entry-meaning-changed")):
+        pair = score.Pair("p", Weight.SILENT, "", before, after)
+        (found,) = score.judged([pair])
+        assert [(change.rule.id, change.is_silent) for change in found.changes] == [(rule, True)]
+
+
+def test_what_was_announced_is_softened_and_says_so() -> None:
+    """It stays among the changes, with why it counts as no break; what was not announced does not."""
+    score = scoring()
+    message = (
+        '<message id="7" name="M">{}<description>d</description><field type="uint8_t" name="a">a</field></message>'
+    )
+    for standing, said in (
+        ("<wip/>", "it was work in progress"),
+        ('<deprecated since="2020-01" replaced_by="N"/>', "it was deprecated since 2020-01, N taking its place"),
+        ("", ""),
+    ):
+        (found,) = score.judged([score.Pair("p", Weight.HARMLESS, "", message.format(standing), "")])
+        (change,) = found.changes
+        assert (change.rule.id, change.softened, change.is_breaking) == ("message-removed", said, not said)
+
+
 def test_reserved_is_said_in_many_ways() -> None:
     for text in ("", "Empty", "Reserved, send 0", "Reserved (set to 0)", "unused."):
         assert is_unsaid(text), text
