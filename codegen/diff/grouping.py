@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from codegen.diagnostics import shortened_list
+from codegen.diff.behaviour_rules import TOLD
 from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, Weight, joined
 from codegen.fingerprint import fingerprint
 from codegen.frozen import dataclass
@@ -107,7 +108,11 @@ def counted(groups: Sequence[Group]) -> str:
         f"{found.doubtful} {'needs' if found.doubtful == 1 else 'need'} a person" if found.doubtful else "",
         f"{found.lost} {'loses' if found.lost == 1 else 'lose'} what a requirement asks for" if found.lost else "",
     ]
-    words = [word for word in told if word] or ["none of them breaks anybody"]
+    words = [word for word in told if word]
+    if not words:
+        otherwise = sum(change.rule in TOLD for group in groups if group.waived is None for change in group.changes)
+        alters = "alters" if otherwise == 1 else "alter"
+        words = [f"{otherwise} {alters} what is told"] if otherwise else ["none of them breaks anybody"]
     if found.waived:
         words.append(f"{found.waived} waived")
     return f"{found.changes} {'change' if found.changes == 1 else 'changes'}: {', '.join(words)}"

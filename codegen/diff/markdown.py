@@ -8,7 +8,7 @@ from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change, Weight
 from codegen.diff.grouping import Group, consequence, difference, line_text, notice_text, numbers_of
 from codegen.diff.review import Review, elsewhere_text, tests_text
-from codegen.findings.comment import MOST_CHARACTERS
+from codegen.comment import MOST_CHARACTERS
 
 _TAIL = 400
 _MOST_FAULTS = 40

@@ -9,6 +9,7 @@ from codegen.diff.behaviour_rules import PROGRAM
 from codegen.diff.board import board_subjects
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect import dialect_changes
+from codegen.diff.heard_otherwise import heard_otherwise
 from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
@@ -71,7 +72,8 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
             *subject_changes(said_before[name], said_after[name]),
             *bandwidth_changes(compared, system, known, threshold),
         ]
-        found += [_named(change, name) for change in heard_in(own, notices)]
+        judged = heard_in(heard_otherwise(own, known, system), notices)
+        found += [_named(change, name) for change in judged]
     for name, system in before.items():
         if name not in after:
             found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))

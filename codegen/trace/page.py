@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from codegen.findings.comment import fitting
+from codegen.comment import fitting
 from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.targets.origin import Origin, origin_of

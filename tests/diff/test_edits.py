@@ -78,14 +78,14 @@ EDITS: dict[str, tuple[str, str, str, list[str]]] = {
         STATUS,
         "current_battery: {state: pack.current, rounding: toward_zero}",
         "current_battery: unknown",
-        [f"{STATUS}:14:3: warning population-source-changed: BATTERY_STATUS.current_battery: source pack.current; "],
+        [f"{STATUS}:14:3: error population-source-changed: BATTERY_STATUS.current_battery: source pack.current; "],
     ),
     "constant": (
         STATUS,
         "voltages[1]: {constant: 3700 mV}",
         "voltages[1]: {constant: 3.8 V}",
         [
-            f"{STATUS}:11:3: warning population-constant-changed: BATTERY_STATUS.voltages[1]: value 3700 (3700 mV) -> value 3800"
+            f"{STATUS}:11:3: error population-constant-changed: BATTERY_STATUS.voltages[1]: value 3700 (3700 mV) -> value 3800"
         ],
     ),
     "limits": (
@@ -137,7 +137,8 @@ EDITS: dict[str, tuple[str, str, str, list[str]]] = {
         "default: 3.3\n",
         "default: 5\n",
         [
-            "specs/parameters.yaml:5:14: warning parameter-default-changed: BATT_CAPACITY: default 3.3 Ah -> default 5 Ah"
+            "specs/parameters.yaml:5:14: error parameter-default-changed: BATT_CAPACITY: default 3.3 Ah -> default 5 Ah; "
+            "needs a person: whether other numbers in SMART_BATTERY_INFO.capacity_full_specification, "
         ],
     ),
     "channel": (

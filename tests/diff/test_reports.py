@@ -16,7 +16,7 @@ from codegen.diff.review import Review, review
 from codegen.diff.system import Comparison
 from codegen.diff.trace_rules import DOC, REQUIREMENT_TEXT
 from codegen.diff.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
-from codegen.findings.comment import MOST_CHARACTERS
+from codegen.comment import MOST_CHARACTERS
 from codegen.source import Place
 
 
