@@ -26,7 +26,12 @@ def review_json(found: Review) -> str:
             "person": sum(change.weight is Weight.PERSON for change in changes),
             **{area.value: sum(change.rule.area is area for change in changes) for area in Area},
         },
-        "changes": [_change(group, index) for group in found.groups for index in range(len(group.changes))],
+        "changes": [
+            _change(each, index, "" if each is group else group.fingerprint)
+            for group in found.groups
+            for each in (group, *group.following)
+            for index in range(len(each.changes))
+        ],
         "bandwidth": [_bandwidth(program, bandwidth) for program, bandwidth in found.bandwidth],
         "elsewhere": found.elsewhere,
         "notes": list(found.notes),
@@ -38,7 +43,7 @@ def review_json(found: Review) -> str:
     return json.dumps(stated, indent=2)
 
 
-def _change(group: Group, index: int) -> _Object:
+def _change(group: Group, index: int, follows: str) -> _Object:
     change = group.changes[index]
     return {
         "rule": change.rule.id,
@@ -61,6 +66,7 @@ def _change(group: Group, index: int) -> _Object:
         "symbols": list(change.reach.symbols),
         "tests": list(change.reach.tests),
         "fingerprint": group.fingerprint,
+        "follows": follows,
         "waived": group.waived,
     }
 
@@ -120,6 +126,7 @@ def review_schema() -> str:
         "symbols": texts,
         "tests": texts,
         "fingerprint": {"type": "string", "pattern": "^[0-9a-f]{12}$"},
+        "follows": {"type": "string", "description": "The fingerprint of the change that it comes of, or nothing"},
         "waived": value,
     }
     row = {"name": text, "old": bytes_range, "new": bytes_range}

@@ -6,10 +6,17 @@ from codegen.model.system import System
 
 
 def fields_by_source(system: System) -> Mapping[str, tuple[str, ...]]:
-    """The fields (``MESSAGE.field``) that take numbers from each parameter, ADC channel and quantity, by its name.
+    """The fields (``MESSAGE.field``) that take numbers from each parameter, ADC channel and quantity, by its name."""
+    fields = {f"{message.name}.{answer.covers.field.name}" for message in system.messages for answer in message.answers}
+    found = {name: tuple(one for one in reached if one in fields) for name, reached in carried_on(system).items()}
+    return {name: reached for name, reached in found.items() if reached}
+
+
+def carried_on(system: System) -> Mapping[str, tuple[str, ...]]:
+    """Everything that takes numbers from each parameter, ADC channel and quantity, by its name: quantities, fields.
 
     A channel is called ``adc.NAME``. What a quantity is computed from leads on to what that one is sent in; a parameter
-    of a family leads to where the first one does.
+    of a family leads to where the first one does, one that is the rate of a stream to its messages.
     """
     onward: dict[str, dict[str, None]] = {}
     for source, target in (*_in_state(system), *_in_messages(system)):
@@ -54,6 +61,8 @@ def _in_state(system: System) -> Iterator[tuple[str, str]]:
 
 def _in_messages(system: System) -> Iterator[tuple[str, str]]:
     for message in system.messages:
+        if message.stream is not None and message.stream.parameter is not None:
+            yield message.stream.parameter.name, message.name
         for answer in message.answers:
             field = f"{message.name}.{answer.covers.field.name}"
             for quantity in answer.quantities:
@@ -69,7 +78,5 @@ def _reached(name: str, onward: Mapping[str, Mapping[str, None]]) -> Iterator[st
         if target in seen:
             continue
         seen.add(target)
-        if target in onward:
-            ahead += onward[target]
-        else:
-            yield target
+        yield target
+        ahead += onward.get(target, ())

@@ -16,13 +16,15 @@ _AROUND = 30
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Changes of one rule that say the same, of one message or enum; ``first`` stands for all of them.
+    """Changes of one rule that say the same, of one message, enum or family; ``first`` stands for all of them.
 
-    ``waived`` says who waived them, why and until when: then they count no more.
+    ``waived`` says who waived them, why and until when: then they count no more. ``following`` is what comes of them
+    and is not counted again.
     """
 
     changes: tuple[Change, ...]
     waived: str | None = None
+    following: tuple["Group", ...] = ()
 
     @property
     def first(self) -> Change:
@@ -34,7 +36,9 @@ class Group:
         """``RC_CHANNELS.chan1_raw``, or ``RC_CHANNELS: chan1_raw, chan2_raw, chan3_raw and 9 more``."""
         if len(self.changes) == 1:
             return self.first.subject
-        whole = self.first.subject.rpartition(".")[0]
+        whole, dot, _ = self.first.subject.rpartition(".")
+        if not dot:
+            return shortened_list([change.subject for change in self.changes], MOST_NAMES)
         names = [change.subject.removeprefix(f"{whole}.") for change in self.changes]
         return f"{whole}: {shortened_list(names, MOST_NAMES)}"
 
@@ -61,10 +65,11 @@ def grouped(changes: Iterable[Change]) -> list[Group]:
 
 def _key(change: Change) -> object:
     whole, dot, _ = change.subject.rpartition(".")
-    if not dot or change.rule.area is Area.TRACE:
+    if change.rule.area is Area.TRACE:
         return change.subject, change.rule.id, change.old, change.new
     said = change.old, change.new, change.effect, change.notice, change.breaks
-    return whole, change.rule.id, *said, change.doubt, change.softened, change.place.file
+    where = change.place.file if dot else change.place  # parameters of a family stand at one place
+    return whole, change.rule.id, *said, change.doubt, change.softened, where
 
 
 def _gravity(group: Group) -> tuple[int, bool, int]:

@@ -4,11 +4,11 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
+from codegen.comment import MOST_CHARACTERS
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change, Weight
 from codegen.diff.grouping import Group, consequence, difference, line_text, notice_text, numbers_of
 from codegen.diff.review import Review, elsewhere_text, tests_text
-from codegen.comment import MOST_CHARACTERS
 
 _TAIL = 400
 _MOST_FAULTS = 40
@@ -184,6 +184,8 @@ def _entry(group: Group) -> Iterator[str]:
         yield f"  <br>Reaches {'; '.join(words)}."
     before = f", before at {code(line_text(change.was_at))}" if change.was_at and change.has_moved else ""
     yield f"  <br>{code(line_text(change.place))}{before}"
+    for other in group.following:
+        yield f"  - follows: **{plain(other.subject)}**: {_values(other)} (`{other.first.rule.id}`)"
 
 
 def _values(group: Group) -> str:

@@ -110,7 +110,7 @@ def review_page(found: Review) -> str:
         mood=mood,
         notes=(*(f"{label}, {fault.place.shown()}: {fault.message}" for label, fault in found.faults), *found.notes),
         summary=tuple(_summary(found, area) for area in Area),
-        rows=tuple(_row(group) for group in found.groups),
+        rows=tuple(_row(each, group) for group in found.groups for each in (group, *group.following)),
         bandwidth=tuple(_table(program, each) for program, each in found.bandwidth if each.is_changed),
         elsewhere=elsewhere_text(found.elsewhere) if found.elsewhere else "",
     )
@@ -122,14 +122,17 @@ def _summary(found: Review, area: Area) -> SummaryRow:
     return SummaryRow(TITLES[area], count.changes, count.silent, count.noticed + count.lost, count.doubtful)
 
 
-def _row(group: Group) -> ChangeRow:
+def _row(group: Group, head: Group) -> ChangeRow:
+    """A line for a group; below its ``head`` where it follows from that."""
     change = group.first
     old, new = difference(change.old, change.new)
     tags = [change.rule.area.value]
     tags += ["breaking"] if change.is_breaking or change.is_lost else []
     tags += [] if change.weight in (Weight.BREAKING, Weight.HARMLESS) else [change.weight.value]
     mark = "" if change.weight is Weight.HARMLESS else change.weight.value
-    told = (_sentence(change.effect), _sentence(notice_text(change)), _sentence(consequence(change)))
+    told = [_sentence(change.effect), _sentence(notice_text(change)), _sentence(consequence(change))]
+    if group is not head:
+        mark, told = "follows", [f"Follows from {head.subject}.", *told]
     reach = group.reach
     return ChangeRow(
         tags=" ".join(tags),

@@ -8,6 +8,7 @@ from enum import StrEnum
 from codegen.diagnostics import Diagnostic, Severity, shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change
+from codegen.diff.following import with_following
 from codegen.diff.grouping import Group, consequence, counted, difference, grouped, notice_text
 from codegen.diff.system import Comparison
 from codegen.frozen import dataclass
@@ -79,7 +80,7 @@ def review(
     faults: Iterable[tuple[str, Diagnostic]] = (),
 ) -> Review:
     """The review of a comparison, nothing of it waived yet."""
-    groups = tuple(grouped(comparison.changes))
+    groups = tuple(with_following(grouped(comparison.changes), comparison.carried))
     return Review(
         base, head, groups, comparison.bandwidth, len(comparison.elsewhere), tuple(notes), tuple(dict.fromkeys(faults))
     )
@@ -88,15 +89,22 @@ def review(
 def with_waived(found: Review, judged: Sequence[Diagnostic]) -> Review:
     """The review with what ``judged``, its findings after waivers were applied, have as waived."""
     waived = {(finding.rule.id, finding.fingerprint): finding.waived for finding in judged}
-    groups = (replace(group, waived=waived.get((group.first.rule.id, group.fingerprint))) for group in found.groups)
+    groups = (_with_waiver(group, waived.get((group.first.rule.id, group.fingerprint))) for group in found.groups)
     return replace(found, groups=tuple(groups))
+
+
+def _with_waiver(group: Group, waived: str | None) -> Group:
+    """The group as waived, with what follows from it."""
+    following = tuple(replace(each, waived=waived) for each in group.following)
+    return replace(group, waived=waived, following=following)
 
 
 def fails(found: Review, fail_on: Sequence[str]) -> bool:
     """Whether something that counts is of a kind that ``fail_on`` names: FailOn, an area, or the id of a rule."""
     for group in found.counting:
         change = group.first
-        kinds = {FailOn.ANY.value, change.rule.area.value, change.rule.id}
+        rules = {each.first.rule for each in (group, *group.following)}
+        kinds = {FailOn.ANY.value, *(rule.area.value for rule in rules), *(rule.id for rule in rules)}
         if change.is_breaking or change.is_lost:
             kinds.add(FailOn.BREAKING.value)
         if change.is_silent:
@@ -121,7 +129,8 @@ def as_finding(group: Group) -> Diagnostic:
     related: list[tuple[Place, str]] = []
     if change.has_moved and change.was_at is not None:
         related.append((change.was_at, "before"))
-    related += [(other.place, other.subject) for other in group.changes[1:6]]
+    related += [(other.place, other.subject) for other in group.changes[1:6] if other.place != change.place]
+    related += [(other.first.place, following_text(other)) for other in group.following]
     return Diagnostic(
         place=change.place,
         rule=replace(change.rule, severity=severity(change)),
@@ -131,6 +140,11 @@ def as_finding(group: Group) -> Diagnostic:
         fingerprint=group.fingerprint,
         waived=group.waived,
     )
+
+
+def following_text(group: Group) -> str:
+    """``follows: population-conversion-changed: BATTERY_STATUS.temperature: ...``."""
+    return f"follows: {group.first.rule.id}: {what_changed(group)}"
 
 
 def severity(change: Change) -> Severity:

@@ -1,12 +1,13 @@
 """Changes between two versions of a specification, with those of the dialect that concern it."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from fractions import Fraction
 
 from codegen.diff.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
 from codegen.diff.behaviour_rules import PROGRAM
 from codegen.diff.board import board_subjects
+from codegen.diff.carrying import carried_on
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect import dialect_changes
 from codegen.diff.heard_otherwise import heard_otherwise
@@ -33,12 +34,13 @@ class Comparison:
 
     ``changes`` concern what is compared; ``elsewhere`` are those of a project's dialect that touch nothing that the
     project sends, receives or names. ``bandwidth`` has an entry for each program that both versions have, by its name,
-    which is "" for the project's own.
+    which is "" for the project's own. ``carried`` is what takes numbers from parameters, ADC channels and quantities.
     """
 
     changes: tuple[Change, ...]
     elsewhere: tuple[Change, ...] = ()
     bandwidth: tuple[tuple[str, Bandwidth], ...] = ()
+    carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
@@ -81,7 +83,8 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     found += coverage_changes(old[0], new[0], _cited(old, said_before.values()), _cited(new, said_after.values()))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
-    return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth))
+    carried = {name: reached for system in (*old, *new) for name, reached in carried_on(system).items()}
+    return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth), carried)
 
 
 def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:

@@ -2,16 +2,18 @@
 
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.diff.review import as_finding, fails, review
+from codegen.diff.reach import traces, with_reach
+from codegen.diff.review import Review, as_finding, fails, review
 from codegen.diff.system import compare_systems
 from codegen.findings.text import finding_text
 from codegen.model.system import System
-from codegen.pipeline import read_systems
+from codegen.pipeline import read_systems, read_trace
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -103,3 +105,40 @@ def test_what_is_heard_otherwise_fails_and_stands_in_the_headline(
     assert "none of them breaks anybody" not in found.head_line
     assert headline in found.head_line
     assert fails(found, ["breaking", "person"])
+
+
+def compared(project: Path, before: tuple[System, ...], edit: Edit) -> Review:
+    """The review of an edit, with what it reaches."""
+    shutil.rmtree(project / "new", ignore_errors=True)
+    shutil.copytree(project / "old", project / "new")
+    edit(project / "new")
+    after = read_systems(str(project / "new" / "codegen.yaml"), Report())
+    trace = traces(read_trace(before, Report()), read_trace(after, Report()), (*before, *after))
+    found = compare_systems(before, after)
+    return review("old", "new", replace(found, changes=with_reach(found.changes, trace)))
+
+
+def test_the_default_of_a_multiplier_reaches_what_the_reference_voltage_does(
+    project: Path, before: tuple[System, ...]
+) -> None:
+    """Both change each number that comes of a reading: the same tests, criteria, builders; a family is one finding."""
+    (divider,) = compared(project, before, CASES["divider"][0]).groups
+    assert divider.subject == "BATT_VOLT_MULT, BATT2_VOLT_MULT"
+    (reference,) = compared(project, before, CASES["reference"][0]).groups
+    assert reference.first.rule.id == "adc-channel-changed"
+    assert [each.first.rule.id for each in reference.following] == ["quantity-source-changed"]
+    assert "firmware/telemetry.py: build_battery_status" in divider.reach.symbols
+    assert {test for test in divider.reach.tests if "test_frames" in test}
+    assert set(reference.reach.tests) - set(divider.reach.tests) == set()
+    assert {one for one in reference.reach.requirements if one.startswith("FR-00068")} <= set(
+        divider.reach.requirements
+    )
+
+
+def test_a_rate_s_default_stands_below_its_stream(project: Path, before: tuple[System, ...]) -> None:
+    """It reaches the messages of the stream, and is told once."""
+    found = compared(project, before, CASES["lower rate"][0])
+    stream = next(group for group in found.groups if group.first.rule.id == "stream-rate-changed")
+    assert [each.first.rule.id for each in stream.following] == ["parameter-default-changed"]
+    assert not any(group.first.rule.id == "parameter-default-changed" for group in found.groups)
+    assert "firmware/telemetry.py: build_battery_status" in stream.following[0].reach.symbols

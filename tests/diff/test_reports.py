@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from codegen.cli import main
+from codegen.comment import MOST_CHARACTERS
 from codegen.diff.change import Change, changed
 from codegen.diff.markdown import code, plain, review_markdown
 from codegen.diff.page import review_page
@@ -16,7 +17,6 @@ from codegen.diff.review import Review, review
 from codegen.diff.system import Comparison
 from codegen.diff.trace_rules import DOC, REQUIREMENT_TEXT
 from codegen.diff.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
-from codegen.comment import MOST_CHARACTERS
 from codegen.source import Place
 
 
