@@ -30,10 +30,20 @@ class Vocabulary(NamedTuple):
 
 def meaning_changes(pair: Pair, message: str, enums: Vocabulary) -> Iterator[Change]:
     """What changed in the meaning of a field of ``message``, the gravest first; ``enums`` are of both versions."""
+    if _is_unchanged(pair):
+        return
     told = _Teller(pair, message)
     yield from _amounts(told, pair)
     yield from _readings(told, enums)
     yield from _texts(told)
+
+
+def _is_unchanged(pair: Pair) -> bool:
+    """Whether both versions say the same, wherever they stand: so it is of nearly all fields."""
+    old, new = (side.definition for side in pair)
+    return old is new or (
+        old == new._replace(place=old.place) and is_same_sentinel(pair.old.sentinel, pair.new.sentinel)
+    )
 
 
 class _Teller(NamedTuple):

@@ -52,6 +52,9 @@ _SPELLINGS = {
     "param": "parameter", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
+_SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
+"""Words of these that are the beginning of longer ones."""
+
 
 class Likeness(StrEnum):
     """How alike two wordings are.
@@ -159,6 +162,7 @@ def _without(words: Iterable[str], around: Collection[str]) -> list[str]:
     return [word for word in words if word not in around] or words[-1:]
 
 
+@cache
 def _stem(word: str) -> str:
     """A word in one spelling, without the ending of a plural or a past."""
     if word.isdigit():
@@ -167,9 +171,11 @@ def _stem(word: str) -> str:
         if word.endswith(ending) and len(word) - len(ending) > 3 and not word.endswith(("eed", "ss", "us")):
             word = word.removesuffix(ending)
             break
-    for written, spelling in _SPELLINGS.items():
-        if word == written or (len(written) > 5 and word.startswith(written)):
-            return spelling + word[len(written) :]
+    if word in _SPELLINGS:
+        return _SPELLINGS[word]
+    for written in _SPELT_OTHERWISE:
+        if word.startswith(written):
+            return _SPELLINGS[written] + word[len(written) :]
     return word.removesuffix("e") if len(word) > 4 else word
 
 
