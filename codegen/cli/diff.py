@@ -37,6 +37,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking,person)",
     )
     parser.add_argument(
+        "--waivers", metavar="FILE", help="waivers and severities of changes (default: waivers.yaml of the project)"
+    )
+    parser.add_argument(
         "--allow-errors", action="store_true", help="compare sides that have errors as far as they can be read"
     )
     parser.add_argument(
@@ -106,7 +109,10 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
             if isinstance(head, Unreadable):
                 return _unreadable(head)
             found = _review(base, head, threshold, is_all=arguments.all)
-            found, code = _waived(found, project, head)
+            waivers = _waivers(arguments.waivers, project, head)
+            found, code = _with_severities(found, waivers)
+            found, wrong = _waived(found, waivers, head)
+            code = max(code, wrong)
             print_review(found, arguments.format)
             if found.faults and not arguments.allow_errors:
                 print(f"codegen diff: {found.fault_line} (--allow-errors compares all the same)", file=sys.stderr)
@@ -170,13 +176,36 @@ def _trace(side: "Side") -> "Trace":
     return linked((), (), ()) if side.findings else pipeline.read_trace(side.systems, Report())
 
 
-def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review, int]":
-    """The review with waivers applied, and the exit code of what is wrong with them."""
-    from codegen.cli.waived import waivers_of, with_waivers
+def _waivers(given: str | None, project: str | None, head: "Side") -> str | None:
+    """The file of waivers and severities: the one that is given, or else that of the project."""
+    from codegen.cli.waived import waivers_of
 
-    waivers = waivers_of(project) if project and head.is_project else None
+    if given is not None:
+        return given
+    return waivers_of(project) if project and head.is_project else None
+
+
+def _with_severities(found: "Review", waivers: str | None) -> "tuple[Review, int]":
+    """The review with the severities that are set, and the exit code of what is wrong with them."""
     if waivers is None:
         return found, 0
+    from codegen.decode.waivers import decode_severities
+    from codegen.diagnostics import Report
+    from codegen.diff.severities import usable, with_severities
+    from codegen.findings.text import finding_text
+
+    report, ignored = Report(), Report()
+    specs = usable(decode_severities(waivers, ignored), report)
+    for finding in report:
+        print(finding_text(finding), file=sys.stderr)
+    return with_severities(found, specs), 1 if report.has_errors else 0
+
+
+def _waived(found: "Review", waivers: str | None, head: "Side") -> "tuple[Review, int]":
+    """The review with waivers applied, and the exit code of what is wrong with them."""
+    if waivers is None:
+        return found, 0
+    from codegen.cli.waived import with_waivers
     from codegen.diagnostics import Report
     from codegen.diff.review import as_finding, with_waived
     from codegen.findings.text import finding_text
@@ -184,7 +213,8 @@ def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review
     report = Report()
     report.extend(as_finding(group) for group in found.groups)
     rules = _change_rules()
-    files = [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
+    files = [*head.dialect.files]
+    files += [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
     # Whether the rules of other waivers exist is what codegen check says, which imports them all.
     judged = list(with_waivers(report, waivers, rules, files, lambda _: True))
     code = 0

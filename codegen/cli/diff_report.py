@@ -51,5 +51,7 @@ def _print_text(found: Review) -> None:
         print(f"note: {note}", file=sys.stderr)
     if not found.is_empty:
         print(f"{found.base} -> {found.head}: {found.head_line}", file=sys.stderr)
+    if found.off:
+        print(f"{found.off} {'change is' if found.off == 1 else 'changes are'} switched off", file=sys.stderr)
     if found.elsewhere:
         print(f"{elsewhere_text(found.elsewhere)[:-1]} (see --all)", file=sys.stderr)

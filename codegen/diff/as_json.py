@@ -3,6 +3,7 @@
 import json
 from typing import Any
 
+from codegen.diagnostics import Severity
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Notice, Victim, Weight
 from codegen.diff.grouping import Group
@@ -34,6 +35,7 @@ def review_json(found: Review) -> str:
         ],
         "bandwidth": [_bandwidth(program, bandwidth) for program, bandwidth in found.bandwidth],
         "elsewhere": found.elsewhere,
+        "off": found.off,
         "notes": list(found.notes),
         "errors": [
             {"side": label, "rule": fault.rule.id, "message": fault.message, **_place(fault.place)}
@@ -48,7 +50,7 @@ def _change(group: Group, index: int, follows: str) -> _Object:
     return {
         "rule": change.rule.id,
         "area": change.rule.area.value,
-        "severity": str(severity(change)),
+        "severity": str(severity(group)),
         "subject": change.subject,
         "old": change.old,
         "new": change.new,
@@ -103,7 +105,7 @@ def review_schema() -> str:
     change = {
         "rule": text,
         "area": {"enum": [area.value for area in Area]},
-        "severity": {"enum": ["error", "warning"]},
+        "severity": {"enum": [str(each) for each in Severity]},
         "subject": text,
         "old": value,
         "new": value,
@@ -144,6 +146,7 @@ def review_schema() -> str:
             "changes": {"type": "array", "items": _closed(change)},
             "bandwidth": {"type": "array", "items": _closed(bandwidth)},
             "elsewhere": count,
+            "off": count,
             "notes": texts,
             "errors": {"type": "array", "items": _closed({"side": text, "rule": text, "message": text, **place})},
         }

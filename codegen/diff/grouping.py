@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from codegen.diagnostics import shortened_list
+from codegen.diagnostics import Severity, shortened_list
 from codegen.diff.behaviour_rules import TOLD
 from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, Weight, joined
 from codegen.fingerprint import fingerprint
@@ -18,18 +18,31 @@ _AROUND = 30
 class Group:
     """Changes of one rule that say the same, of one message, enum or family; ``first`` stands for all of them.
 
-    ``waived`` says who waived them, why and until when: then they count no more. ``following`` is what comes of them
-    and is not counted again.
+    ``waived`` says who waived them, why and until when: then they count no more. ``severity`` is one that somebody set,
+    for a ``reason``. ``following`` is what comes of them and is not counted again.
     """
 
     changes: tuple[Change, ...]
     waived: str | None = None
+    severity: Severity | None = None
+    reason: str = ""
     following: tuple["Group", ...] = ()
 
     @property
     def first(self) -> Change:
         """The first of them."""
         return self.changes[0]
+
+    @property
+    def is_lowered(self) -> bool:
+        """Whether somebody set that it is no error."""
+        return self.severity is not None and self.severity is not Severity.ERROR
+
+    @property
+    def is_raised(self) -> bool:
+        """Whether it is an error only because somebody set it."""
+        change = self.first
+        return self.severity is Severity.ERROR and change.weight is Weight.HARMLESS and not change.is_lost
 
     @property
     def subject(self) -> str:
@@ -80,7 +93,7 @@ def _gravity(group: Group) -> tuple[int, bool, int]:
 @dataclass(frozen=True, slots=True)
 class Numbers:
     """How many changes are not waived, how many of those break somebody silently or noticed, how many a person has to
-    judge, how many lose what a requirement had, and how many are waived.
+    judge, how many lose what a requirement had, how many are errors because somebody set it, and how many are waived.
     """
 
     changes: int
@@ -88,18 +101,21 @@ class Numbers:
     noticed: int
     doubtful: int
     lost: int
+    raised: int
     waived: int
 
 
 def numbers_of(groups: Sequence[Group]) -> Numbers:
     """The numbers that the summaries show."""
-    changes = [change for group in groups if group.waived is None for change in group.changes]
+    counting = [group for group in groups if group.waived is None]
+    changes = [change for group in counting if not group.is_lowered for change in group.changes]
     return Numbers(
-        changes=len(changes),
+        changes=sum(len(group.changes) for group in counting),
         silent=sum(change.is_silent for change in changes),
         noticed=sum(change.weight is Weight.BREAKING for change in changes),
         doubtful=sum(change.weight is Weight.PERSON for change in changes),
         lost=sum(change.is_lost for change in changes),
+        raised=sum(len(group.changes) for group in counting if group.is_raised),
         waived=sum(len(group.changes) for group in groups if group.waived is not None),
     )
 
@@ -112,6 +128,7 @@ def counted(groups: Sequence[Group]) -> str:
         f"{found.noticed} {'breaks' if found.noticed == 1 else 'break'} somebody who notices" if found.noticed else "",
         f"{found.doubtful} {'needs' if found.doubtful == 1 else 'need'} a person" if found.doubtful else "",
         f"{found.lost} {'loses' if found.lost == 1 else 'lose'} what a requirement asks for" if found.lost else "",
+        f"{found.raised} set to be {'an error' if found.raised == 1 else 'errors'}" if found.raised else "",
     ]
     words = [word for word in told if word]
     if not words:

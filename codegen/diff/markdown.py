@@ -60,6 +60,8 @@ def review_markdown(found: Review) -> str:
         head += [f"> - and {len(found.faults) - len(shown)} more"] if len(shown) < len(found.faults) else []
     for note in found.notes:
         head += ["", f"> {plain(note)}"]
+    if found.off:
+        head += ["", f"{found.off} {'change is' if found.off == 1 else 'changes are'} switched off."]
     if found.elsewhere:
         head += ["", elsewhere_text(found.elsewhere)]
     bandwidth = [line for program, each in found.bandwidth for line in _bandwidth(program, each)]
@@ -77,14 +79,15 @@ class _Section(NamedTuple):
 def _sections(found: Review) -> list[_Section]:
     """What breaks first, by weight; what is harmless or waived after it, by area."""
     grave = [
-        _Section(title, tuple(group for group in found.counting if is_of(group.first)))
+        _Section(title, tuple(group for group in found.counting if is_of(group.first) and not group.is_lowered))
         for title, is_of in _GRAVE.items()
     ]
-    told = {group for section in grave for group in section.groups}
+    grave.append(_Section("Set to be errors", tuple(group for group in found.counting if group.is_raised)))
+    told = {id(group) for section in grave for group in section.groups}
     rest = [
         _Section(
             TITLES[area],
-            tuple(group for group in found.of_area(area) if group not in told),
+            tuple(group for group in found.of_area(area) if id(group) not in told),
             is_folded=area is Area.DOCUMENTATION,
         )
         for area in Area
@@ -126,7 +129,10 @@ def _limited(head: Sequence[str], sections: Sequence[_Section], bandwidth: Seque
 def _missing(left: Sequence[Group]) -> str:
     if not left:
         return ""
-    grave = sum(any(is_of(group.first) for is_of in _GRAVE.values()) and group.waived is None for group in left)
+    grave = sum(
+        any(is_of(group.first) for is_of in _GRAVE.values()) and group.waived is None and not group.is_lowered
+        for group in left
+    )
     words = f"{grave} of them among those that break or need a person" if grave else "none of which breaks anybody"
     are = "change does" if len(left) == 1 else "changes do"
     return (
@@ -171,6 +177,8 @@ def _entry(group: Group) -> Iterator[str]:
     sentence = "; ".join(word for word in told if word)
     if sentence:
         yield f"  <br>{plain(sentence[0].upper() + sentence[1:])}."
+    if group.severity is not None:
+        yield f"  <br>Set to {group.severity}: {plain(group.reason)}"
     if group.waived is not None:
         yield f"  <br>Waived: {plain(group.waived)}"
     reach = group.reach

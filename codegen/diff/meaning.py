@@ -41,9 +41,8 @@ def meaning_changes(pair: Pair, message: str, enums: Vocabulary) -> Iterator[Cha
 def _is_unchanged(pair: Pair) -> bool:
     """Whether both versions say the same, wherever they stand: so it is of nearly all fields."""
     old, new = (side.definition for side in pair)
-    return old is new or (
-        old == new._replace(place=old.place) and is_same_sentinel(pair.old.sentinel, pair.new.sentinel)
-    )
+    is_same = old is new or old == new._replace(place=old.place)
+    return is_same and is_same_sentinel(pair.old.sentinel, pair.new.sentinel)
 
 
 class _Teller(NamedTuple):

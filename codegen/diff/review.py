@@ -1,13 +1,13 @@
 """Everything that a report of a comparison says, whatever its format."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import StrEnum
 
 from codegen.diagnostics import Diagnostic, Severity, shortened_list
 from codegen.diff.bandwidth import Bandwidth
-from codegen.diff.change import Area, Change
+from codegen.diff.change import Area
 from codegen.diff.following import with_following
 from codegen.diff.grouping import Group, consequence, counted, difference, grouped, notice_text
 from codegen.diff.system import Comparison
@@ -32,7 +32,7 @@ class Review:
     """A comparison of ``base`` and ``head`` (as people call them), its changes grouped, the gravest first.
 
     ``faults`` are the errors of either side by its name: what they concern may be missing. ``notes`` say more of that
-    kind; ``elsewhere`` counts changes of the dialect that do not concern the project.
+    kind; ``elsewhere`` counts changes of the dialect that do not concern the project, ``off`` those switched off.
     """
 
     base: str
@@ -42,6 +42,7 @@ class Review:
     elsewhere: int
     notes: tuple[str, ...] = ()
     faults: tuple[tuple[str, Diagnostic], ...] = ()
+    off: int = 0
 
     @property
     def is_empty(self) -> bool:
@@ -102,18 +103,24 @@ def _with_waiver(group: Group, waived: str | None) -> Group:
 def fails(found: Review, fail_on: Sequence[str]) -> bool:
     """Whether something that counts is of a kind that ``fail_on`` names: FailOn, an area, or the id of a rule."""
     for group in found.counting:
-        change = group.first
         rules = {each.first.rule for each in (group, *group.following)}
         kinds = {FailOn.ANY.value, *(rule.area.value for rule in rules), *(rule.id for rule in rules)}
-        if change.is_breaking or change.is_lost:
-            kinds.add(FailOn.BREAKING.value)
-        if change.is_silent:
-            kinds.add(FailOn.SILENT.value)
-        if change.doubt:
-            kinds.add(FailOn.PERSON.value)
+        if not group.is_lowered:
+            kinds.update(_grave_kinds(group))
         if kinds.intersection(fail_on):
             return True
     return False
+
+
+def _grave_kinds(group: Group) -> Iterator[str]:
+    """The kinds by which a group fails unless somebody set it to be no error."""
+    change = group.first
+    if change.is_breaking or change.is_lost or group.is_raised:
+        yield FailOn.BREAKING.value
+    if change.is_silent:
+        yield FailOn.SILENT.value
+    if change.doubt:
+        yield FailOn.PERSON.value
 
 
 def fault_finding(label: str, fault: Diagnostic) -> Diagnostic:
@@ -124,8 +131,9 @@ def fault_finding(label: str, fault: Diagnostic) -> Diagnostic:
 def as_finding(group: Group) -> Diagnostic:
     """A group as a finding: for terminals, annotations, SARIF and waivers."""
     change = group.first
-    said = [what_changed(group), change.effect, notice_text(change)]
-    said.append(consequence(change))
+    said = [what_changed(group), change.effect, notice_text(change), consequence(change)]
+    if group.severity is not None:
+        said.append(f"set to {group.severity}: {group.reason}")
     related: list[tuple[Place, str]] = []
     if change.has_moved and change.was_at is not None:
         related.append((change.was_at, "before"))
@@ -133,7 +141,7 @@ def as_finding(group: Group) -> Diagnostic:
     related += [(other.first.place, following_text(other)) for other in group.following]
     return Diagnostic(
         place=change.place,
-        rule=replace(change.rule, severity=severity(change)),
+        rule=replace(change.rule, severity=severity(group)),
         message="; ".join(word for word in said if word),
         hint=reach_text(group) or None,
         related=tuple(related),
@@ -147,8 +155,11 @@ def following_text(group: Group) -> str:
     return f"follows: {group.first.rule.id}: {what_changed(group)}"
 
 
-def severity(change: Change) -> Severity:
-    """An error if somebody breaks or a person has to judge, or by a rule of which that is not the question."""
+def severity(group: Group) -> Severity:
+    """An error if somebody breaks or a person has to judge, or a requirement loses something; or what somebody set."""
+    change = group.first
+    if group.severity is not None:
+        return group.severity
     return Severity.ERROR if change.is_breaking or change.doubt or change.is_lost else Severity.WARNING
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from codegen.diagnostics import Diagnostic, Severity
 from codegen.findings.text import forward_path
 
-_SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor"}
+_SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 
 
 def findings_gitlab(findings: Iterable[Diagnostic], base: str | None = None) -> str:
