@@ -5,9 +5,11 @@ from typing import NamedTuple
 
 from codegen.diff.wording import (
     Likeness,
+    is_replaced,
     is_unsaid,
     name_likeness,
     names_of,
+    other_word,
     says_private,
     says_reserved,
     stated_values,
@@ -16,6 +18,7 @@ from codegen.diff.wording import (
 from codegen.model.dialect import EnumDefinition, EnumEntry
 
 _ALIKE = (Likeness.SAME, Likeness.NEAR)
+_UNCLEAR = (Likeness.VAGUE, Likeness.UNSAID)
 _LEAST_WORDS = 4
 
 
@@ -57,6 +60,8 @@ def other_entry(old: EnumEntry, new: EnumEntry, enum: EnumDefinition) -> Judgeme
         texts = Likeness.UNSAID
         if names is Likeness.NEAR:
             return Judgement(effect="a respelling, the text being the same")
+    if texts is Likeness.NEAR and is_replaced((old.name, new.name), (old.description, new.description)):
+        texts = Likeness.OPPOSITE
     return by_words(names, texts, old.name, new.name)
 
 
@@ -71,7 +76,7 @@ def by_words(names: Likeness, texts: Likeness, old: str, new: str) -> Judgement:
     if texts is Likeness.OPPOSITE or (names is Likeness.OPPOSITE and texts is not Likeness.SAME):
         return another
     if names is Likeness.SAME:
-        if texts is Likeness.OTHER:
+        if texts in (Likeness.OTHER, Likeness.DISPUTED):
             return Judgement(doubt=f"the name is a respelling of {old}, but the text tells of something else")
         return Judgement(effect="a respelling")
     if texts is Likeness.SAME:
@@ -79,10 +84,10 @@ def by_words(names: Likeness, texts: Likeness, old: str, new: str) -> Judgement:
     if names is Likeness.NEAR:
         if texts is Likeness.NEAR and len(old) <= len(new):
             return Judgement(effect="a fuller name of the same, as the text shows")
-        if texts is Likeness.OTHER:
+        if texts in (Likeness.OTHER, Likeness.DISPUTED):
             return another
         return Judgement(doubt=f"whether {new} still is what {old} was")
-    if texts is Likeness.NEAR or (names is Likeness.VAGUE and texts is not Likeness.OTHER):
+    if texts is Likeness.NEAR or (names is Likeness.VAGUE and texts in _UNCLEAR):
         return Judgement(doubt=f"whether {new} is another name of {old} or another thing")
     return another
 
@@ -95,6 +100,11 @@ def same_entry(old: str, new: str) -> Judgement:
     likeness = text_likeness(old, new)
     if likeness is Likeness.OPPOSITE:
         return Judgement(breaks=True, effect="the text says the opposite")
+    if likeness is Likeness.DISPUTED:
+        return Judgement(doubt="whether the text says the opposite of what it said")
+    word = other_word(old, new)
+    if word is not None:
+        return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning")
     lengths = [len(text.split()) for text in (old, new)]
     if likeness is Likeness.OTHER and min(lengths) >= _LEAST_WORDS:
         return Judgement(doubt="the text tells of something else under the same name")

@@ -12,7 +12,7 @@ from codegen.diff.judging import HARMLESS, Judgement, enum_for_words, gravest, o
 from codegen.diff.pairing import Pair
 from codegen.diff.quantities import SAME_NUMBER, other_range, other_unit, unit_in_words
 from codegen.diff.sentinels import is_same_sentinel, other_sentinel
-from codegen.diff.wording import Likeness, stated_values, text_likeness
+from codegen.diff.wording import Likeness, other_word, stated_values, text_likeness
 from codegen.model.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.literals import exact_number
 from codegen.model.unit import Unit, decimal, ratio
@@ -250,9 +250,13 @@ def _other_text(old: FieldDefinition, new: FieldDefinition) -> Judgement:
     values = stated_conflict(stated_values(old.description), stated_values(new.description))
     if values.gravity:
         return values
-    if text_likeness(old.description, new.description) is Likeness.OPPOSITE:
+    likeness = text_likeness(old.description, new.description)
+    if likeness is Likeness.OPPOSITE:
         return Judgement(breaks=True, effect="the text says the opposite")
-    return HARMLESS
+    if likeness is Likeness.DISPUTED:
+        return Judgement(doubt="whether the text says the opposite of what it said")
+    word = other_word(old.description, new.description)
+    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
 
 
 def _stated_at(field: WireField) -> Place:

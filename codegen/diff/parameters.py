@@ -58,14 +58,13 @@ def _other_words(old: CommandParameter, new: CommandParameter, entries: tuple[En
     if names in (Likeness.SAME, Likeness.UNSAID, Likeness.NEAR):
         if values.gravity:
             return values
-        if names is Likeness.UNSAID and texts is Likeness.OTHER:
-            return Judgement(doubt=f"whether {_called(new)} still is what {_called(old)} was")
-        if names is Likeness.NEAR and texts is Likeness.OTHER:
+        is_doubtful = names is not Likeness.SAME and texts is Likeness.OTHER
+        if is_doubtful or texts is Likeness.DISPUTED:
             return Judgement(doubt=f"whether {_called(new)} still is what {_called(old)} was")
         return HARMLESS
     if texts in _ALIKE:
         return Judgement(effect="another label for the same, as the text shows")
-    if names is Likeness.VAGUE and not values.gravity and texts is not Likeness.OTHER:
+    if names is Likeness.VAGUE and not values.gravity and texts not in (Likeness.OTHER, Likeness.DISPUTED):
         return Judgement(doubt=f"whether {_called(new)} still is what {_called(old)} was")
     return another
 
@@ -80,8 +79,10 @@ def _swapped(old: CommandParameter, new: CommandParameter, entries: tuple[EnumEn
 
 
 def _other_unit(before: Mapping[str, str], after: Mapping[str, str], old_text: str, new_text: str) -> Judgement:
-    units = before.get("units") or unit_in_words(old_text), after.get("units") or unit_in_words(new_text)
-    old, new = units
+    old, new = (
+        side.get("units") or unit_in_words(text) or unit_in_words(side.get("label", ""))
+        for side, text in ((before, old_text), (after, new_text))
+    )
     if old == new or new is None:
         is_gone = old is not None and new is None and "units" in before
         return Judgement(breaks=True, effect="nothing says what the number counts any more") if is_gone else HARMLESS

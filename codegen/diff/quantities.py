@@ -19,6 +19,7 @@ _PREFIXES = {"milli": "m", "micro": "u", "nano": "n", "centi": "c", "deci": "d",
 _WORD = rf"(?:{'|'.join(_PREFIXES)})?(?:{'|'.join(_SYMBOLS)})s?"
 _WORDS = re.compile(rf"(?<![\w.])({_WORD})(?:\s+per\s+({_WORD}))?(?!\w)", re.IGNORECASE)
 _NAMED = re.compile(r"(?:\bin |[(\[])([A-Za-z%][A-Za-z0-9%/^*]{0,15})(?=[)\].,;\s]|$)")
+_FACTOR = re.compile(r"\s*(?:\*|x|times)\s*(10{1,9}|1[eE]\d)(?![\w.])")
 _COUNTED = re.compile(r"[\d.)\]]\s*$")
 _HUNDRED = 100
 _TEN = 10
@@ -27,14 +28,20 @@ _TEN = 10
 def unit_in_words(text: str) -> str | None:
     """The one unit that a text states, as dialects write it: of ``in millimeters``, ``(mG)``; not of ``5 seconds``."""
     found = dict.fromkeys(
-        _symbol(one[1]) + (f"/{_symbol(one[2])}" if one[2] else "")
+        _symbol(one[1]) + (f"/{_symbol(one[2])}" if one[2] else "") + _factor_after(text, one.end())
         for one in _WORDS.finditer(text)
         if not _COUNTED.search(text[: one.start()])
     )
     for one in _NAMED.finditer(text):
         if Unit.parse(one[1]) is not None and one[1] not in ("h", "d"):
-            found[one[1]] = None
+            found[one[1] + _factor_after(text, one.end())] = None
     return next(iter(found)) if len(found) == 1 else None
+
+
+def _factor_after(text: str, end: int) -> str:
+    """``*100`` where a text goes on so after a unit: the number was multiplied with it."""
+    found = _FACTOR.match(text, end)
+    return f"*{Fraction(found[1]).numerator}" if found is not None else ""
 
 
 def _symbol(word: str) -> str:

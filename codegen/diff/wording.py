@@ -7,6 +7,8 @@ from functools import cache
 
 _PARTS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _WORD = re.compile(r"[a-z]+|\d+(?:\.\d+)?")
+_SIGNED = re.compile(r"[a-z]+|-?\d+")
+_CLAUSE = re.compile(r"[,;.()/]|\band\b|\bor\b|\belse\b|\botherwise\b")
 _VOWELS = re.compile(r"(?<=.)[aeiou]")
 
 _PLACEHOLDERS = frozenset({"empty", "reserved", "unused", "none", "undefined", "unset", "spare", "n/a", "tbd"})
@@ -24,6 +26,7 @@ _IDLE = frozenset(
 )
 _FILLING = frozenset({"0", "nan", "zero", "send", "all", "remaining", "params", "parameters", "ignored", "yet"})
 _GENERAL = frozenset(_words("mav type mode status state flag id comp kind option enum instance index number"))
+_TURNING = frozenset({"counter", "anti", "not", "clockwis", "no"})
 _NEGATING = frozenset({"not", "no", "non", "un", "dis", "in", "never"})
 
 _EXCLUDING: tuple[tuple[str, ...], ...] = (
@@ -38,7 +41,13 @@ _EXCLUDING: tuple[tuple[str, ...], ...] = (
     ("enable", "disable"), ("valid", "invalid"), ("active", "inactive"), ("healthy", "unhealthy"),
     ("available", "unavailable"), ("allow", "forbid"), ("accept", "reject"), ("upper", "lower"),
     ("gyro", "accelerometer", "magnetometer"), ("input", "output"), ("master", "slave"), ("import", "export"),
-    ("read", "write"), ("load", "save"), ("pressure", "temperature", "humidity"), ("voltage", "current", "power"),
+    ("read", "write"), ("run", "stop"), ("epoch", "boot"), ("sea", "home", "terrain", "ellipsoid"),
+    ("vehicle", "gimbal", "camera"), ("north", "nose"), ("true", "magnetic"), ("ground", "air"), ("remote", "local"),
+    ("old", "new"), ("minute", "second", "hour"), ("total", "remaining"), ("charge", "discharge"), ("x", "y", "z", "w"),
+    ("ned", "enu", "frd", "flu", "fru"), ("coming", "going"), ("incoming", "outgoing"), ("toward", "away"),
+    ("position", "velocity", "acceleration"), ("source", "target", "sender", "receiver"), ("body", "world"),
+    ("more", "less"), ("larger", "smaller"), ("load", "save"), ("pressure", "temperature", "humidity"),
+    ("voltage", "current", "power"),
 )  # fmt: skip
 """Words that exclude each other: where one takes the place of another, the meaning does."""
 
@@ -49,7 +58,8 @@ _SPELLINGS = {
     "accel": "accelerometer", "mtr": "meter", "cal": "calibration", "alt": "altitude", "temp": "temperature",
     "pos": "position", "lat": "latitude", "lon": "longitude", "vel": "velocity", "cfg": "config", "bat": "battery",
     "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
-    "param": "parameter", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
+    "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
+    "cable": "line", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
 }  # fmt: skip
 
 _SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
@@ -60,7 +70,7 @@ class Likeness(StrEnum):
     """How alike two wordings are.
 
     UNSAID: at least one says nothing. NEAR: most words of one are in the other. VAGUE: some are. OPPOSITE: a word is
-    replaced by one that excludes it.
+    replaced by one that excludes it; DISPUTED: so it is, but much else is another, too.
     """
 
     SAME = "same"
@@ -68,6 +78,7 @@ class Likeness(StrEnum):
     VAGUE = "vague"
     UNSAID = "unsaid"
     OTHER = "other"
+    DISPUTED = "disputed"
     OPPOSITE = "opposite"
 
 
@@ -106,19 +117,74 @@ def text_likeness(old: str, new: str) -> Likeness:
     if is_unsaid(old) or is_unsaid(new):
         return Likeness.UNSAID
     before, after = words_of(old), words_of(new)
-    if before == after:
-        return Likeness.SAME
-    gone, come = _unmatched(sorted(before - after), sorted(after - before))
-    if _is_opposed(gone, come, is_text=True):
+    if _are_exchanged(old, new):
         return Likeness.OPPOSITE
+    if before == after:
+        return Likeness.DISPUTED if _is_reordered(old, new) else Likeness.SAME
+    gone, come = _unmatched(sorted(before - after), sorted(after - before))
     common = min(len(before) - len(gone), len(after) - len(come))
     least = min(len(before), len(after))
     if not least:
         return Likeness.UNSAID
     share = common / least
+    if _is_opposed(gone, come, is_text=True):
+        return Likeness.OPPOSITE if share >= 0.5 or least <= 3 else Likeness.DISPUTED
     if share >= 0.6 and not any(word.isdigit() for word in gone):
         return Likeness.NEAR
     return Likeness.VAGUE if share >= 0.3 else Likeness.OTHER
+
+
+def is_replaced(names: tuple[str, str], texts: tuple[str, str]) -> bool:
+    """Whether both name and text have one word in place of another, and it is the same one in both."""
+    of_names = _unmatched(*(_names(name) for name in names))
+    of_texts = _unmatched(*(sorted(words_of(text)) for text in texts))
+    return all(not set(one).isdisjoint(other) for one, other in zip(of_names, of_texts, strict=True))
+
+
+def other_word(old: str, new: str) -> tuple[str, str] | None:
+    """The one word in which two texts differ, where the second has another word in its place and not a respelling."""
+    before, after = (
+        [word for word in _WORD.findall(text.lower().replace("re-", "re")) if word not in _IDLE] for text in (old, new)
+    )
+    if len(before) != len(after):
+        return None
+    differing = [pair for pair in zip(before, after, strict=True) if _stem(pair[0]) != _stem(pair[1])]
+    if len(differing) != 1 or any(word.isdigit() for word in differing[0]):
+        return None
+    one, other = (_stem(word) for word in differing[0])
+    is_respelt = _is_short_for(one, other) or _is_slip(one, other) or _is_shortened(one, other)
+    return None if is_respelt else differing[0]
+
+
+def _are_exchanged(old: str, new: str) -> bool:
+    """Whether both texts tell of the same things and numbers, but put others of them together.
+
+    ``positive is clockwise, negative is counter-clockwise`` and the reverse have the same words.
+    """
+    sides = [[_telling(clause) for clause in _CLAUSE.split(text.lower())] for text in (old, new)]
+    before, after = ([clause for clause in side if len(clause) > 1] for side in sides)
+    if len(before) < 2 or len(before) != len(after):
+        return False
+    same_words = sorted(word for clause in before for word in clause) == sorted(
+        word for clause in after for word in clause
+    )
+    return same_words and sorted(map(sorted, before)) != sorted(map(sorted, after))
+
+
+def _is_reordered(old: str, new: str) -> bool:
+    """Whether texts of the same words list things of one kind in another order: ``w, x, y, z`` and ``x, y, z, w``."""
+    sides = [[_stem(word) for word in _WORD.findall(text.lower())] for text in (old, new)]
+    for group in _stemmed():
+        before, after = ([word for word in side if word in group] for side in sides)
+        if len(set(before)) > 2 and before != after and sorted(before) == sorted(after):
+            return True
+    return False
+
+
+def _telling(clause: str) -> tuple[str, ...]:
+    """The numbers of a clause, and its words that exclude others."""
+    words = (_stem(word) for word in _SIGNED.findall(clause))
+    return tuple(word for word in words if word.lstrip("-").isdigit() or word in _TURNING or _excluding(word))
 
 
 def is_unsaid(text: str) -> bool:
@@ -165,7 +231,7 @@ def _without(words: Iterable[str], around: Collection[str]) -> list[str]:
 @cache
 def _stem(word: str) -> str:
     """A word in one spelling, without the ending of a plural or a past."""
-    if word.isdigit():
+    if word.lstrip("-").isdigit():
         return str(int(word))
     for ending in ("ing", "ed", "es", "s"):
         if word.endswith(ending) and len(word) - len(ending) > 3 and not word.endswith(("eed", "ss", "us")):
@@ -212,6 +278,14 @@ def _is_slip(one: str, other: str) -> bool:
             return sorted(short) == sorted(long)
         return len(differing) == 1 and len(short) > 4
     return any(long[:index] + long[index + 1 :] == short for index in range(len(long)))
+
+
+def _is_shortened(one: str, other: str) -> bool:
+    """Whether letters are missing within a long word: ``permant``."""
+    short, long = sorted((one, other), key=len)
+    rest = iter(long)
+    is_near = len(short) > 5 and len(long) - len(short) <= 2 and short[0] == long[0]
+    return is_near and all(letter in rest for letter in short)
 
 
 def _is_opposed(gone: Collection[str], come: Collection[str], *, is_text: bool = False) -> bool:
