@@ -101,6 +101,12 @@ def _is_kept_otherwise(head: Group, group: Group, carried: Carried) -> bool:
     return set(_fields(group)) <= reached
 
 
+def _is_for_new_field(head: Group, group: Group, _: Carried) -> bool:
+    """Whether a table answers a field for which CRC_EXTRA is another one."""
+    field = next(_fields(group)).rpartition(".")[2]
+    return head.first.messages == group.first.messages and f"{field} is new" in head.first.causes
+
+
 def _is_its_default(head: Group, group: Group, _: Carried) -> bool:
     """Whether a stream has another rate because the default of its parameter is another one."""
     return f"default of {group.first.subject}" in (head.first.new or "")
@@ -113,6 +119,11 @@ _OF_DIALECT = frozenset(
 )
 _RELATIONS = (
     _Relation(lambda change: change.rule.id in _HEARD, _is_in_dropped, _is_dropped_with),
+    _Relation(
+        lambda change: change.rule.id == wire_rules.CRC_EXTRA.id,
+        lambda change: change.rule.id == behaviour_rules.SOURCE.id and change.old is None,
+        _is_for_new_field,
+    ),
     _Relation(lambda change: change.rule.id in _OF_DIALECT, lambda change: change.rule.id in _TABLE, _is_of_the_field),
     _Relation(lambda change: change.rule.id in _KEPT, lambda change: change.rule.id in _CONVERTED, _is_kept_otherwise),
     _Relation(

@@ -81,7 +81,7 @@ def rules(out: str) -> list[str]:
 def test_a_revision_is_compared_with_the_work_tree_and_with_another_one(run: Run) -> None:
     """Any form of a revision that git knows; what was at another line is named as git names it."""
     told = rules(run("work~1")[1])
-    assert told == ["crc-extra-changed", "population-source-changed", "bandwidth-changed"]
+    assert told == ["crc-extra-changed", "bandwidth-changed"]
     assert rules(run("work~2", "work~1")[1]) == ["program-changed"]
     assert rules(run("HEAD^{/2}")[1]) == rules(run("work~1")[1])
     out = run("work~1", "work~2")[1]
