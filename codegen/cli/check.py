@@ -27,9 +27,10 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--format",
-        choices=("text", "json", "github", "sarif"),
+        choices=("text", "json", "github", "sarif", "junit", "gitlab"),
         default="text",
-        help="how findings are printed: for people, as JSON, as annotations of GitHub, as SARIF 2.1.0",
+        help="how findings are printed: for people, as JSON, as annotations of GitHub, as SARIF 2.1.0, as JUnit, for "
+        "GitLab",
     )
     parser.set_defaults(run=run)
 

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from codegen.sides import Around, Side, Unreadable
     from codegen.trace.graph import Trace
 
-FORMATS = ("text", "markdown", "json", "github", "sarif", "html")
-KINDS = ("never", "any", "breaking", "silent", "wire", "behaviour", "trace", "documentation")
+FORMATS = ("text", "markdown", "json", "github", "sarif", "junit", "gitlab", "html")
+KINDS = ("never", "any", "breaking", "silent", "person", "wire", "behaviour", "trace", "documentation")
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
@@ -33,8 +33,14 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fail-on",
         metavar="KIND[,KIND]",
-        default="breaking",
-        help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking)",
+        default="breaking,person",
+        help=f"what makes the exit code 1: {', '.join(KINDS)}, or the id of a rule (default: breaking,person)",
+    )
+    parser.add_argument(
+        "--waivers", metavar="FILE", help="waivers and severities of changes (default: waivers.yaml of the project)"
+    )
+    parser.add_argument(
+        "--allow-errors", action="store_true", help="compare sides that have errors as far as they can be read"
     )
     parser.add_argument(
         "--all", action="store_true", help="show changes of the dialect that do not concern the project"
@@ -77,10 +83,9 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _change_rules() -> list[str]:
-    from codegen.catalogue import rule_catalogue
-    from codegen.diff.change import ChangeRule
+    from codegen.diff.rules import CHANGE_RULES
 
-    return [rule.id for rule in rule_catalogue().values() if isinstance(rule, ChangeRule)]
+    return list(CHANGE_RULES)
 
 
 def _usage(message: str, hint: str | None = None) -> int:
@@ -104,10 +109,15 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
             if isinstance(head, Unreadable):
                 return _unreadable(head)
             found = _review(base, head, threshold, is_all=arguments.all)
-            found, code = _waived(found, project, head)
+            waivers = _waivers(arguments.waivers, project, head)
+            found, code = _with_severities(found, waivers)
+            found, wrong = _waived(found, waivers, head)
+            code = max(code, wrong)
             print_review(found, arguments.format)
-            is_broken = head.is_project and bool(head.findings)
-            return 1 if fails(found, kinds) or is_broken else code
+            if found.faults and not arguments.allow_errors:
+                print(f"codegen diff: {found.fault_line} (--allow-errors compares all the same)", file=sys.stderr)
+                return 1
+            return 1 if fails(found, kinds) else code
 
 
 def _around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":
@@ -142,12 +152,6 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
     from codegen.diff.system import compare_dialects, compare_systems
     from codegen.diff.tested import tested_changes
 
-    notes = [
-        f"{side.label} has {_errors(len(side.findings))}, and what that concerns may be missing here. "
-        f"{side.findings[0].place.shown()}: {side.findings[0].message}"
-        for side in (base, head)
-        if side.findings
-    ]
     if base.is_project and head.is_project:
         compared = compare_systems(base.systems, head.systems, threshold)
         if is_all:
@@ -159,7 +163,8 @@ def _review(base: "Side", head: "Side", threshold: Any, *, is_all: bool) -> "Rev
         compared = replace(compared, changes=with_reach((*compared.changes, *tested), found))
     else:
         compared = compare_dialects(base.dialect, head.dialect)
-    return review(base.label, head.label, compared, notes)
+    faults = [(side.label, finding) for side in (base, head) for finding in side.findings]
+    return review(base.label, head.label, compared, (), faults)
 
 
 def _trace(side: "Side") -> "Trace":
@@ -171,17 +176,36 @@ def _trace(side: "Side") -> "Trace":
     return linked((), (), ()) if side.findings else pipeline.read_trace(side.systems, Report())
 
 
-def _errors(count: int) -> str:
-    return "an error" if count == 1 else f"{count} errors, the first of which is shown"
+def _waivers(given: str | None, project: str | None, head: "Side") -> str | None:
+    """The file of waivers and severities: the one that is given, or else that of the project."""
+    from codegen.cli.waived import waivers_of
+
+    if given is not None:
+        return given
+    return waivers_of(project) if project and head.is_project else None
 
 
-def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review, int]":
-    """The review with waivers applied, and the exit code of what is wrong with them."""
-    from codegen.cli.waived import waivers_of, with_waivers
-
-    waivers = waivers_of(project) if project and head.is_project else None
+def _with_severities(found: "Review", waivers: str | None) -> "tuple[Review, int]":
+    """The review with the severities that are set, and the exit code of what is wrong with them."""
     if waivers is None:
         return found, 0
+    from codegen.decode.waivers import decode_severities
+    from codegen.diagnostics import Report
+    from codegen.diff.severities import usable, with_severities
+    from codegen.findings.text import finding_text
+
+    report, ignored = Report(), Report()
+    specs = usable(decode_severities(waivers, ignored), report)
+    for finding in report:
+        print(finding_text(finding), file=sys.stderr)
+    return with_severities(found, specs), 1 if report.has_errors else 0
+
+
+def _waived(found: "Review", waivers: str | None, head: "Side") -> "tuple[Review, int]":
+    """The review with waivers applied, and the exit code of what is wrong with them."""
+    if waivers is None:
+        return found, 0
+    from codegen.cli.waived import with_waivers
     from codegen.diagnostics import Report
     from codegen.diff.review import as_finding, with_waived
     from codegen.findings.text import finding_text
@@ -189,8 +213,10 @@ def _waived(found: "Review", project: str | None, head: "Side") -> "tuple[Review
     report = Report()
     report.extend(as_finding(group) for group in found.groups)
     rules = _change_rules()
-    files = [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
-    judged = list(with_waivers(report, waivers, rules, files))
+    files = [*head.dialect.files]
+    files += [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
+    # Whether the rules of other waivers exist is what codegen check says, which imports them all.
+    judged = list(with_waivers(report, waivers, rules, files, lambda _: True))
     code = 0
     for finding in judged:
         if finding.rule.id not in rules:

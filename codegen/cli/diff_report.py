@@ -3,9 +3,9 @@
 import sys
 from dataclasses import replace
 
-from codegen.cli.findings import repository_root, wants_colour
+from codegen.cli.findings import findings_text, wants_colour
 from codegen.diagnostics import Diagnostic
-from codegen.diff.review import Review, as_finding, elsewhere_text
+from codegen.diff.review import Review, as_finding, elsewhere_text, fault_finding
 from codegen.findings.text import finding_text
 from codegen.load.trees import on_disk
 
@@ -24,16 +24,10 @@ def print_review(found: Review, form: str) -> None:
         from codegen.diff.markdown import review_markdown
 
         print(review_markdown(found), end="")
-    elif form in ("github", "sarif"):
-        from codegen.findings.github import findings_github
-        from codegen.findings.sarif import findings_sarif
-
-        findings = [_in_work_tree(as_finding(group)) for group in found.groups]
-        text = (
-            findings_github(findings, repository_root())
-            if form == "github"
-            else findings_sarif(findings, repository_root())
-        )
+    elif form in ("github", "sarif", "junit", "gitlab"):
+        findings = [_in_work_tree(fault_finding(label, fault)) for label, fault in found.faults]
+        findings += [_in_work_tree(as_finding(group)) for group in found.groups]
+        text = findings_text(findings, form)
         if text:
             print(text)
     else:
@@ -51,9 +45,13 @@ def _print_text(found: Review) -> None:
     for group in found.groups:
         print(finding_text(as_finding(group), is_coloured=is_coloured))
     print(end="", flush=True)
+    for label, fault in found.faults:
+        print(f"{finding_text(fault_finding(label, fault))}", file=sys.stderr)
     for note in found.notes:
         print(f"note: {note}", file=sys.stderr)
-    if found.groups:
+    if not found.is_empty:
         print(f"{found.base} -> {found.head}: {found.head_line}", file=sys.stderr)
+    if found.off:
+        print(f"{found.off} {'change is' if found.off == 1 else 'changes are'} switched off", file=sys.stderr)
     if found.elsewhere:
         print(f"{elsewhere_text(found.elsewhere)[:-1]} (see --all)", file=sys.stderr)

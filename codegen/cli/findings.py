@@ -2,15 +2,16 @@
 
 import os
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TextIO
 
-from codegen.diagnostics import Report
+from codegen.diagnostics import Diagnostic, Report
 from codegen.findings.as_json import findings_json
 from codegen.findings.shortened import shortened
 from codegen.findings.text import closing_line, finding_text
 
-FORMATS = ("text", "json", "github", "sarif")
+FORMATS = ("text", "json", "github", "sarif", "junit", "gitlab")
 """How findings can be printed."""
 
 
@@ -22,19 +23,31 @@ def print_findings(report: Report, form: str = "text") -> None:
     if form == "text":
         _print_text(report)
         return
-    report = shortened(report)
-    if form == "json":
-        text = findings_json(report)
-    elif form == "github":
-        from codegen.findings.github import findings_github
-
-        text = findings_github(report, repository_root())
-    else:
-        from codegen.findings.sarif import findings_sarif
-
-        text = findings_sarif(report, repository_root())
+    text = findings_text(shortened(report), form)
     if text:
         print(text)
+
+
+def findings_text(findings: Iterable[Diagnostic], form: str) -> str:
+    """The findings in one of ``FORMATS`` that other programs read; paths are those of the repository."""
+    if form == "json":
+        return findings_json(findings)
+    root = repository_root()
+    if form == "github":
+        from codegen.findings.github import findings_github
+
+        return findings_github(findings, root)
+    if form == "junit":
+        from codegen.findings.junit import findings_junit
+
+        return findings_junit(findings, root)
+    if form == "gitlab":
+        from codegen.findings.gitlab import findings_gitlab
+
+        return findings_gitlab(findings, root)
+    from codegen.findings.sarif import findings_sarif
+
+    return findings_sarif(findings, root)
 
 
 def repository_root() -> str:

@@ -4,7 +4,7 @@ import argparse
 import sys
 from typing import Any
 
-FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif")
+FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif", "junit", "gitlab")
 KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly")
 COUNTED = ("uncovered", "orphaned", "suspect")
 ACCEPT = "accept"
@@ -32,7 +32,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--format",
         choices=FORMATS,
         default="text",
-        help="needs: needs.json of sphinx-needs; json, github and sarif have the findings alone",
+        help="needs: needs.json of sphinx-needs; json, github, sarif, junit and gitlab have the findings alone",
     )
     parser.add_argument("--out", metavar="FILE", help="where the report goes (default: stdout)")
     parser.add_argument(

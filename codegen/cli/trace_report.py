@@ -2,16 +2,13 @@
 
 import argparse
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 
 from codegen import pipeline
-from codegen.cli.findings import print_findings, repository_root
+from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report, did_you_mean
 from codegen.emit.file import write_file
-from codegen.findings.as_json import findings_json
-from codegen.findings.github import findings_github
-from codegen.findings.sarif import findings_sarif
 from codegen.model.system import System
 from codegen.model.test_record import TestResult
 from codegen.source import Place, shown_path
@@ -24,13 +21,6 @@ from codegen.trace.page import trace_markdown, trace_report
 from codegen.trace.results import Results, results_of, unrelated, with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
-
-_FINDINGS: Mapping[str, Callable[[Report], str]] = {
-    "json": findings_json,
-    "github": lambda report: findings_github(report, repository_root()),
-    "sarif": lambda report: findings_sarif(report, repository_root()),
-}
-"""The formats that have the findings alone, as codegen check prints them."""
 
 
 def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
@@ -68,8 +58,8 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
 
 
 def _text(form: str, view: TraceView, report: Report, *, is_tree: bool) -> str:
-    if form in _FINDINGS:
-        found = _FINDINGS[form](report)
+    if form in FORMATS and form != "text":
+        found = findings_text(report, form)
         return f"{found}\n" if found else ""
     if form == "needs":
         return needs_json(view)

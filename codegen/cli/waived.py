@@ -1,10 +1,9 @@
 """What a command does with the waivers of a project: they are judged by the day on which it runs."""
 
 import os
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from datetime import date
 
-from codegen.catalogue import rule_catalogue
 from codegen.decode.waivers import WAIVERS, decode_waivers
 from codegen.diagnostics import Report
 from codegen.waivers import LookedAt, apply_waivers
@@ -16,15 +15,28 @@ def waivers_of(project: str) -> str | None:
     return path if os.path.lexists(path) else None
 
 
-def with_waivers(report: Report, waivers: str | None, rules: Collection[str], files: Collection[str]) -> Report:
+def with_waivers(
+    report: Report,
+    waivers: str | None,
+    rules: Collection[str],
+    files: Collection[str],
+    is_rule: Callable[[str], bool] | None = None,
+) -> Report:
     """The findings with those marked that the file ``waivers`` waives today, and what is wrong with the waivers.
 
-    ``rules`` are the ids of the rules that were looked at, ``files`` the absolute paths of the files.
+    ``rules`` are the ids of the rules that were looked at, ``files`` the absolute paths of the files. ``is_rule`` says
+    whether there is another rule: by default the catalogue does, for which everything has to be imported.
     """
     if waivers is None:
         return report
     decoded = decode_waivers(waivers, report)
     judged = Report()
     looked_at = LookedAt(rules, files)
-    judged.extend(apply_waivers(report, decoded, date.today(), looked_at, lambda rule: rule in rule_catalogue()))
+    judged.extend(apply_waivers(report, decoded, date.today(), looked_at, is_rule or _is_known))
     return judged
+
+
+def _is_known(rule: str) -> bool:
+    from codegen.catalogue import rule_catalogue
+
+    return rule in rule_catalogue()

@@ -4,10 +4,16 @@ import os
 
 from codegen.decode.record_file import decode_record_file
 from codegen.diagnostics import Report
-from codegen.model.waiver_spec import WaiverSpec, WaiversSpec
+from codegen.model.waiver_spec import SeveritySpec, WaiverSpec, WaiversSpec
 
 WAIVERS = "waivers.yaml"
 """The waivers of a project, beside its project file."""
+
+
+def decode_severities(path: str, report: Report) -> tuple[SeveritySpec, ...]:
+    """The severities that the same file sets for ``codegen diff``."""
+    decoded = decode_record_file(os.path.abspath(path), WaiversSpec, report)
+    return decoded.severities if decoded else ()
 
 
 def decode_waivers(path: str, report: Report) -> tuple[WaiverSpec, ...]:

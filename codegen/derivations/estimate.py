@@ -40,6 +40,10 @@ class Estimate(Derivation):
     def comes_of_readings(self) -> bool:
         return True
 
+    @property
+    def sources(self) -> tuple[str, ...]:
+        return (self.quantity,)
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         for number, curve in enumerate(self.curves, 1):
             points = ", ".join(f"{stored}: {percent}" for stored, percent in curve)

@@ -71,6 +71,10 @@ class Follows(Derivation):
         at, below = ("clear", "set") if self.is_below else ("set", "clear")
         return {at: limit, below: limit - 1, "unknown": None}
 
+    @property
+    def sources(self) -> tuple[str, ...]:
+        return (self.quantity,)
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         limits = ", ".join(str(limit) for limit in self.limits)
         yield DerivationFact("true while", f"{self.quantity} is {self._word} {limits}", "follows")

@@ -38,6 +38,10 @@ class Trend(Derivation):
     def comes_of_readings(self) -> bool:
         return True
 
+    @property
+    def sources(self) -> tuple[str, ...]:
+        return (self.quantity,)
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         yield DerivationFact("trend of", f"{self.quantity} over {self.readings} readings", "trend_of")
 

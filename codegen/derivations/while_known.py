@@ -37,6 +37,10 @@ class WhileKnown(Derivation):
     def deciding(self, instance: int, plain: "Stored") -> Mapping[str, "Stored"]:
         return {"set": plain, "clear": None}
 
+    @property
+    def sources(self) -> tuple[str, ...]:
+        return (self.quantity,)
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         yield DerivationFact("true while known:", self.quantity, "while_known")
 

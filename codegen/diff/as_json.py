@@ -3,8 +3,9 @@
 import json
 from typing import Any
 
+from codegen.diagnostics import Severity
 from codegen.diff.bandwidth import Bandwidth
-from codegen.diff.change import Area, Notice, Victim
+from codegen.diff.change import Area, Notice, Victim, Weight
 from codegen.diff.grouping import Group
 from codegen.diff.review import Review, severity
 from codegen.model.price import Range
@@ -23,27 +24,41 @@ def review_json(found: Review) -> str:
             "changes": len(changes),
             "silent": sum(change.is_silent for change in changes),
             "breaking": sum(change.is_breaking for change in changes),
+            "person": sum(change.weight is Weight.PERSON for change in changes),
             **{area.value: sum(change.rule.area is area for change in changes) for area in Area},
         },
-        "changes": [_change(group, index) for group in found.groups for index in range(len(group.changes))],
+        "changes": [
+            _change(each, index, "" if each is group else group.fingerprint)
+            for group in found.groups
+            for each in (group, *group.following)
+            for index in range(len(each.changes))
+        ],
         "bandwidth": [_bandwidth(program, bandwidth) for program, bandwidth in found.bandwidth],
         "elsewhere": found.elsewhere,
+        "off": found.off,
         "notes": list(found.notes),
+        "errors": [
+            {"side": label, "rule": fault.rule.id, "message": fault.message, **_place(fault.place)}
+            for label, fault in found.faults
+        ],
     }
     return json.dumps(stated, indent=2)
 
 
-def _change(group: Group, index: int) -> _Object:
+def _change(group: Group, index: int, follows: str) -> _Object:
     change = group.changes[index]
     return {
         "rule": change.rule.id,
         "area": change.rule.area.value,
-        "severity": str(severity(change)),
+        "severity": str(severity(group)),
         "subject": change.subject,
         "old": change.old,
         "new": change.new,
         "effect": change.effect,
         "notice": change.notice.name.lower(),
+        "weight": change.weight.value,
+        "doubt": change.doubt,
+        "softened": change.softened,
         "breaks": [Victim(victim).name.lower() for victim in change.breaks],
         "causes": list(change.causes),
         "messages": list(change.messages),
@@ -53,6 +68,7 @@ def _change(group: Group, index: int) -> _Object:
         "symbols": list(change.reach.symbols),
         "tests": list(change.reach.tests),
         "fingerprint": group.fingerprint,
+        "follows": follows,
         "waived": group.waived,
     }
 
@@ -89,7 +105,7 @@ def review_schema() -> str:
     change = {
         "rule": text,
         "area": {"enum": [area.value for area in Area]},
-        "severity": {"enum": ["error", "warning"]},
+        "severity": {"enum": [str(each) for each in Severity]},
         "subject": text,
         "old": value,
         "new": value,
@@ -100,6 +116,9 @@ def review_schema() -> str:
                 f"{notice.name.lower()}: {notice.value or 'not on the wire'}" for notice in Notice
             ),
         },
+        "weight": {"enum": [weight.value for weight in Weight]},
+        "doubt": text,
+        "softened": text,
         "breaks": {"type": "array", "items": {"enum": [victim.name.lower() for victim in Victim]}},
         "causes": texts,
         "messages": texts,
@@ -109,6 +128,7 @@ def review_schema() -> str:
         "symbols": texts,
         "tests": texts,
         "fingerprint": {"type": "string", "pattern": "^[0-9a-f]{12}$"},
+        "follows": {"type": "string", "description": "The fingerprint of the change that it comes of, or nothing"},
         "waived": value,
     }
     row = {"name": text, "old": bytes_range, "new": bytes_range}
@@ -122,11 +142,13 @@ def review_schema() -> str:
         {
             "base": text,
             "head": text,
-            "summary": _closed(dict.fromkeys(("changes", "silent", "breaking", *map(str, Area)), count)),
+            "summary": _closed(dict.fromkeys(("changes", "silent", "breaking", "person", *map(str, Area)), count)),
             "changes": {"type": "array", "items": _closed(change)},
             "bandwidth": {"type": "array", "items": _closed(bandwidth)},
             "elsewhere": count,
+            "off": count,
             "notes": texts,
+            "errors": {"type": "array", "items": _closed({"side": text, "rule": text, "message": text, **place})},
         }
     )
     title = "codegen diff --format json"

@@ -3,12 +3,14 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.diff.behaviour_rules import BANDWIDTH
+from codegen.diff.behaviour_rules import BANDWIDTH, OVERLOADED
 from codegen.diff.change import Change, changed
 from codegen.frozen import dataclass
 from codegen.model.price import NOTHING, Range, capacity, message_price, sent_messages, total
 from codegen.model.system import System
 from codegen.source import Place
+
+_ALL = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,11 +24,20 @@ class BandwidthRow:
 
 @dataclass(frozen=True, slots=True)
 class LinkRow:
-    """A serial link, its capacity in bytes per second, and the largest share of it that the telemetry takes, in %."""
+    """A serial link, its capacity in bytes per second, and the largest share of it that the telemetry takes, in %.
+
+    ``share_before`` is that of the old version, None where it had no such link.
+    """
 
     name: str
     capacity: int
     share: Fraction
+    share_before: Fraction | None
+
+    @property
+    def is_overloaded(self) -> bool:
+        """Whether more is sent than it carries, and more of it than before."""
+        return self.share > _ALL and (self.share_before is None or self.share > self.share_before)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,17 +67,28 @@ def compare_bandwidth(old: System, new: System) -> Bandwidth:
     before, after = _prices(old), _prices(new)
     rows = tuple(BandwidthRow(name, before.get(name), after.get(name)) for name in dict.fromkeys((*after, *before)))
     whole = BandwidthRow("all", total(before.values()), total(after.values()))
+    assert whole.old is not None
     assert whole.new is not None
+    carried_before = {link.name: int(capacity(link) or 0) for link in old.links}
     links = []
     for link in new.links:
-        carried = int(capacity(link) or 0)
+        carried, known = int(capacity(link) or 0), carried_before.get(link.name)
         if carried:
-            links.append(LinkRow(link.name, carried, whole.new.high * 100 / carried))
+            share_before = whole.old.high * _ALL / known if known else None
+            links.append(LinkRow(link.name, carried, whole.new.high * _ALL / carried, share_before))
     return Bandwidth(rows, whole, tuple(links))
 
 
 def bandwidth_changes(found: Bandwidth, new: System, old: System, threshold: Fraction) -> Iterator[Change]:
-    """One change where the sum grew or fell by ``threshold`` percent or more."""
+    """One for each link that carries less than is sent; one where the sum grew or fell by ``threshold`` percent."""
+    places = {link.name: link.spec.place for link in new.links}
+    for link in found.links:
+        if link.is_overloaded:
+            before = None if link.share_before is None else f"{float(link.share_before):.1f} % of it"
+            said = f"{float(link.share):.1f} % of it"
+            effect = f"at most {found.whole.new} of {link.capacity} bytes/s: frames come late, or not at all"
+            where = places[link.name]
+            yield changed(OVERLOADED, f"link.{link.name}", before, said, (where, where), effect, rows=(link.name,))
     growth = found.growth
     if not found.is_changed or (growth is not None and abs(growth) < threshold):
         return

@@ -119,6 +119,11 @@ BANDWIDTH = _inside(
     "The telemetry takes more or less of the links at the default rates than the threshold allows "
     "(codegen diff --bandwidth PERCENT, 5 by default).",
 )
+OVERLOADED = _inside(
+    "link-overloaded",
+    "The telemetry takes more of a link at the default rates than the link carries: frames come late, or not at all.",
+    Victim.OLD_STATION,
+)
 GENERATIONS = _inside("generations-changed", "Another generation of messages is sent, or is chosen otherwise.")
 
 CHANNEL = _inside(
@@ -134,3 +139,8 @@ IDENTITY = _inside(
 FAILSAFE = _inside("failsafe-changed", "A failsafe watches, waits or acts otherwise, is new or gone.")
 PROGRAM = _inside("program-changed", "The program on the board runs at other rates, stores or answers otherwise.")
 RECEIVER = _inside("receiver-changed", "The generated receiver reads other messages, or trusts them otherwise.")
+
+TOLD = frozenset(
+    {MESSAGE_STREAM, MESSAGE_INSTANCES, SOURCE, CONSTANT, CONVERSION, LIMITS, FLAGS, STREAM_RATE, GENERATIONS, CHANNEL}
+)
+"""The kinds of change by which ground stations are told something else, or at other times, though nobody may break."""

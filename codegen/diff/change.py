@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from enum import StrEnum
 
-from codegen.diagnostics import Rule
+from codegen.diagnostics import Rule, Severity
 from codegen.frozen import dataclass
 from codegen.source import Place
 
@@ -24,6 +24,28 @@ class Notice(StrEnum):
     UNKNOWN_ID = "noticed: the id is unknown, the frame is passed over"
     SILENT = "silent on the wire"
     NONE = ""
+
+
+class Weight(StrEnum):
+    """How bad a change is, the worst first."""
+
+    SILENT = "silent"
+    BREAKING = "breaking"
+    PERSON = "person"
+    HARMLESS = "harmless"
+
+    @property
+    def is_harmless(self) -> bool:
+        """Whether nobody has to do anything."""
+        return self is Weight.HARMLESS
+
+    @property
+    def rank(self) -> int:
+        """0 for the worst."""
+        return _WEIGHTS.index(self)
+
+
+_WEIGHTS = tuple(Weight)
 
 
 class Victim(StrEnum):
@@ -91,10 +113,11 @@ class Change:
     """One change. ``subject`` is what changed: MESSAGE, MESSAGE.field, ENUM.ENTRY, component.quantity, PARAMETER, id.
 
     ``old`` and ``new`` are values as people write them, None where there is none; ``effect`` says in a sentence what
-    comes of it. ``place`` is in the new version, or in the old one if it is gone there; ``was_at`` is in the old one
-    otherwise. ``messages`` are the names of the messages that are concerned, of the old or the new version; ``enum``
-    and ``entry`` are set where the change is one of an enum. ``rows`` are the names by which the trace knows what is
-    touched.
+    comes of it. ``doubt`` is what a person has to judge, where it is not known whether somebody breaks; ``breaks`` is
+    empty then. ``softened`` says why nobody breaks although it looks like it. ``place`` is in the new version, or in
+    the old one if it is gone there; ``was_at`` is in the old one otherwise. ``messages`` are the names of the messages
+    that are concerned, of the old or the new version; ``enum`` and ``entry`` are set where the change is one of an
+    enum. ``rows`` are the names by which the trace knows what is touched.
     """
 
     rule: ChangeRule
@@ -106,6 +129,8 @@ class Change:
     notice: Notice = Notice.NONE
     breaks: tuple[Victim, ...] = ()
     effect: str = ""
+    doubt: str = ""
+    softened: str = ""
     causes: tuple[str, ...] = ()
     messages: tuple[str, ...] = ()
     cited: tuple[str, ...] = ()
@@ -125,6 +150,18 @@ class Change:
         return bool(self.breaks)
 
     @property
+    def weight(self) -> Weight:
+        """How bad it is."""
+        if self.is_breaking:
+            return Weight.SILENT if self.is_silent else Weight.BREAKING
+        return Weight.PERSON if self.doubt else Weight.HARMLESS
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether a requirement loses what answered to it or showed it: nobody breaks, and yet it is an error."""
+        return self.rule.severity is Severity.ERROR and not self.rule.breaks and self.rule.area is Area.TRACE
+
+    @property
     def is_silent(self) -> bool:
         """Whether bytes are believed that mean something else: the dangerous kind."""
         return self.is_breaking and self.notice is Notice.SILENT
@@ -140,6 +177,7 @@ def changed(
     *,
     notice: Notice | None = None,
     breaks: tuple[Victim, ...] | None = None,
+    doubt: str = "",
     causes: Iterable[str] = (),
     messages: Iterable[str] = (),
     cited: Iterable[str] = (),
@@ -159,6 +197,7 @@ def changed(
         notice=rule.notice if notice is None else notice,
         breaks=rule.breaks if breaks is None else breaks,
         effect=effect,
+        doubt=doubt,
         causes=tuple(causes),
         messages=tuple(messages),
         cited=tuple(cited),

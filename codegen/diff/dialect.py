@@ -4,10 +4,11 @@ from collections.abc import Iterator, Mapping
 
 from codegen.diff import wire_rules as rules
 from codegen.diff.change import BOTH, Change, Notice, changed
-from codegen.diff.enums import enum_changes, renamed_enums
+from codegen.diff.enums import enum_changes
 from codegen.diff.fields import bytes_text, field_changes, names_of_both
 from codegen.diff.hearing import between, by_id, heard, taken_for
 from codegen.diff.lifecycle import lifecycle_changes
+from codegen.diff.meaning import Vocabulary
 from codegen.diff.pairing import type_text
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.source import Place
@@ -24,7 +25,7 @@ def dialect_changes(old: Dialect, new: Dialect) -> tuple[Change, ...]:
         effect = f"{', '.join(names)} says so" if names else "no message says so"
         before, after = str(old.version), str(new.version)
         found.append(changed(rules.DIALECT_VERSION, new.name, before, after, places, effect, messages=names))
-    found += _messages(old.messages, new.messages, renamed_enums(old.enums, new.enums))
+    found += _messages(old.messages, new.messages, Vocabulary(old.enums, new.enums))
     found += enum_changes(old.enums, new.enums, _users(old, new))
     return tuple(found)
 
@@ -37,9 +38,7 @@ def _has_version(message: WireMessage) -> bool:
     return any(field.definition.type == "uint8_t_mavlink_version" for field in message.fields)
 
 
-def _messages(
-    old: Mapping[str, WireMessage], new: Mapping[str, WireMessage], enums: Mapping[str, str]
-) -> Iterator[Change]:
+def _messages(old: Mapping[str, WireMessage], new: Mapping[str, WireMessage], enums: Vocabulary) -> Iterator[Change]:
     renamed = {after.name: before for before, after in _renamed(old, new)}
     ids, taken_by = by_id(old), by_id(new)
     for message in sorted(new.values(), key=lambda each: each.id):
@@ -115,7 +114,7 @@ def _within(
     new: WireMessage,
     ids: Mapping[int, WireMessage],
     taken_by: Mapping[int, WireMessage],
-    enums: Mapping[str, str],
+    enums: Vocabulary,
 ) -> Iterator[Change]:
     places = old.definition.place, new.definition.place
     names = names_of_both(old, new)

@@ -5,12 +5,13 @@ from dataclasses import replace
 
 from codegen.diagnostics import shortened_list
 from codegen.diff import wire_rules as rules
-from codegen.diff.change import Change, ChangeRule, changed
+from codegen.diff.change import BOTH, Change, ChangeRule, changed
+from codegen.diff.judging import HARMLESS, Judgement, gone_entry, other_entry, same_entry
 from codegen.diff.lifecycle import lifecycle_changes
+from codegen.diff.meaning import Vocabulary
+from codegen.diff.parameters import other_parameter
 from codegen.model.dialect import CommandParameter, EnumDefinition, EnumEntry
 from codegen.source import Place
-
-_MEANING = ("units", "enum", "multiplier", "reserved")
 
 Users = Mapping[str, Sequence[str]]
 """The fields, as MESSAGE.field, that have the numbers of an enum, by its name."""
@@ -28,17 +29,7 @@ def enum_changes(
         elif after is None and before is not None:
             yield _enum(rules.ENUM_REMOVED, name, _size(before), None, (before.place, None), fields)
         elif before is not None and after is not None and before is not after:
-            yield from _within(before, after, fields)
-
-
-def renamed_enums(old: Mapping[str, EnumDefinition], new: Mapping[str, EnumDefinition]) -> dict[str, str]:
-    """The new names of enums that are called otherwise and have the same entries, by their old names."""
-    added = {_numbers(enum): name for name, enum in new.items() if name not in old and enum.entries}
-    return {name: added[_numbers(enum)] for name, enum in old.items() if name not in new and _numbers(enum) in added}
-
-
-def _numbers(enum: EnumDefinition) -> frozenset[tuple[str, int]]:
-    return frozenset((entry.name, entry.value) for entry in enum.entries)
+            yield from _within(before, after, fields, Vocabulary(old, new))
 
 
 def _size(enum: EnumDefinition) -> str:
@@ -46,19 +37,35 @@ def _size(enum: EnumDefinition) -> str:
     return f"{count} {'entry' if count == 1 else 'entries'}"
 
 
-def _within(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str]) -> Iterator[Change]:
+def _within(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str], enums: Vocabulary) -> Iterator[Change]:
     name, places = new.name, (old.place, new.place)
     if old.is_bitmask != new.is_bitmask:
         words = ["bits" if side.is_bitmask else "numbers" for side in (old, new)]
-        yield _enum(rules.ENUM_BITMASK, name, words[0], words[1], places, fields)
+        change = _enum(rules.ENUM_BITMASK, name, words[0], words[1], places, fields)
+        yield _as_judged(change, _as_bits(old) if new.is_bitmask else HARMLESS)
     if old.description != new.description:
         yield _enum(rules.DESCRIPTION, name, old.description or None, new.description or None, places, fields)
     for change in lifecycle_changes(name, old.lifecycle, new.lifecycle, places, _messages(fields)):
         yield replace(change, enum=name)
-    yield from _entries(old, new, fields)
+    yield from _entries(old, new, fields, enums)
 
 
-def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str]) -> Iterator[Change]:
+def _as_bits(old: EnumDefinition) -> Judgement:
+    """What comes of numbers that are read as sets of bits: nothing where each is one bit, or said to be a set."""
+    bits = {entry.value for entry in old.entries if entry.value and not entry.value & (entry.value - 1)}
+    mixed = [entry for entry in old.entries if entry.value not in bits and entry.value]
+    names = [entry.name for entry in mixed if not _is_set(entry)]
+    if not names:
+        return HARMLESS
+    return Judgement(doubt=f"whether {shortened_list(names, 3)} was ever a set of bits")
+
+
+def _is_set(entry: EnumEntry) -> bool:
+    """Whether a number of several bits is said to be a set: its name or text speaks of all, or of a mask."""
+    return any(word in f"{entry.name} {entry.description}".lower() for word in ("mask", "all", "bits", "any"))
+
+
+def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str], enums: Vocabulary) -> Iterator[Change]:
     before = {entry.name: entry for entry in old.entries}
     after = {entry.name: entry for entry in new.entries}
     gone = {entry.name: entry for entry in old.entries if entry.name not in after}
@@ -68,31 +75,55 @@ def _entries(old: EnumDefinition, new: EnumDefinition, fields: Sequence[str]) ->
             known = next((each for each in gone.values() if each.value == entry.value), None)
             if known is not None:
                 del gone[known.name]
-                yield _entry(rules.ENTRY_RENAMED, new.name, entry, (known.name, entry.name), known, fields)
+                change = _entry(rules.ENTRY_RENAMED, new.name, entry, (known.name, entry.name), known, fields)
+                yield _as_judged(change, other_entry(known, entry, old))
         if known is None:
             said = f"{entry.name} = {entry.value}"
             yield _enum(rules.ENTRY_ADDED, f"{new.name}.{entry.name}", None, said, (None, entry.place), fields)
             continue
-        yield from _entry_changes(known, entry, new.name, fields)
+        yield from _entry_changes(known, entry, new.name, fields, enums)
     for entry in gone.values():
         said = f"{entry.name} = {entry.value}"
-        yield _enum(rules.ENTRY_REMOVED, f"{new.name}.{entry.name}", said, None, (entry.place, None), fields)
+        change = _enum(rules.ENTRY_REMOVED, f"{new.name}.{entry.name}", said, None, (entry.place, None), fields)
+        found = gone_entry(entry, is_bitmask=old.is_bitmask or new.is_bitmask)
+        yield change if found.breaks else _as_judged(change, found)
 
 
-def _entry_changes(old: EnumEntry, new: EnumEntry, enum: str, fields: Sequence[str]) -> Iterator[Change]:
+def _as_judged(change: Change, judgement: Judgement) -> Change:
+    """A change with what was found to come of it."""
+    effect = "; ".join(word for word in (judgement.effect, change.effect) if word)
+    return replace(change, effect=effect, breaks=BOTH if judgement.breaks else (), doubt=judgement.doubt)
+
+
+def _entry_changes(
+    old: EnumEntry, new: EnumEntry, enum: str, fields: Sequence[str], enums: Vocabulary
+) -> Iterator[Change]:
     if old.value != new.value:
         yield _entry(rules.ENTRY_VALUE, enum, new, (str(old.value), str(new.value)), old, fields)
     if old.description != new.description:
-        yield _entry(rules.DESCRIPTION, enum, new, (old.description or None, new.description or None), old, fields)
+        texts = old.description or None, new.description or None
+        found = same_entry(old.description, new.description) if old.name == new.name else HARMLESS
+        change = _entry(rules.ENTRY_MEANING if found.gravity else rules.DESCRIPTION, enum, new, texts, old, fields)
+        yield _as_judged(change, found)
     if sorted(old.traits) != sorted(new.traits):
-        yield _entry(rules.ENTRY_TRAITS, enum, new, (_written(old.traits), _written(new.traits)), old, fields)
+        change = _entry(rules.ENTRY_TRAITS, enum, new, (_written(old.traits), _written(new.traits)), old, fields)
+        yield _as_judged(change, _other_traits(dict(old.traits), dict(new.traits)))
     subject, places = f"{enum}.{new.name}", (old.place, new.place)
     for change in lifecycle_changes(subject, old.lifecycle, new.lifecycle, places, _messages(fields)):
         yield replace(change, enum=enum, entry=new.name)
     before = {parameter.number: parameter for parameter in old.parameters}
     after = {parameter.number: parameter for parameter in new.parameters}
     for number in sorted(before.keys() | after.keys()):
-        yield from _parameter(f"{subject}.{number}", before.get(number), after.get(number), (old, new), fields)
+        pair = before.get(number), after.get(number)
+        yield from _parameter(f"{subject}.{number}", *pair, (old, new), fields, enums)
+
+
+def _other_traits(old: Mapping[str, str], new: Mapping[str, str]) -> Judgement:
+    """What comes of another location or destination: COMMAND_INT scales what is a location."""
+    differing = [name for name, text in old.items() if name in new and new[name] != text]
+    if not differing:
+        return HARMLESS
+    return Judgement(doubt=f"whether parameters 5 and 6 are sent otherwise, {' and '.join(differing)} being another")
 
 
 def _parameter(
@@ -101,24 +132,24 @@ def _parameter(
     new: CommandParameter | None,
     entries: tuple[EnumEntry, EnumEntry],
     fields: Sequence[str],
+    enums: Vocabulary,
 ) -> Iterator[Change]:
+    if old is not None and new is not None and (old.attributes, old.description) == (new.attributes, new.description):
+        return
     places = (old.place if old else entries[0].place), (new.place if new else entries[1].place)
     words = [_written(side.attributes) if side else None for side in (old, new)]
-    if old is None or new is None or sorted(old.attributes) != sorted(new.attributes):
-        shown = [word if side is None else word or "a parameter" for word, side in zip(words, (old, new), strict=True)]
-        change = _enum(rules.COMMAND_PARAMETER, subject, shown[0], shown[1], places, fields)
-        yield change if _is_other(old, new) else replace(change, breaks=())
     texts = [side.description if side else "" for side in (old, new)]
+    found = other_parameter(old, new, entries, enums)
+    if old is None or new is None or sorted(old.attributes) != sorted(new.attributes) or found.gravity:
+        shown = [word if side is None else word or "a parameter" for word, side in zip(words, (old, new), strict=True)]
+        if shown[0] == shown[1]:
+            shown = [text or None for text in texts]
+        change = _enum(rules.COMMAND_PARAMETER, subject, shown[0], shown[1], places, fields)
+        yield _as_judged(change, found)
+        if texts == shown:
+            return
     if texts[0] != texts[1]:
         yield _enum(rules.DESCRIPTION, subject, texts[0] or None, texts[1] or None, places, fields)
-
-
-def _is_other(old: CommandParameter | None, new: CommandParameter | None) -> bool:
-    """Whether a number means something else than before: it is not enough that more is said of it."""
-    if old is None:
-        return False
-    before, after = dict(old.attributes), dict(new.attributes) if new else {}
-    return new is None or any(name in before and before[name] != after.get(name) for name in _MEANING)
 
 
 def _written(attributes: Sequence[tuple[str, str]]) -> str | None:

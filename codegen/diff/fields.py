@@ -1,21 +1,23 @@
 """Changes of one message between two dialects: its fields, its layout, its CRC_EXTRA, and what the fields mean."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from codegen.diagnostics import shortened_list
 from codegen.diff import wire_rules as rules
 from codegen.diff.change import BOTH, MOST_NAMES, Change, ChangeRule, Notice, Victim, changed
-from codegen.diff.meaning import meaning_changes
+from codegen.diff.judging import by_words
+from codegen.diff.meaning import Vocabulary, meaning_changes
 from codegen.diff.pairing import Pair, paired_fields, type_text
+from codegen.diff.wording import name_likeness, text_likeness
 from codegen.model.dialect import WireField, WireMessage
 
 _DECEIVED = (rules.FIELD_TYPE, rules.FIELD_ORDER, rules.FIELD_SENTINEL, rules.FIELD_MULTIPLIER)
 """What is read wrongly where frames of the other version are read at all."""
 
 
-def field_changes(old: WireMessage, new: WireMessage, enums: Mapping[str, str]) -> tuple[Change, ...]:
-    """What changed within a message, the layout first; descriptions last. ``enums`` are new names by old ones."""
+def field_changes(old: WireMessage, new: WireMessage, enums: Vocabulary) -> tuple[Change, ...]:
+    """What changed within a message, the layout first; descriptions last. ``enums`` are those of both versions."""
     structure = tuple(_structure(old, new))
     found = [*structure, *_layout(old, new, structure), *_crc_extra(old, new, structure)]
     for pair in paired_fields(old, new):
@@ -41,7 +43,7 @@ def _structure(old: WireMessage, new: WireMessage) -> Iterator[Change]:
             yield _added(field, old, new, moved)
     for pair in pairs:
         if pair.old.name != pair.new.name:
-            yield _field(rules.FIELD_RENAMED, pair, new, (pair.old.name, pair.new.name), _renamed_effect(pair.new))
+            yield _renamed(pair, new)
         if type_text(pair.old) != type_text(pair.new):
             yield _field(
                 rules.FIELD_TYPE, pair, new, (type_text(pair.old), type_text(pair.new)), _retyped_effect(pair, moved)
@@ -105,8 +107,16 @@ def _meaning_of_zero(field: WireField) -> str:
     return f", a value, as unknown is {sentinel.written}"
 
 
-def _renamed_effect(field: WireField) -> str:
-    return "the bytes are the same" if field.definition.is_extension else ""
+def _renamed(pair: Pair, message: WireMessage) -> Change:
+    """A field at the same bytes under another name: of an extension nobody notices, so its words have to tell."""
+    change = _field(rules.FIELD_RENAMED, pair, message, (pair.old.name, pair.new.name), "")
+    if not (pair.old.definition.is_extension and pair.new.definition.is_extension):
+        return change
+    names = name_likeness(pair.old.name, pair.new.name)
+    texts = text_likeness(pair.old.definition.description, pair.new.definition.description)
+    found = by_words(names, texts, pair.old.name, pair.new.name)
+    effect = found.effect if found.breaks else "the bytes are the same"
+    return replace(change, effect=effect, breaks=BOTH if found.breaks else (), doubt=found.doubt)
 
 
 def _retyped_effect(pair: Pair, moved: Sequence[str]) -> str:
@@ -239,9 +249,6 @@ def _field(
     """A change of a field that both versions have: of an extension nothing tells."""
     is_silent = pair.old.definition.is_extension and pair.new.definition.is_extension and not is_base
     places = pair.old.definition.place, pair.new.definition.place
-    breaks = None
-    if is_silent and rule is rules.FIELD_RENAMED:
-        breaks = ()
     return changed(
         rule,
         f"{message.name}.{pair.new.name}",
@@ -249,7 +256,6 @@ def _field(
         places,
         effect,
         notice=notice or (Notice.SILENT if is_silent else None),
-        breaks=breaks,
         messages=(message.name,),
     )
 

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterable, Sequence
 
-from codegen.diagnostics import shortened_list
-from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, joined
+from codegen.diagnostics import Severity, shortened_list
+from codegen.diff.behaviour_rules import TOLD
+from codegen.diff.change import MOST_NAMES, Area, Change, Notice, Reach, Weight, joined
 from codegen.fingerprint import fingerprint
 from codegen.frozen import dataclass
 from codegen.source import Place
@@ -15,13 +16,17 @@ _AROUND = 30
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Changes of one rule that say the same, of one message or enum; ``first`` stands for all of them.
+    """Changes of one rule that say the same, of one message, enum or family; ``first`` stands for all of them.
 
-    ``waived`` says who waived them, why and until when: then they count no more.
+    ``waived`` says who waived them, why and until when: then they count no more. ``severity`` is one that somebody set,
+    for a ``reason``. ``following`` is what comes of them and is not counted again.
     """
 
     changes: tuple[Change, ...]
     waived: str | None = None
+    severity: Severity | None = None
+    reason: str = ""
+    following: tuple["Group", ...] = ()
 
     @property
     def first(self) -> Change:
@@ -29,11 +34,24 @@ class Group:
         return self.changes[0]
 
     @property
+    def is_lowered(self) -> bool:
+        """Whether somebody set that it is no error."""
+        return self.severity is not None and self.severity is not Severity.ERROR
+
+    @property
+    def is_raised(self) -> bool:
+        """Whether it is an error only because somebody set it."""
+        change = self.first
+        return self.severity is Severity.ERROR and change.weight is Weight.HARMLESS and not change.is_lost
+
+    @property
     def subject(self) -> str:
         """``RC_CHANNELS.chan1_raw``, or ``RC_CHANNELS: chan1_raw, chan2_raw, chan3_raw and 9 more``."""
         if len(self.changes) == 1:
             return self.first.subject
-        whole = self.first.subject.rpartition(".")[0]
+        whole, dot, _ = self.first.subject.rpartition(".")
+        if not dot:
+            return shortened_list([change.subject for change in self.changes], MOST_NAMES)
         names = [change.subject.removeprefix(f"{whole}.") for change in self.changes]
         return f"{whole}: {shortened_list(names, MOST_NAMES)}"
 
@@ -51,7 +69,7 @@ class Group:
 
 
 def grouped(changes: Iterable[Change]) -> list[Group]:
-    """The groups, the gravest area first, within it what breaks somebody and nobody notices; then as found."""
+    """The groups, first what breaks somebody and nobody notices, among those of one weight by area; then as found."""
     found: dict[object, list[Change]] = {}
     for change in changes:
         found.setdefault(_key(change), []).append(change)
@@ -60,39 +78,44 @@ def grouped(changes: Iterable[Change]) -> list[Group]:
 
 def _key(change: Change) -> object:
     whole, dot, _ = change.subject.rpartition(".")
-    if not dot or change.rule.area is Area.TRACE:
+    if change.rule.area is Area.TRACE:
         return change.subject, change.rule.id, change.old, change.new
     said = change.old, change.new, change.effect, change.notice, change.breaks
-    return whole, change.rule.id, *said, change.place.file
+    where = change.place.file if dot else change.place  # parameters of a family stand at one place
+    return whole, change.rule.id, *said, change.doubt, change.softened, where
 
 
-def _gravity(group: Group) -> tuple[int, int]:
+def _gravity(group: Group) -> tuple[int, bool, int]:
     change = group.first
-    rank = 2
-    if change.is_silent:
-        rank = 0
-    elif change.is_breaking:
-        rank = 1
-    return AREAS.index(change.rule.area), rank
+    return change.weight.rank, not change.is_lost, AREAS.index(change.rule.area)
 
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """How many changes are not waived, how many of those break somebody silently or noticed, and how many are."""
+    """How many changes are not waived, how many of those break somebody silently or noticed, how many a person has to
+    judge, how many lose what a requirement had, how many are errors because somebody set it, and how many are waived.
+    """
 
     changes: int
     silent: int
     noticed: int
+    doubtful: int
+    lost: int
+    raised: int
     waived: int
 
 
 def numbers_of(groups: Sequence[Group]) -> Numbers:
     """The numbers that the summaries show."""
-    changes = [change for group in groups if group.waived is None for change in group.changes]
+    counting = [group for group in groups if group.waived is None]
+    changes = [change for group in counting if not group.is_lowered for change in group.changes]
     return Numbers(
-        changes=len(changes),
+        changes=sum(len(group.changes) for group in counting),
         silent=sum(change.is_silent for change in changes),
-        noticed=sum(change.is_breaking and not change.is_silent for change in changes),
+        noticed=sum(change.weight is Weight.BREAKING for change in changes),
+        doubtful=sum(change.weight is Weight.PERSON for change in changes),
+        lost=sum(change.is_lost for change in changes),
+        raised=sum(len(group.changes) for group in counting if group.is_raised),
         waived=sum(len(group.changes) for group in groups if group.waived is not None),
     )
 
@@ -103,11 +126,17 @@ def counted(groups: Sequence[Group]) -> str:
     told = [
         f"{found.silent} {'breaks' if found.silent == 1 else 'break'} somebody silently" if found.silent else "",
         f"{found.noticed} {'breaks' if found.noticed == 1 else 'break'} somebody who notices" if found.noticed else "",
-        f"{found.waived} waived" if found.waived else "",
+        f"{found.doubtful} {'needs' if found.doubtful == 1 else 'need'} a person" if found.doubtful else "",
+        f"{found.lost} {'loses' if found.lost == 1 else 'lose'} what a requirement asks for" if found.lost else "",
+        f"{found.raised} set to be {'an error' if found.raised == 1 else 'errors'}" if found.raised else "",
     ]
     words = [word for word in told if word]
-    if not found.silent and not found.noticed:
-        words.insert(0, "none of them breaks anybody")
+    if not words:
+        otherwise = sum(change.rule in TOLD for group in groups if group.waived is None for change in group.changes)
+        alters = "alters" if otherwise == 1 else "alter"
+        words = [f"{otherwise} {alters} what is told"] if otherwise else ["none of them breaks anybody"]
+    if found.waived:
+        words.append(f"{found.waived} waived")
     return f"{found.changes} {'change' if found.changes == 1 else 'changes'}: {', '.join(words)}"
 
 
@@ -121,6 +150,15 @@ def notice_text(change: Change) -> str:
     if change.notice is Notice.SILENT and not change.is_breaking:
         return "not in CRC_EXTRA"
     return change.notice.value
+
+
+def consequence(change: Change) -> str:
+    """Who breaks, what a person has to judge, or why it counts as no break; empty where there is none of these."""
+    if change.breaks:
+        return f"breaks {' and '.join(change.breaks)}"
+    if change.doubt:
+        return f"needs a person: {change.doubt}"
+    return f"breaks nobody who was told: {change.softened}" if change.softened else ""
 
 
 def difference(old: str | None, new: str | None) -> tuple[str | None, str | None]:

@@ -1,81 +1,170 @@
 """What the bytes of a field mean, in two versions: units, sentinels, enums, ranges. Nothing of it is in CRC_EXTRA."""
 
-import math
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
+from typing import NamedTuple
 
 from codegen.diff import wire_rules as rules
-from codegen.diff.change import BOTH, Change, ChangeRule, Victim, changed
+from codegen.diff.change import BOTH, Change, ChangeRule, changed
+from codegen.diff.judging import HARMLESS, Judgement, enum_for_words, gravest, other_enum, stated_conflict
 from codegen.diff.pairing import Pair
-from codegen.model.dialect import FieldDefinition, Sentinel, WireField
+from codegen.diff.quantities import SAME_NUMBER, other_range, other_unit, unit_in_words
+from codegen.diff.sentinels import is_same_sentinel, other_sentinel
+from codegen.diff.wording import Likeness, other_word, stated_values, text_likeness
+from codegen.model.dialect import EnumDefinition, FieldDefinition, WireField
 from codegen.model.literals import exact_number
-from codegen.model.unit import Unit, conversion, decimal, map_words, ratio
+from codegen.model.unit import Unit, decimal, ratio
 from codegen.source import Place
 
-_WORD = re.compile(r"-?[\w.]*\w")
-_NUMBER = re.compile(r"-?[\d.]+")
-_SENTENCE = re.compile(r"(?<=[.;])\s")
-_WHEN = re.compile(r"\b(?:if|when|not|unknown|invalid|unset|unused|ignored?|use|set|sent?d?)\b", re.IGNORECASE)
-
-_SAME_NUMBER = "the same value is the same number as before"
-
-_TEXTS: tuple[tuple[str, ChangeRule], ...] = (
-    ("enum", rules.FIELD_ENUM),
-    ("increment", rules.FIELD_INCREMENT),
-    ("default", rules.FIELD_DEFAULT),
-    ("print_format", rules.PRINT_FORMAT),
-    ("description", rules.DESCRIPTION),
-)
+_IN_WORDS = " (in words)"
 
 
-def meaning_changes(pair: Pair, message: str, enums: Mapping[str, str]) -> Iterator[Change]:
-    """What changed in the meaning of a field of ``message``, the gravest first; ``enums`` are called otherwise now."""
-    old, new = pair.old.definition, pair.new.definition
+class Vocabulary(NamedTuple):
+    """The enums of both versions, by name."""
 
-    def told(
+    old: Mapping[str, EnumDefinition]
+    new: Mapping[str, EnumDefinition]
+
+
+def meaning_changes(pair: Pair, message: str, enums: Vocabulary) -> Iterator[Change]:
+    """What changed in the meaning of a field of ``message``, the gravest first; ``enums`` are of both versions."""
+    if _is_unchanged(pair):
+        return
+    told = _Teller(pair, message)
+    yield from _amounts(told, pair)
+    yield from _readings(told, enums)
+    yield from _texts(told)
+
+
+def _is_unchanged(pair: Pair) -> bool:
+    """Whether both versions say the same, wherever they stand: so it is of nearly all fields."""
+    old, new = (side.definition for side in pair)
+    is_same = old is new or old == new._replace(place=old.place)
+    return is_same and is_same_sentinel(pair.old.sentinel, pair.new.sentinel)
+
+
+class _Teller(NamedTuple):
+    """What makes changes of one field."""
+
+    pair: Pair
+    message: str
+
+    @property
+    def sides(self) -> tuple[FieldDefinition, FieldDefinition]:
+        return self.pair.old.definition, self.pair.new.definition
+
+    def change(
+        self,
         rule: ChangeRule,
-        before: str | None,
-        after: str | None,
-        effect: str = "",
-        breaks: tuple[Victim, ...] | None = None,
-        places: tuple[Place, Place] = (old.place, new.place),
+        words: tuple[str | None, str | None],
+        judgement: Judgement | None = None,
+        places: tuple[Place, Place] | None = None,
     ) -> Change:
-        subject = f"{message}.{new.name}"
-        return changed(rule, subject, before, after, places, effect, breaks=breaks, messages=(message,))
+        """The change, judged by its rule alone where there is no judgement."""
+        old, new = self.sides
+        found = judgement or HARMLESS
+        breaks = None if judgement is None else BOTH if found.breaks else ()
+        return changed(
+            rule,
+            f"{self.message}.{new.name}",
+            *words,
+            places or (old.place, new.place),
+            found.effect,
+            breaks=breaks,
+            doubt=found.doubt,
+            messages=(self.message,),
+        )
 
+    def attribute(self, name: str) -> tuple[str | None, str | None] | None:
+        """Both texts of an attribute, where they differ."""
+        old, new = (getattr(side, name) or None for side in self.sides)
+        return None if old == new else (old, new)
+
+
+def _amounts(told: _Teller, pair: Pair) -> Iterator[Change]:
+    """What the number amounts to: units, the value for unknown, the multiplier."""
+    old, new = told.sides
     is_same_number = _scale(old, new) == 1
-    if (old.units or None) != (new.units or None):
-        effect = _SAME_NUMBER if is_same_number else _unit_effect(old.units, new.units)
-        is_harmless = is_same_number or not old.units
-        yield told(rules.FIELD_UNITS, old.units or None, new.units or None, effect, () if is_harmless else None)
-    if not _is_same_sentinel(pair.old.sentinel, pair.new.sentinel):
-        effect, breaks = _sentinel_effect(pair)
+    units = _units(old, new)
+    if units is not None:
+        is_stated = is_same_number and told.attribute("units") is not None
+        judgement = Judgement(effect=SAME_NUMBER) if is_stated else _other_units(*units, new.description)
+        yield told.change(rules.FIELD_UNITS, units, judgement)
+    if not is_same_sentinel(pair.old.sentinel, pair.new.sentinel):
+        found = other_sentinel(pair.old, pair.new)
+        words = tuple(side.sentinel.written if side.sentinel else None for side in pair)
         places = _stated_at(pair.old), _stated_at(pair.new)  # a correction may have stated it
-        yield told(rules.FIELD_SENTINEL, _sentinel(pair.old), _sentinel(pair.new), effect, breaks, places)
+        change = told.change(rules.FIELD_SENTINEL, (words[0], words[1]), None, places)
+        yield replace(change, effect=found.effect, doubt=found.doubt, breaks=() if found.doubt else found.breaks)
     if _number(old.multiplier) != _number(new.multiplier):
-        effect = _SAME_NUMBER if is_same_number else _factor_effect(old, new)
-        yield told(rules.FIELD_MULTIPLIER, old.multiplier, new.multiplier, effect, () if is_same_number else None)
+        judgement = Judgement(effect=SAME_NUMBER) if is_same_number else _other_factor(old, new)
+        yield told.change(rules.FIELD_MULTIPLIER, (old.multiplier, new.multiplier), judgement)
+
+
+def _readings(told: _Teller, enums: Vocabulary) -> Iterator[Change]:
+    """How the number is read: as bits, as an instance, within a range, by an enum, by its default."""
+    old, new = told.sides
     if old.is_bitmask != new.is_bitmask:
         words = ["bits" if side.is_bitmask else "a number" for side in (old, new)]
-        yield told(rules.FIELD_BITMASK, words[0], words[1])
+        yield told.change(rules.FIELD_BITMASK, (words[0], words[1]))
     if old.is_instance != new.is_instance:
         words = ["the instance" if side.is_instance else "a value" for side in (old, new)]
-        yield told(rules.FIELD_INSTANCE, words[0], words[1], "what the messages are about is told apart otherwise")
+        yield told.change(rules.FIELD_INSTANCE, (words[0], words[1]), _other_instance(new))
     if (_number(old.minimum), _number(old.maximum)) != (_number(new.minimum), _number(new.maximum)):
-        yield told(rules.FIELD_RANGE, _range(old), _range(new))
-    for attribute, rule in _TEXTS:
-        before, after = getattr(old, attribute) or None, getattr(new, attribute) or None
-        if before != after:
-            effect = _enum_effect(before, after, enums) if rule is rules.FIELD_ENUM else ""
-            yield told(rule, before, after, effect, () if effect else None)
+        judgement = other_range((old.minimum, old.maximum), (new.minimum, new.maximum))
+        yield told.change(rules.FIELD_RANGE, (_range(old), _range(new)), judgement)
+    if words_of_enum := told.attribute("enum"):
+        yield told.change(rules.FIELD_ENUM, words_of_enum, _enum_judgement(old, new, enums))
+    if increments := told.attribute("increment"):
+        yield told.change(rules.FIELD_INCREMENT, increments)
+    if defaults := told.attribute("default"):
+        yield told.change(rules.FIELD_DEFAULT, defaults, other_default(*defaults))
 
 
-def _enum_effect(old: str | None, new: str | None, enums: Mapping[str, str]) -> str:
-    """Why another enum breaks nobody; empty where it does."""
+def _texts(told: _Teller) -> Iterator[Change]:
+    old, new = told.sides
+    if formats := told.attribute("print_format"):
+        yield told.change(rules.PRINT_FORMAT, formats)
+    if old.description != new.description:
+        is_unit_told = old.units is new.units is None and _units(old, new) is not None
+        meaning = HARMLESS if is_unit_told else _other_text(old, new)
+        words = old.description or None, new.description or None
+        if meaning.gravity:
+            yield told.change(rules.FIELD_MEANING, words, meaning)
+        else:
+            yield told.change(rules.DESCRIPTION, words)
+
+
+def _units(old: FieldDefinition, new: FieldDefinition) -> tuple[str | None, str | None] | None:
+    """Both units where they differ: of the attributes, and where one is missing what the text says in its place."""
+    before, after = old.units or None, new.units or None
+    if before is not None and after is not None:
+        return (before, after) if before != after else None
+    words = [unit_in_words(side.description) for side in (old, new)]
+    if before is None and after is None:
+        if words[0] is None or words[1] is None or words[0] == words[1]:
+            return None
+        return f"{words[0]}{_IN_WORDS}", f"{words[1]}{_IN_WORDS}"
+    if before is None:
+        return (f"{words[0]}{_IN_WORDS}" if words[0] else None), after
+    return before, (f"{words[1]}{_IN_WORDS}" if words[1] else None)
+
+
+def _other_units(old: str | None, new: str | None, text: str) -> Judgement:
+    """What comes of another unit, or of one that came or went; ``text`` is the new description."""
     if old is None:
-        return "stated for the first time"
-    return "another name of the same enum" if enums.get(old) == new else ""
+        return Judgement(effect="stated for the first time")
+    if new is None:
+        effect = "nothing says what the number counts any more"
+        is_denied = re.search(r"\bunitless\b|\bno unit\b|\bdimensionless\b", text, re.IGNORECASE)
+        return (
+            Judgement(doubt="whether it ever had that unit", effect=effect)
+            if is_denied
+            else Judgement(True, effect=effect)
+        )
+    return other_unit(old.removesuffix(_IN_WORDS), new.removesuffix(_IN_WORDS))
 
 
 def _scale(old: FieldDefinition, new: FieldDefinition) -> Fraction | None:
@@ -92,69 +181,86 @@ def _factor(old: str, new: str) -> Fraction | None:
     return ratio(before, after) if before and after else None
 
 
-def _unit_effect(old: str | None, new: str | None) -> str:
-    """By which factor receivers of the other version are wrong, where it is known."""
-    if not old:
-        return "stated for the first time"
-    if not new:
-        return "nothing says what the number counts any more"
-    factor = _factor(old, new)
-    if factor is None:
-        before, after = Unit.parse(old), Unit.parse(new)
-        way = conversion(before, after) if before and after else None
-        return f"the number is read in another unit{f': {old} {map_words(way)} = {new}' if way else ''}"
-    word = f"{decimal(factor)} times as large" if factor > 1 else f"{decimal(1 / factor)} times as small"
-    return f"the same value is a number {word}"
+def _other_factor(old: FieldDefinition, new: FieldDefinition) -> Judgement:
+    """What comes of another multiplier: one that a text had before is none."""
+    for text, said, words in (
+        (new.multiplier if old.multiplier is None else None, old.description, "the description said so before"),
+        (old.multiplier if new.multiplier is None else None, new.description, "the description still says so"),
+    ):
+        factor = _number(text)
+        if isinstance(factor, Fraction) and _is_in_text(factor, said):
+            return Judgement(effect=words)
+    before, after = _number(old.multiplier or "1"), _number(new.multiplier or "1")
+    effect = "receivers of the other version are wrong by a factor"
+    if isinstance(before, Fraction) and isinstance(after, Fraction) and before and after:
+        effect = f"{effect} of {decimal(max(after / before, before / after))}"
+        is_told = old.multiplier is None and _is_in_text(after, new.description)
+        if is_told:
+            return Judgement(doubt="whether the numbers were sent so before it was written down", effect=effect)
+    return Judgement(breaks=True, effect=effect)
 
 
-def _sentinel_effect(pair: Pair) -> tuple[str, tuple[Victim, ...]]:
-    """What comes of another sentinel, and who breaks: nobody where the text says the same in the other version."""
-    old, new = _sentinel(pair.old), _sentinel(pair.new)
-    if new is None and old is not None:
-        if _is_described(old, pair.new.definition.description):
-            return "the description still says so", ()
-        return f"new receivers take an old sender's {old} for a measurement, old ones a real {old} for unknown", BOTH
-    if old is None and new is not None:
-        if _is_described(new, pair.old.definition.description):
-            return "the description said so before", ()
-        return f"old receivers take {new} for a measurement", (Victim.OLD_STATION,)
-    return f"old receivers take {new} for a measurement, new ones take {old} for one", BOTH
-
-
-def _is_described(sentinel: str, description: str) -> bool:
-    """Whether a text names the sentinel: a bare number only where it says when that is sent, so not ``0 to 100``."""
-    word = sentinel.strip("[]:")
-    sentences = _SENTENCE.split(description)
+def _is_in_text(factor: Fraction, text: str) -> bool:
+    """Whether a text tells of a factor: ``* 100`` of 1E-2, ``0: 0 deg, 255: 360 deg`` of 360/255."""
+    compact = text.replace(" ", "").lower()
+    inverse = decimal(1 / factor)
+    if any(f"{sign}{inverse}" in compact for sign in ("*", "x")) or decimal(factor) in compact.split():
+        return True
+    numerator, denominator = factor.numerator, factor.denominator
     return any(
-        word in _WORD.findall(sentence) and (not _NUMBER.fullmatch(word) or bool(_WHEN.search(sentence)))
-        for sentence in sentences
+        f"{denominator * count}:{numerator * count}" in compact
+        for count in range(1, 256)
+        if denominator * count < 2**16
     )
 
 
-def _factor_effect(old: FieldDefinition, new: FieldDefinition) -> str:
-    before, after = _number(old.multiplier or "1"), _number(new.multiplier or "1")
-    if isinstance(before, Fraction) and isinstance(after, Fraction) and before and after:
-        return f"receivers of the other version are wrong by a factor of {decimal(max(after / before, before / after))}"
-    return "receivers of the other version are wrong by a factor"
+def _other_instance(new: FieldDefinition) -> Judgement:
+    effect = "what the messages are about is told apart otherwise"
+    if new.is_instance:
+        return Judgement(effect="stated for the first time; the number told apart what the messages are about before")
+    return Judgement(breaks=True, effect=effect)
 
 
-def _is_same_sentinel(old: Sentinel | None, new: Sentinel | None) -> bool:
-    """Whether the same values mean unknown, however they are written."""
-    if old is None or new is None:
-        return old is new
-    return old.form is new.form and [_value(value) for value in old.values] == [_value(value) for value in new.values]
+def other_default(old: str | None, new: str | None) -> Judgement:
+    """What comes of another value for what nobody sets: zeros are what an old sender leaves there."""
+    before, after = _number(old or None), _number(new or None)
+    if before == after or (before in (None, 0) and after in (None, 0)):
+        return Judgement(effect="who does not set it sends 0 already")
+    if before is not None and after is not None:
+        return Judgement(breaks=True, effect=f"what nobody sets was {old} and is {new}")
+    told = new if before is None else old
+    return Judgement(doubt=f"who fills in {told}, since what nobody sets is sent as 0")
 
 
-def _value(value: int | float | None) -> str:
-    return "NaN" if isinstance(value, float) and math.isnan(value) else str(value)
+def _enum_judgement(old: FieldDefinition, new: FieldDefinition, enums: Vocabulary) -> Judgement:
+    before, after = enums.old.get(old.enum or ""), enums.new.get(new.enum or "")
+    if not old.enum:
+        return gravest(Judgement(effect="stated for the first time"), enum_for_words(old.description, after))
+    if not new.enum:
+        if before is None:
+            return Judgement(breaks=True, effect="nothing says what its numbers mean any more")
+        return other_enum(before, None, new.description)
+    if before is None or after is None:
+        return Judgement(breaks=True)
+    return other_enum(before, after, new.description)
+
+
+def _other_text(old: FieldDefinition, new: FieldDefinition) -> Judgement:
+    """What comes of another text: nothing, unless it says another thing of a number, or the opposite."""
+    values = stated_conflict(stated_values(old.description), stated_values(new.description))
+    if values.gravity:
+        return values
+    likeness = text_likeness(old.description, new.description)
+    if likeness is Likeness.OPPOSITE:
+        return Judgement(breaks=True, effect="the text says the opposite")
+    if likeness is Likeness.DISPUTED:
+        return Judgement(doubt="whether the text says the opposite of what it said")
+    word = other_word(old.description, new.description)
+    return Judgement(doubt=f"whether {word[1]!r} in place of {word[0]!r} is another meaning") if word else HARMLESS
 
 
 def _stated_at(field: WireField) -> Place:
     return field.sentinel.place if field.sentinel else field.definition.place
-
-
-def _sentinel(field: WireField) -> str | None:
-    return None if field.sentinel is None else field.sentinel.written
 
 
 def _number(text: str | None) -> Fraction | str | None:

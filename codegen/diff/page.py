@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.bandwidth import Bandwidth
-from codegen.diff.change import Area, Reach
-from codegen.diff.grouping import Group, difference, line_text, notice_text, numbers_of
+from codegen.diff.change import Area, Reach, Weight
+from codegen.diff.grouping import Group, consequence, difference, line_text, notice_text, numbers_of
 from codegen.diff.markdown import TITLES
 from codegen.diff.review import Review, elsewhere_text
 from codegen.frozen import dataclass
@@ -21,6 +21,7 @@ class SummaryRow:
     changes: int
     silent: int
     noticed: int
+    doubtful: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,21 +89,28 @@ class ReviewPage:
     bandwidth: tuple[BandwidthTable, ...]
     elsewhere: str
 
+    @property
+    def has_reach(self) -> bool:
+        """Whether any change reaches something: those of dialects alone do not."""
+        return any(row.requirements or row.more for row in self.rows)
+
 
 def review_page(found: Review) -> str:
     """The text of the page; where nothing changed it says so."""
     changes = [change for group in found.counting for change in group.changes]
     mood = "calm"
+    if found.faults or any(change.doubt or change.is_lost for change in changes):
+        mood = "fired"
     if any(change.is_breaking for change in changes):
         mood = "failed" if any(change.is_silent for change in changes) else "fired"
     view = ReviewPage(
         base=found.base,
         head=found.head,
-        head_line=f"{found.head_line}." if found.groups else "Nothing changed.",
+        head_line=f"{found.head_line[0].upper()}{found.head_line[1:]}.",
         mood=mood,
-        notes=found.notes,
+        notes=(*(f"{label}, {fault.place.shown()}: {fault.message}" for label, fault in found.faults), *found.notes),
         summary=tuple(_summary(found, area) for area in Area),
-        rows=tuple(_row(group) for group in found.groups),
+        rows=tuple(_row(each, group) for group in found.groups for each in (group, *group.following)),
         bandwidth=tuple(_table(program, each) for program, each in found.bandwidth if each.is_changed),
         elsewhere=elsewhere_text(found.elsewhere) if found.elsewhere else "",
     )
@@ -111,18 +119,20 @@ def review_page(found: Review) -> str:
 
 def _summary(found: Review, area: Area) -> SummaryRow:
     count = numbers_of(found.of_area(area))
-    return SummaryRow(TITLES[area], count.changes, count.silent, count.noticed)
+    return SummaryRow(TITLES[area], count.changes, count.silent, count.noticed + count.lost, count.doubtful)
 
 
-def _row(group: Group) -> ChangeRow:
+def _row(group: Group, head: Group) -> ChangeRow:
+    """A line for a group; below its ``head`` where it follows from that."""
     change = group.first
     old, new = difference(change.old, change.new)
     tags = [change.rule.area.value]
-    tags += ["breaking"] if change.is_breaking else []
-    tags += ["silent"] if change.is_silent else []
-    mark = "silent" if change.is_silent else "breaking" if change.is_breaking else ""
-    breaks = f"Breaks {' and '.join(change.breaks)}." if change.breaks else ""
-    told = (_sentence(change.effect), _sentence(notice_text(change)), breaks)
+    tags += ["breaking"] if change.is_breaking or change.is_lost else []
+    tags += [] if change.weight in (Weight.BREAKING, Weight.HARMLESS) else [change.weight.value]
+    mark = "" if change.weight is Weight.HARMLESS else change.weight.value
+    told = [_sentence(change.effect), _sentence(notice_text(change)), _sentence(consequence(change))]
+    if group is not head:
+        mark, told = "follows", [f"Follows from {head.subject}.", *told]
     reach = group.reach
     return ChangeRow(
         tags=" ".join(tags),

@@ -1,13 +1,16 @@
 """Changes of what messages are populated with, element by element."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import groupby
 
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.change import Change, changed
+from codegen.diff.change import Change, Notice, Victim, changed
 from codegen.diff.subject import Fact, Subject, cited, subject_changes
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.account import Aspect
+from codegen.model.answer import Answer
+from codegen.model.known import Value
 from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
 
@@ -21,6 +24,7 @@ _RULES = {
 }
 """The rule under which a change of each aspect of an answer is told."""
 
+_STATION = (Victim.OLD_STATION,)
 _ABSORBING = {rules.SOURCE: (rules.CONSTANT, rules.CONVERSION, rules.LIMITS, rules.FLAGS)}
 """What follows from another source is told with it."""
 
@@ -108,11 +112,14 @@ def _policy(choice: Representation) -> str:
 def _elements(old: PopulatedMessage, new: PopulatedMessage) -> Iterator[Change]:
     """Changes of single elements; neighbours that change alike are told as one."""
     before, after = _facts(old, new.name), _facts(new, new.name)
+    answers = _answers(old), _answers(new)
     fields: dict[str, list[tuple[int, list[Change]]]] = {}
     for (field, index), known in before.items():
         if (field, index) in after:
             found = list(subject_changes((known,), (after[field, index],), _ABSORBING))
-            fields.setdefault(field, []).append((index, [change for change in found if _is_told(change)]))
+            told = [change for change in found if _is_told(change)]
+            pair = answers[0][field, index], answers[1][field, index]
+            fields.setdefault(field, []).append((index, [_as_heard(change, *pair) for change in told]))
     wires = old.wire, new.wire
     for element, subject in {**before, **after}.items():
         sides = before.get(element), after.get(element)
@@ -151,21 +158,46 @@ def _joined(name: str, elements: list[tuple[int, list[Change]]], count: int) -> 
         first, last = members[0][0], members[-1][0]
         label = name if len(members) == count else f"{name}[{first}]" if first == last else f"{name}[{first}..{last}]"
         for change in members[0][1]:
-            yield changed(
-                change.rule,
-                label,
-                change.old,
-                change.new,
-                (change.was_at, change.place),
-                change.effect,
-                cited=change.cited,
-                messages=change.messages,
-                rows=(name,),
-            )
+            yield replace(change, subject=label, rows=(name,))
 
 
 def _said(change: Change) -> tuple[object, ...]:
-    return change.rule.id, change.old, change.new, change.place, change.was_at
+    said = change.effect, change.doubt, change.breaks
+    return change.rule.id, change.old, change.new, change.place, change.was_at, *said
+
+
+def _answers(message: PopulatedMessage) -> dict[tuple[str, int], tuple[Answer, Value | None]]:
+    """The answer of each element, with what it always carries, if that is so."""
+    found = {}
+    for answer in message.answers:
+        covers, always = answer.covers, answer.always
+        for position in range(covers.count):
+            value = None if always is None or position >= len(always) else always[position]
+            found[covers.field.name, covers.first + position] = answer, value
+    return found
+
+
+def _as_heard(change: Change, old: tuple[Answer, Value | None], new: tuple[Answer, Value | None]) -> Change:
+    """A change of an element, judged where receivers get other numbers than before, or always the same one."""
+    before, after = old[1], new[1]
+    if change.rule not in (rules.SOURCE, rules.CONSTANT):
+        return change
+    if before is None and after is not None:
+        sentinel = new[0].covers.field.sentinel
+        if sentinel is not None and any(_is_same(after, value) for value in sentinel.values):
+            effect = "receivers hear nothing of it any more"
+            return replace(change, effect=effect, notice=Notice.NONE, breaks=_STATION)
+        return replace(change, effect=f"always {after}, which receivers take for what is so now", breaks=_STATION)
+    if before is not None and after is not None and not _is_same(before, after):
+        return replace(change, doubt=f"whether {after} is what receivers are to be told in place of {before}")
+    read = [{quantity.path for quantity in side[0].quantities} for side in (old, new)]
+    if before is None and after is None and read[0] != read[1]:
+        return replace(change, doubt="whether it still tells receivers of the same thing")
+    return change
+
+
+def _is_same(one: Value | None, other: Value | None) -> bool:
+    return one == other or str(one).lower() == str(other).lower() == "nan"
 
 
 def _facts(message: PopulatedMessage, name: str) -> dict[tuple[str, int], Subject]:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from codegen.diff.carrying import carried_on
 from codegen.diff.change import Area, Change, Reach, joined
 from codegen.frozen import dataclass
 from codegen.model.system import System
@@ -11,7 +12,7 @@ from codegen.trace.graph import Trace, reached
 
 @dataclass(frozen=True, slots=True)
 class Traces:
-    """The traces of both versions, and the fields of messages that quantities and parameters are sent in, by name."""
+    """The traces of both versions, and what the numbers of parameters, channels and quantities make, by their names."""
 
     old: Trace
     new: Trace
@@ -22,11 +23,9 @@ def traces(old: Trace, new: Trace, systems: Iterable[System]) -> Traces:
     """What reach is looked up in; ``systems`` are those of both versions."""
     sent_in: dict[str, dict[str, None]] = {}
     for system in systems:
+        for source, reached_from in carried_on(system).items():
+            sent_in.setdefault(source, {}).update(dict.fromkeys(reached_from))
         for message in system.messages:
-            for answer in message.answers:
-                field = f"{message.name}.{answer.covers.field.name}"
-                for path in (*(read.path for read in answer.quantities), *(read.path for read in answer.parameters)):
-                    sent_in.setdefault(path, {})[field] = None
             if message.stream is not None:
                 sent_in.setdefault(message.stream.name, {})[message.name] = None
     return Traces(old, new, {name: tuple(fields) for name, fields in sent_in.items()})
@@ -39,7 +38,7 @@ def with_reach(changes: Iterable[Change], found: Traces) -> tuple[Change, ...]:
 
 
 def _reach(change: Change, found: Traces, known: dict[str, Reach]) -> Reach:
-    names = list(dict.fromkeys(change.rows))
+    names = list(dict.fromkeys((*change.rows, *((change.subject,) if change.subject in found.sent_in else ()))))
     names += [field for name in names for field in found.sent_in.get(name, ()) if field not in names]
     parts = [_of_row(name, found, known) for name in names]
     if change.rule.area is Area.TRACE:

@@ -1,13 +1,15 @@
 """Everything that a report of a comparison says, whatever its format."""
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import StrEnum
 
 from codegen.diagnostics import Diagnostic, Severity, shortened_list
 from codegen.diff.bandwidth import Bandwidth
-from codegen.diff.change import Area, Change
-from codegen.diff.grouping import Group, counted, difference, grouped, notice_text
+from codegen.diff.change import Area
+from codegen.diff.following import with_following
+from codegen.diff.grouping import Group, consequence, counted, difference, grouped, notice_text
 from codegen.diff.system import Comparison
 from codegen.frozen import dataclass
 from codegen.source import Place
@@ -22,13 +24,15 @@ class FailOn(StrEnum):
     ANY = "any"
     BREAKING = "breaking"
     SILENT = "silent"
+    PERSON = "person"
 
 
 @dataclass(frozen=True, slots=True)
 class Review:
     """A comparison of ``base`` and ``head`` (as people call them), its changes grouped, the gravest first.
 
-    ``notes`` say what may be missing; ``elsewhere`` counts changes of the dialect that do not concern the project.
+    ``faults`` are the errors of either side by its name: what they concern may be missing. ``notes`` say more of that
+    kind; ``elsewhere`` counts changes of the dialect that do not concern the project, ``off`` those switched off.
     """
 
     base: str
@@ -36,7 +40,14 @@ class Review:
     groups: tuple[Group, ...]
     bandwidth: tuple[tuple[str, Bandwidth], ...]
     elsewhere: int
-    notes: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+    faults: tuple[tuple[str, Diagnostic], ...] = ()
+    off: int = 0
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is nothing to say: nothing changed, and both sides could be read."""
+        return not self.groups and not self.faults
 
     @property
     def counting(self) -> tuple[Group, ...]:
@@ -45,54 +56,92 @@ class Review:
 
     @property
     def head_line(self) -> str:
-        """How much changed, and how bad it is."""
-        return counted(self.groups)
+        """How much changed, and how bad it is, as far as the sides can be read."""
+        known = counted(self.groups) if self.groups else "nothing changed"
+        return f"{known}; {self.fault_line}" if self.faults else known
+
+    @property
+    def fault_line(self) -> str:
+        """``work tree has 2 errors, and what they concern may be missing``; empty without any."""
+        counts = Counter(label for label, _ in self.faults)
+        told = [f"{label} has {'an error' if count == 1 else f'{count} errors'}" for label, count in counts.items()]
+        whose = "it concerns" if len(self.faults) == 1 else "they concern"
+        return f"{' and '.join(told)}, and what {whose} may be missing" if told else ""
 
     def of_area(self, area: Area) -> tuple[Group, ...]:
         """The groups of one area."""
         return tuple(group for group in self.groups if group.first.rule.area is area)
 
 
-def review(base: str, head: str, comparison: Comparison, notes: Sequence[str]) -> Review:
+def review(
+    base: str,
+    head: str,
+    comparison: Comparison,
+    notes: Sequence[str] = (),
+    faults: Iterable[tuple[str, Diagnostic]] = (),
+) -> Review:
     """The review of a comparison, nothing of it waived yet."""
-    groups = tuple(grouped(comparison.changes))
-    return Review(base, head, groups, comparison.bandwidth, len(comparison.elsewhere), tuple(notes))
+    groups = tuple(with_following(grouped(comparison.changes), comparison.carried))
+    return Review(
+        base, head, groups, comparison.bandwidth, len(comparison.elsewhere), tuple(notes), tuple(dict.fromkeys(faults))
+    )
 
 
 def with_waived(found: Review, judged: Sequence[Diagnostic]) -> Review:
     """The review with what ``judged``, its findings after waivers were applied, have as waived."""
     waived = {(finding.rule.id, finding.fingerprint): finding.waived for finding in judged}
-    groups = (replace(group, waived=waived.get((group.first.rule.id, group.fingerprint))) for group in found.groups)
+    groups = (_with_waiver(group, waived.get((group.first.rule.id, group.fingerprint))) for group in found.groups)
     return replace(found, groups=tuple(groups))
+
+
+def _with_waiver(group: Group, waived: str | None) -> Group:
+    """The group as waived, with what follows from it."""
+    following = tuple(replace(each, waived=waived) for each in group.following)
+    return replace(group, waived=waived, following=following)
 
 
 def fails(found: Review, fail_on: Sequence[str]) -> bool:
     """Whether something that counts is of a kind that ``fail_on`` names: FailOn, an area, or the id of a rule."""
     for group in found.counting:
-        change = group.first
-        kinds = {FailOn.ANY.value, change.rule.area.value, change.rule.id}
-        if change.is_breaking:
-            kinds.add(FailOn.BREAKING.value)
-        if change.is_silent:
-            kinds.add(FailOn.SILENT.value)
+        rules = {each.first.rule for each in (group, *group.following)}
+        kinds = {FailOn.ANY.value, *(rule.area.value for rule in rules), *(rule.id for rule in rules)}
+        if not group.is_lowered:
+            kinds.update(_grave_kinds(group))
         if kinds.intersection(fail_on):
             return True
     return False
 
 
+def _grave_kinds(group: Group) -> Iterator[str]:
+    """The kinds by which a group fails unless somebody set it to be no error."""
+    change = group.first
+    if change.is_breaking or change.is_lost or group.is_raised:
+        yield FailOn.BREAKING.value
+    if change.is_silent:
+        yield FailOn.SILENT.value
+    if change.doubt:
+        yield FailOn.PERSON.value
+
+
+def fault_finding(label: str, fault: Diagnostic) -> Diagnostic:
+    """An error of a side as a finding of the comparison."""
+    return replace(fault, message=f"{label} cannot be compared as a whole: {fault.message}")
+
+
 def as_finding(group: Group) -> Diagnostic:
     """A group as a finding: for terminals, annotations, SARIF and waivers."""
     change = group.first
-    said = [what_changed(group), change.effect, notice_text(change)]
-    if change.breaks:
-        said.append(f"breaks {' and '.join(change.breaks)}")
+    said = [what_changed(group), change.effect, notice_text(change), consequence(change)]
+    if group.severity is not None:
+        said.append(f"set to {group.severity}: {group.reason}")
     related: list[tuple[Place, str]] = []
     if change.has_moved and change.was_at is not None:
         related.append((change.was_at, "before"))
-    related += [(other.place, other.subject) for other in group.changes[1:6]]
+    related += [(other.place, other.subject) for other in group.changes[1:6] if other.place != change.place]
+    related += [(other.first.place, following_text(other)) for other in group.following]
     return Diagnostic(
         place=change.place,
-        rule=replace(change.rule, severity=severity(change)),
+        rule=replace(change.rule, severity=severity(group)),
         message="; ".join(word for word in said if word),
         hint=reach_text(group) or None,
         related=tuple(related),
@@ -101,10 +150,17 @@ def as_finding(group: Group) -> Diagnostic:
     )
 
 
-def severity(change: Change) -> Severity:
-    """An error if somebody breaks, or by a rule of which that is not the question."""
-    is_grave = change.rule.severity is Severity.ERROR and not change.rule.breaks
-    return Severity.ERROR if change.is_breaking or is_grave else Severity.WARNING
+def following_text(group: Group) -> str:
+    """``follows: population-conversion-changed: BATTERY_STATUS.temperature: ...``."""
+    return f"follows: {group.first.rule.id}: {what_changed(group)}"
+
+
+def severity(group: Group) -> Severity:
+    """An error if somebody breaks or a person has to judge, or a requirement loses something; or what somebody set."""
+    change = group.first
+    if group.severity is not None:
+        return group.severity
+    return Severity.ERROR if change.is_breaking or change.doubt or change.is_lost else Severity.WARNING
 
 
 def what_changed(group: Group) -> str:

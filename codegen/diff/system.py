@@ -1,18 +1,21 @@
 """Changes between two versions of a specification, with those of the dialect that concern it."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from fractions import Fraction
 
 from codegen.diff.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
 from codegen.diff.behaviour_rules import PROGRAM
 from codegen.diff.board import board_subjects
+from codegen.diff.carrying import carried_on
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect import dialect_changes
+from codegen.diff.heard_otherwise import heard_otherwise
 from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
 from codegen.diff.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
+from codegen.diff.softening import softened
 from codegen.diff.state import parameter_subjects, state_subjects
 from codegen.diff.subject import Subject, cited, subject_changes
 from codegen.diff.trace_rules import CITATION
@@ -31,17 +34,18 @@ class Comparison:
 
     ``changes`` concern what is compared; ``elsewhere`` are those of a project's dialect that touch nothing that the
     project sends, receives or names. ``bandwidth`` has an entry for each program that both versions have, by its name,
-    which is "" for the project's own.
+    which is "" for the project's own. ``carried`` is what takes numbers from parameters, ADC channels and quantities.
     """
 
     changes: tuple[Change, ...]
     elsewhere: tuple[Change, ...] = ()
     bandwidth: tuple[tuple[str, Bandwidth], ...] = ()
+    carried: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def compare_dialects(old: Dialect, new: Dialect) -> Comparison:
     """Two dialects, each on its own."""
-    return Comparison(dialect_changes(old, new))
+    return Comparison(tuple(softened(dialect_changes(old, new), old)))
 
 
 def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fraction = THRESHOLD) -> Comparison:
@@ -70,7 +74,8 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
             *subject_changes(said_before[name], said_after[name]),
             *bandwidth_changes(compared, system, known, threshold),
         ]
-        found += [_named(change, name) for change in heard_in(own, notices)]
+        judged = heard_in(heard_otherwise(own, known, system), notices)
+        found += [_named(change, name) for change in judged]
     for name, system in before.items():
         if name not in after:
             found.append(changed(PROGRAM, name, _program(system), None, (system.spec.project.place, None)))
@@ -78,7 +83,8 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     found += coverage_changes(old[0], new[0], _cited(old, said_before.values()), _cited(new, said_after.values()))
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
-    return Comparison(_once(found), tuple(elsewhere), tuple(bandwidth))
+    carried = {name: reached for system in (*old, *new) for name, reached in carried_on(system).items()}
+    return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth), carried)
 
 
 def _is_only_renamed(change: Change, ids: Mapping[str, str]) -> bool:

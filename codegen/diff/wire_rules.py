@@ -134,8 +134,11 @@ ENTRY_VALUE = _wire(
 )
 ENTRY_RENAMED = _wire(
     "enum-entry-renamed",
-    "A number has another name. The bytes are the same; code and tables that use the old name no longer work.",
+    "A number has another name. Where that is a respelling, the bytes mean the same, and only code and tables that use "
+    "the old name no longer work. Where name and description are those of another thing, both versions read each "
+    "other's number as that. Where neither is clear, a person has to judge.",
     Notice.SILENT,
+    *BOTH,
 )
 DIALECT_VERSION = _wire(
     "dialect-version-changed",
@@ -177,7 +180,8 @@ FIELD_INSTANCE = _meaning(
 )
 FIELD_RANGE = _meaning(
     "field-range-changed",
-    "The smallest or largest value of a field has changed; who is of the other version may refuse or limit it.",
+    "The smallest or largest value of a field has changed. Where all of it is on another scale, each number means "
+    "another value; where it is narrower, who is of the other version may send what is refused.",
 )
 FIELD_INCREMENT = _meaning(
     "field-increment-changed",
@@ -185,7 +189,19 @@ FIELD_INCREMENT = _meaning(
 )
 FIELD_DEFAULT = _meaning(
     "field-default-changed",
-    "The value that a field has where nobody sets it has changed.",
+    "The value that a field has where nobody sets it has changed: the bytes are the same and count as another value.",
+)
+FIELD_MEANING = _meaning(
+    "field-meaning-changed",
+    "The description of a field says the opposite of what it said, or another thing of a number that it names: the "
+    "bytes are believed and mean something else. Or it may be so, and a person has to judge.",
+    *BOTH,
+)
+ENTRY_MEANING = _meaning(
+    "enum-entry-meaning-changed",
+    "An entry keeps its name and its number, but its description says the opposite, or tells of something else: both "
+    "versions read each other's number as another thing. Or it may be so, and a person has to judge.",
+    *BOTH,
 )
 ENUM_BITMASK = _meaning(
     "enum-bitmask-changed",

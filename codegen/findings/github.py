@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from codegen.diagnostics import Diagnostic
+from codegen.diagnostics import Diagnostic, Severity
 from codegen.findings.text import WAIVED, forward_path, printable
 
 
@@ -32,7 +32,8 @@ def _annotation(finding: Diagnostic, base: str | None) -> str:
         "title": f"{finding.rule.id} ({WAIVED})" if is_waived else finding.rule.id,
     }
     stated = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
-    command = "notice" if is_waived else str(finding.rule.severity)
+    is_quiet = is_waived or finding.rule.severity is Severity.INFO
+    command = "notice" if is_quiet else str(finding.rule.severity)
     message = "\n".join(lines)
     return f"::{command} {stated}::{_message(message)}"
 

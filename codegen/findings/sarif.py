@@ -7,13 +7,15 @@ from typing import Any
 from urllib.parse import quote
 
 from codegen import __version__
-from codegen.diagnostics import Diagnostic, Rule
+from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.findings.text import forward_path
 from codegen.source import Place
 
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 FINGERPRINT = "codegen/v1"
 """The name of our fingerprints among those that others may add."""
+
+_LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
 
 _Object = dict[str, Any]
 
@@ -42,7 +44,7 @@ def _rule(rule: Rule) -> _Object:
         "shortDescription": {"text": first},
         "fullDescription": {"text": rule.explanation},
         "help": {"text": rule.explanation},
-        "defaultConfiguration": {"level": str(rule.severity)},
+        "defaultConfiguration": {"level": _LEVELS[rule.severity]},
     }
 
 
@@ -51,7 +53,7 @@ def _result(finding: Diagnostic, index: int, base: str | None) -> _Object:
     result: _Object = {
         "ruleId": finding.rule.id,
         "ruleIndex": index,
-        "level": str(finding.rule.severity),
+        "level": _LEVELS[finding.rule.severity],
         "message": {"text": text},
         "locations": [_location(finding.place, base)],
     }

@@ -42,6 +42,11 @@ class Derivation(ABC):
         return None
 
     @property
+    def sources(self) -> tuple[str, ...]:
+        """The quantities of the component that it is computed from."""
+        return ()
+
+    @property
     def is_set_by_code(self) -> bool:
         """Whether code of the vehicle sets it, and nothing else does."""
         return False

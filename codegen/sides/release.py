@@ -27,7 +27,7 @@ def installed_side(name: str) -> Side | Unreadable:
 
 def release_side(release: str, name: str, stack: ExitStack) -> Side | Unreadable:
     """A dialect of another pymavlink."""
-    folder = release_folder(release, stack)
+    folder = release_folder(release, stack, name)
     if isinstance(folder, Unreadable):
         return folder
     dialects = dialects_in(folder)
@@ -36,8 +36,11 @@ def release_side(release: str, name: str, stack: ExitStack) -> Side | Unreadable
     return dialect_side(dialects[name], f"{release}:{name}", is_release=True)
 
 
-def release_folder(path: str, stack: ExitStack) -> str | Unreadable:
-    """The folder with the dialects of a pymavlink: of a wheel, a source archive, a folder that one is installed in."""
+def release_folder(path: str, stack: ExitStack, name: str = "common") -> str | Unreadable:
+    """The folder with the dialects of a pymavlink: of a wheel, a source archive, a folder that one is installed in.
+
+    A folder of dialects may have ``name`` in place of common.
+    """
     root = os.path.abspath(path)
     if os.path.isfile(path):
         if not path.endswith(ENDINGS):
@@ -54,7 +57,7 @@ def release_folder(path: str, stack: ExitStack) -> str | Unreadable:
         for start in (root, *(one for one in below if _SITE_PACKAGES.fullmatch(one.split(os.sep)[-2]))):
             for folder in _FOLDERS:
                 candidate = os.path.join(start, folder).rstrip(os.sep)
-                if is_file(os.path.join(candidate, "common.xml")):
+                if any(is_file(os.path.join(candidate, f"{each}.xml")) for each in ("common", name)):
                     return candidate
     else:
         return Unreadable(

@@ -49,7 +49,10 @@ def _repository(around: Around) -> str | GitFault:
 
 
 def _in_tree(text: str, path: str, root: str, repository: str, around: Around) -> Side | Unreadable:
-    """What a revision that hangs at ``root`` has: at ``path``, or without one where the project is."""
+    """What a revision that hangs at ``root`` has: at ``path``, or without one where the project is.
+
+    A folder without a project is one of dialects, of which the one is meant that ``--dialect`` names.
+    """
     if path.endswith(".xml"):
         return dialect_side(os.path.normpath(os.path.join(root, path)), text)
     candidates = [os.path.join(path, name) for name in ("", *PROJECT_FILES)]
@@ -61,5 +64,8 @@ def _in_tree(text: str, path: str, root: str, repository: str, around: Around) -
         file = os.path.normpath(os.path.join(root, candidate))
         if is_file(file):
             return project_side(file, text, around)
+    dialect = os.path.normpath(os.path.join(root, path, f"{around.dialect}.xml"))
+    if path and is_file(dialect):
+        return dialect_side(dialect, f"{text}:{around.dialect}")
     is_file_meant = path.endswith((".yaml", ".yml"))
     return Unreadable(f"{text} has no {path if is_file_meant else candidates[-1] if path else candidates[0]}")

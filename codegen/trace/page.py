@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from codegen.comment import fitting
 from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.targets.origin import Origin, origin_of
@@ -27,10 +28,11 @@ def trace_report(view: TraceView) -> str:
 
 
 def trace_markdown(view: TraceView) -> str:
-    """The same as Markdown, for a pull request or a review."""
+    """The same as Markdown, for a pull request or a review: what needs attention first, and no more than one takes."""
     from codegen.render import render_template  # noqa: PLC0415
 
-    return render_template("trace/trace.md.j2", view)
+    where = "`codegen trace --format html --out trace.html` writes a page with all."
+    return fitting(render_template("trace/trace.md.j2", view), "criteria", where)
 
 
 def render_trace(systems: Sequence[System], view: TraceView) -> dict[str, str]:

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
+from xml.etree import ElementTree
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -13,6 +14,8 @@ from codegen import __version__
 from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.findings.as_json import findings_json
 from codegen.findings.github import findings_github
+from codegen.findings.gitlab import findings_gitlab
+from codegen.findings.junit import findings_junit
 from codegen.findings.sarif import findings_sarif
 from codegen.findings.text import closing_line, finding_text
 from codegen.source import Place
@@ -255,3 +258,31 @@ def test_nothing_found_is_nothing_said(pipeline: Any, run: Any) -> None:
     assert pipeline.is_readable
     assert run("check", "--format", "github") == (0, "", "")
     assert json.loads(run("check", "--format", "sarif")[1])["runs"][0]["results"] == []
+
+
+def test_junit_has_a_case_for_each_finding(findings: Report, tmp_path: Path) -> None:
+    """Servers count cases, failures and skips; what files hold is no markup."""
+    suite = ElementTree.fromstring(findings_junit(findings, str(tmp_path)))[0]  # noqa: S314  our own
+    assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "1")
+    failure = suite.find("./testcase/failure")
+    assert failure is not None
+    assert failure.get("message") == "no field x: 50 %0A, all"
+    assert "did you mean y?" in (failure.text or "")
+    waived = suite.find("./testcase/skipped")
+    assert waived is not None
+    assert waived.get("message") == WAIVED
+    names = [case.get("name") for case in suite]
+    assert len(names) == len(set(names))
+    nothing = ElementTree.fromstring(findings_junit([]))[0]  # noqa: S314  our own
+    assert (nothing.get("tests"), nothing.get("failures")) == ("1", "0")
+
+
+def test_gitlab_tells_findings_apart(findings: Report, tmp_path: Path) -> None:
+    """By fingerprints, of which no two are alike; severities are those that GitLab knows."""
+    found = list(findings)
+    issues = json.loads(findings_gitlab([*found, found[0]], str(tmp_path)))
+    assert len({issue["fingerprint"] for issue in issues}) == len(issues) == 4
+    assert sorted(issue["severity"] for issue in issues[:3]) == ["info", "major", "minor"]
+    assert issues == json.loads(findings_gitlab([*found, found[0]], str(tmp_path)))
+    assert {issue["location"]["path"] for issue in issues} >= {"specs/a b,1:x%.yaml"}
+    assert all(issue["location"]["lines"]["begin"] >= 1 for issue in issues)

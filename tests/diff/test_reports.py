@@ -1,17 +1,22 @@
 """Reports for people: text of others is text, and numbers agree with their nouns."""
 
+import json
 import re
+from collections.abc import Callable
+from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
 from codegen.cli import main
+from codegen.comment import MOST_CHARACTERS
 from codegen.diff.change import Change, changed
 from codegen.diff.markdown import code, plain, review_markdown
 from codegen.diff.page import review_page
 from codegen.diff.review import Review, review
 from codegen.diff.system import Comparison
 from codegen.diff.trace_rules import DOC, REQUIREMENT_TEXT
-from codegen.diff.wire_rules import MESSAGE_REMOVED
+from codegen.diff.wire_rules import ENTRY_ADDED, FIELD_UNITS, MESSAGE_REMOVED
 from codegen.source import Place
 
 
@@ -73,3 +78,62 @@ def test_what_could_never_fail_is_refused(
     """A workflow with an empty variable, or with a rule of another command, would be green whatever changed."""
     assert main(["diff", "common", "common", f"{option}={value}"]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_a_comment_has_room_for_what_breaks_before_what_does_not() -> None:
+    """However much is harmless: not one of the breaking ones is left out, and what is left out is counted."""
+    place = Place("/x/y.xml", 3, 4), Place("/x/y.xml", 3, 4)
+    harmless = [changed(ENTRY_ADDED, f"E{number}.x", None, "x" * 200, place) for number in range(300)]
+    doubtful = [changed(ENTRY_ADDED, f"D{n}.x", "a", "b", place, breaks=(), doubt="which it is") for n in range(40)]
+    breaking = [changed(FIELD_UNITS, f"M{number}.f", "mV", "V" * 100, place) for number in range(60)]
+    comment = review_markdown(reviewed(*harmless, *doubtful, *breaking))
+    assert len(comment) <= MOST_CHARACTERS
+    assert comment.count("**silent and breaking** ·") == 60
+    assert comment.count("**needs a person** ·") == 40
+    shown = comment.count("(`enum-entry-added`)") - 40
+    assert 0 < shown < 300
+    assert f"{300 - shown} further changes do not fit into a comment, none of which breaks anybody" in comment
+    many = [changed(FIELD_UNITS, f"M{number}.f", "mV", "V" * 100, place) for number in range(400)]
+    comment = review_markdown(reviewed(*harmless, *many))
+    assert len(comment) <= MOST_CHARACTERS
+    assert "enum-entry-added" not in comment
+    assert re.search(r"[1-9]\d* of them among those that break or need a person", comment)
+
+
+XML = '<mavlink><messages><message id="7" name="M"><description>d</description>{}</message></messages></mavlink>'
+FIELD = '<field type="{}" name="{}">a</field>'
+
+READERS: dict[str, Callable[[str], str]] = {
+    "text": str,
+    "markdown": lambda out: out.replace("\\", ""),
+    "html": lambda out: re.sub("<[^>]*>", "", out),
+    "json": lambda out: " ".join(one["message"] for one in json.loads(out)["errors"]),
+    "github": lambda out: "\n".join(line for line in out.splitlines() if line.startswith("::error")),
+    "sarif": lambda out: " ".join(
+        one["message"]["text"] for one in json.loads(out)["runs"][0]["results"] if one["level"] == "error"
+    ),
+    "junit": lambda out: " ".join(
+        case.get("message", "")
+        for case in ElementTree.fromstring(out).iter("failure")  # noqa: S314  our own
+    ),
+    "gitlab": lambda out: " ".join(one["description"] for one in json.loads(out) if one["severity"] == "major"),
+}
+
+
+@pytest.mark.parametrize("form", READERS)
+def test_a_side_with_errors_says_so_in_every_format(
+    form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """All of its errors: what a misspelt type hides is not said to be harmless."""
+    old, new = tmp_path / "old.xml", tmp_path / "new.xml"
+    old.write_text(XML.format(FIELD.format("uint8_t", "a")))
+    new.write_text(XML.format(FIELD.format("uint88_t", "a") + FIELD.format("uint99_t", "b")))
+    for allowed in ((), ("--allow-errors", "--fail-on", "never")):
+        code = main(["diff", str(old), str(new), "--format", form, *allowed])
+        captured = capsys.readouterr()
+        assert code == (0 if allowed else 1)
+        said = READERS[form](captured.out + (captured.err if form == "text" else ""))
+        assert "uint88_t" in said
+        assert "uint99_t" in said
+    main(["diff", str(old), str(new), "--fail-on", "never"])
+    assert "has 2 errors, and what they concern may be missing (--allow-errors" in capsys.readouterr().err

@@ -13,6 +13,7 @@ from trace_project import Project
 
 from codegen import pipeline
 from codegen.cli import main
+from codegen.comment import MOST_CHARACTERS, fitting
 from codegen.diagnostics import Report
 from codegen.trace.needs import need_id
 
@@ -205,3 +206,14 @@ def test_from_pytest_to_the_trace(project: Project, capsys: pytest.CaptureFixtur
     (project.folder / "1.xml").write_text(failed)
     assert project.run(*results) == 1
     assert "error trace-uncovered: FR-1.2 is shown by no test: 2 passed, 1 failed" in capsys.readouterr().out
+
+
+def test_markdown_is_no_longer_than_a_comment() -> None:
+    """Of what is longer the first lines are kept, and the rows that are left out are counted."""
+    row = f"| {'x' * 96} |"
+    text = "\n".join(["# T", "", "| a |", "| --- |", *[row] * 700]) + "\n"
+    cut = fitting(text, "criteria", "a page has all.")
+    assert len(cut) <= MOST_CHARACTERS < len(text)
+    kept = cut.count(row)
+    assert cut.endswith(f"{700 - kept} further criteria do not fit into a comment: a page has all.\n")
+    assert fitting(cut, "criteria", "") == cut

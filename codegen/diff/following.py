@@ -1,0 +1,139 @@
+"""One fact, one finding: what follows from a change stands below it and is not counted again."""
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from codegen.diff import behaviour_rules, wire_rules
+from codegen.diff.change import Area, Change, ChangeRule, Notice
+from codegen.diff.grouping import Group
+
+Carried = Mapping[str, tuple[str, ...]]
+"""What takes numbers from parameters, ADC channels and quantities, by their names: quantities and fields."""
+
+_TABLE = frozenset(
+    rule.id
+    for rule in (
+        behaviour_rules.UNKNOWN,
+        behaviour_rules.CONVERSION,
+        behaviour_rules.LIMITS,
+        behaviour_rules.FLAGS,
+        behaviour_rules.CONSTANT,
+    )
+)
+_CONVERTED = frozenset(
+    rule.id for rule in (behaviour_rules.CONVERSION, behaviour_rules.LIMITS, behaviour_rules.QUANTITY_SOURCE)
+)
+_KEPT = frozenset(
+    rule.id for rule in (behaviour_rules.QUANTITY_UNIT, behaviour_rules.QUANTITY_RANGE, behaviour_rules.CHANNEL)
+)
+_HEARD = frozenset({wire_rules.MESSAGE_ID.id, wire_rules.CRC_EXTRA.id})
+_DROPPED = (Notice.NOTICED, Notice.UNKNOWN_ID)
+_ELEMENTS = re.compile(r"\[[^\]]*\]$")
+
+
+class _Relation(NamedTuple):
+    """Which groups may lead others, which may follow, and whether one follows another."""
+
+    may_lead: Callable[[Change], bool]
+    may_follow: Callable[[Change], bool]
+    is_followed: Callable[[Group, Group, Carried], bool]
+
+
+def with_following(groups: Sequence[Group], carried: Carried) -> list[Group]:
+    """The groups, those that follow from another one moved below it; never one that is graver than that."""
+    heads: dict[int, int] = {}
+    leading: set[int] = set()
+    for relation in _RELATIONS:
+        candidates = [index for index, group in enumerate(groups) if relation.may_lead(group.first)]
+        if not candidates:
+            continue
+        for index, group in enumerate(groups):
+            if index in heads or index in leading or not relation.may_follow(group.first):
+                continue
+            for head in candidates:
+                is_free = head != index and head not in heads and _may_lead(groups[head], group)
+                if is_free and relation.is_followed(groups[head], group, carried):
+                    heads[index] = head
+                    leading.add(head)
+                    break
+    below: dict[int, list[Group]] = {}
+    for index, head in heads.items():
+        below.setdefault(head, []).append(groups[index])
+    return [
+        replace(group, following=tuple(below[index])) if index in below else group
+        for index, group in enumerate(groups)
+        if index not in heads
+    ]
+
+
+def _may_lead(head: Group, group: Group) -> bool:
+    return head.first.weight.rank <= group.first.weight.rank
+
+
+def _is_dropped_with(head: Group, group: Group, _: Carried) -> bool:
+    """Whether nobody reads the bytes that a change is about, the whole message being dropped for the same reason."""
+    return set(group.first.messages) <= set(head.first.messages)
+
+
+def _is_in_dropped(change: Change) -> bool:
+    is_of_bytes = change.enum is None and change.rule.area is not Area.DOCUMENTATION
+    return (
+        is_of_bytes
+        and change.notice in _DROPPED
+        and change.rule.id != wire_rules.MESSAGE_ID.id
+        and bool(change.messages)
+    )
+
+
+def _is_of_the_field(head: Group, group: Group, _: Carried) -> bool:
+    """Whether a table says otherwise what the dialect says otherwise of the same field."""
+    if head.first.enum is not None:
+        is_flags = group.first.rule.id == behaviour_rules.FLAGS.id
+        return is_flags and not set(group.first.rows).isdisjoint(head.first.rows)
+    return set(_fields(group)) <= set(_fields(head))
+
+
+def _is_kept_otherwise(head: Group, group: Group, carried: Carried) -> bool:
+    """Whether a number is converted otherwise because of how its source is kept, measured or limited."""
+    reached = {target for change in head.changes for target in carried.get(change.subject, ())}
+    return set(_fields(group)) <= reached
+
+
+def _is_for_new_field(head: Group, group: Group, _: Carried) -> bool:
+    """Whether a table answers a field for which CRC_EXTRA is another one."""
+    field = next(_fields(group)).rpartition(".")[2]
+    return head.first.messages == group.first.messages and f"{field} is new" in head.first.causes
+
+
+def _is_its_default(head: Group, group: Group, _: Carried) -> bool:
+    """Whether a stream has another rate because the default of its parameter is another one."""
+    return f"default of {group.first.subject}" in (head.first.new or "")
+
+
+_OF_DIALECT = frozenset(
+    rule.id
+    for rule in vars(wire_rules).values()
+    if isinstance(rule, ChangeRule) and rule.area is not Area.DOCUMENTATION
+)
+_RELATIONS = (
+    _Relation(lambda change: change.rule.id in _HEARD, _is_in_dropped, _is_dropped_with),
+    _Relation(
+        lambda change: change.rule.id == wire_rules.CRC_EXTRA.id,
+        lambda change: change.rule.id == behaviour_rules.SOURCE.id and change.old is None,
+        _is_for_new_field,
+    ),
+    _Relation(lambda change: change.rule.id in _OF_DIALECT, lambda change: change.rule.id in _TABLE, _is_of_the_field),
+    _Relation(lambda change: change.rule.id in _KEPT, lambda change: change.rule.id in _CONVERTED, _is_kept_otherwise),
+    _Relation(
+        lambda change: change.rule.id == behaviour_rules.STREAM_RATE.id,
+        lambda change: change.rule.id == behaviour_rules.PARAMETER_DEFAULT.id,
+        _is_its_default,
+    ),
+)
+
+
+def _fields(group: Group) -> Iterator[str]:
+    """What a group is about, without the name of a program and without elements."""
+    return (_ELEMENTS.sub("", change.subject.rpartition(": ")[2]) for change in group.changes)

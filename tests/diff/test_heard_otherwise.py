@@ -1,0 +1,144 @@
+"""The headline never says that nothing breaks where somebody hears nothing, hears less, or gets other numbers."""
+
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.diff.reach import traces, with_reach
+from codegen.diff.review import Review, as_finding, fails, review
+from codegen.diff.system import compare_systems
+from codegen.findings.text import finding_text
+from codegen.model.system import System
+from codegen.pipeline import read_systems, read_trace
+
+ROOT = Path(__file__).resolve().parents[2]
+
+Edit = Callable[[Path], None]
+
+
+def replaced(file: str, old: str, new: str) -> Edit:
+    def edit(specs: Path) -> None:
+        path = specs / file
+        text = path.read_text()
+        assert text.count(old) >= 1, f"{old!r} is not in {file}"
+        path.write_text(text.replace(old, new, 1))
+
+    return edit
+
+
+STATUS = "messages/battery_status.yaml"
+
+CASES: dict[str, tuple[Edit, str, str]] = {
+    "off its stream": (
+        replaced(STATUS, "stream: EXTRA1\n", ""),
+        "error message-schedule-changed: BATTERY_STATUS: stream EXTRA1 -> stream on request; who does not ask for it "
+        "hears nothing; breaks old ground station with new vehicle",
+        "break",
+    ),
+    "rate 0": (
+        replaced("parameters.yaml", "default: 2\n    min: 0\n    max: 50", "default: 0\n    min: 0\n    max: 50"),
+        "who does not ask for it hears nothing; breaks old ground station with new vehicle",
+        "break",
+    ),
+    "lower rate": (
+        replaced("parameters.yaml", "default: 2\n    min: 0\n    max: 50", "default: 1\n    min: 0\n    max: 50"),
+        "needs a person: whether it is heard often enough: 1 times a second and no longer 2",
+        "need",
+    ),
+    "constant": (
+        replaced(STATUS, "current_battery: {state: battery.current", "current_battery: {constant: 5 A} #"),
+        "always 500, which receivers take for what is so now; silent on the wire; breaks",
+        "break",
+    ),
+    "divider": (
+        replaced("parameters.yaml", "default: 3.95", "default: 4.95"),
+        "the same reading is 99/79 times what it was in ",
+        "need",
+    ),
+    "reference": (
+        replaced("board.yaml", "reference: 3.3 V", "reference: 3.0 V"),
+        "the same count is 10/11 times what it was in ",
+        "need",
+    ),
+    "criteria": (
+        replaced(STATUS, "requirement: FR-00068", "requirement: FR-00069"),
+        "error criterion-uncovered: FR-00068",
+        "what a requirement asks for",
+    ),
+    "link": (
+        replaced("parameters.yaml", "default: 2\n    min: 0\n    max: 50", "default: 50\n    min: 0\n    max: 50"),
+        "error link-overloaded: link.radio: ",
+        "break",
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The specification of the rover with a slow radio, in a folder of its own."""
+    folder = tmp_path_factory.mktemp("heard")
+    shutil.copytree(ROOT / "specs", folder / "old")
+    replaced("board.yaml", "links:\n", "links:\n  radio: {uart: 0, tx: 0, rx: 1, baud: 9600}\n")(folder / "old")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def before(project: Path) -> tuple[System, ...]:
+    return read_systems(str(project / "old" / "codegen.yaml"), Report())
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_heard_otherwise_fails_and_stands_in_the_headline(
+    name: str, project: Path, before: tuple[System, ...]
+) -> None:
+    edit, said, headline = CASES[name]
+    shutil.rmtree(project / "new", ignore_errors=True)
+    shutil.copytree(project / "old", project / "new")
+    edit(project / "new")
+    after = read_systems(str(project / "new" / "codegen.yaml"), Report())
+    found = review("old", "new", compare_systems(before, after))
+    assert said in "\n".join(finding_text(as_finding(group)) for group in found.groups)
+    assert "none of them breaks anybody" not in found.head_line
+    assert headline in found.head_line
+    assert fails(found, ["breaking", "person"])
+
+
+def compared(project: Path, before: tuple[System, ...], edit: Edit) -> Review:
+    """The review of an edit, with what it reaches."""
+    shutil.rmtree(project / "new", ignore_errors=True)
+    shutil.copytree(project / "old", project / "new")
+    edit(project / "new")
+    after = read_systems(str(project / "new" / "codegen.yaml"), Report())
+    trace = traces(read_trace(before, Report()), read_trace(after, Report()), (*before, *after))
+    found = compare_systems(before, after)
+    return review("old", "new", replace(found, changes=with_reach(found.changes, trace)))
+
+
+def test_the_default_of_a_multiplier_reaches_what_the_reference_voltage_does(
+    project: Path, before: tuple[System, ...]
+) -> None:
+    """Both change each number that comes of a reading: the same tests, criteria, builders; a family is one finding."""
+    (divider,) = compared(project, before, CASES["divider"][0]).groups
+    assert divider.subject == "BATT_VOLT_MULT, BATT2_VOLT_MULT"
+    (reference,) = compared(project, before, CASES["reference"][0]).groups
+    assert reference.first.rule.id == "adc-channel-changed"
+    assert [each.first.rule.id for each in reference.following] == ["quantity-source-changed"]
+    assert "firmware/telemetry.py: build_battery_status" in divider.reach.symbols
+    assert {test for test in divider.reach.tests if "test_frames" in test}
+    assert set(reference.reach.tests) - set(divider.reach.tests) == set()
+    assert {one for one in reference.reach.requirements if one.startswith("FR-00068")} <= set(
+        divider.reach.requirements
+    )
+
+
+def test_a_rate_s_default_stands_below_its_stream(project: Path, before: tuple[System, ...]) -> None:
+    """It reaches the messages of the stream, and is told once."""
+    found = compared(project, before, CASES["lower rate"][0])
+    stream = next(group for group in found.groups if group.first.rule.id == "stream-rate-changed")
+    assert [each.first.rule.id for each in stream.following] == ["parameter-default-changed"]
+    assert not any(group.first.rule.id == "parameter-default-changed" for group in found.groups)
+    assert "firmware/telemetry.py: build_battery_status" in stream.following[0].reach.symbols

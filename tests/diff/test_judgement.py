@@ -1,0 +1,129 @@
+"""What an experienced reviewer would say of a change is said: nothing that breaks silently passes as harmless."""
+
+import importlib.util
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from codegen.diff.change import Weight
+from codegen.diff.quantities import unit_in_words
+from codegen.diff.wording import Likeness, is_unsaid, name_likeness, stated_values, text_likeness
+
+CORPUS = Path(__file__).parent / "corpus"
+
+
+def scoring() -> Any:
+    """The script beside the corpus."""
+    spec = importlib.util.spec_from_file_location("corpus_score", CORPUS / "score.py")
+    assert spec is not None
+    assert spec.loader is not None
+    found = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(found)
+    return found
+
+
+@pytest.mark.parametrize("folder", [CORPUS, CORPUS / "held_out"], ids=lambda folder: folder.name)
+def test_the_goals_of_the_corpus_hold(folder: Path) -> None:
+    """No silent break is called harmless, and at most one in twenty harmless changes fails."""
+    score = scoring()
+    found = list(score.judged(score.pairs_of(folder)))
+    missed = [each.pair.name for each in found if each.is_missed]
+    alarms = [each.pair.name for each in found if each.is_false_alarm]
+    harmless = sum(each.pair.judgement is Weight.HARMLESS for each in found)
+    assert not missed
+    assert len(alarms) <= score.MOST_FALSE_ALARMS * harmless, alarms
+
+
+def test_the_corpus_is_large_and_has_every_judgement() -> None:
+    """Names occur once, a third of those that were written first is held out, and each judgement has several pairs."""
+    score = scoring()
+    tuned, held_out = (score.pairs_of(folder) for folder in (CORPUS, CORPUS / "held_out"))
+    names = [pair.name for pair in (*tuned, *held_out)]
+    assert len(names) == len(set(names)) >= 120
+    assert len(held_out) >= 58
+    for pairs in (tuned, held_out):
+        assert all(sum(pair.judgement is weight for pair in pairs) > 2 for weight in Weight)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "whole", "likeness"),
+    [
+        ("UNDER_WAY", "AIS_NAV_STATUS_UNDER_WAY", "AIS_NAV_STATUS", Likeness.SAME),
+        ("E_GROUND_SPEED", "E_GROUNDSPEED", "E", Likeness.SAME),
+        ("heading target", "Heading Target", "", Likeness.SAME),
+        ("E_AUTO", "E_AUTOTUNE", "E", Likeness.NEAR),
+        ("E_LOCKED", "E_BLOCKED", "E", Likeness.NEAR),
+        ("E_SPEKTRUM_DSM2", "E_SPEKTRUM", "E", Likeness.NEAR),
+        ("E_SERIAL2", "E_SERIAL3", "E", Likeness.OTHER),
+        ("E_DSMX", "E_CRSF", "E", Likeness.OTHER),
+        ("E_ENABLE_ALL", "E_DISABLE_ALL", "E_ENABLE", Likeness.OPPOSITE),
+        ("E_HEALTHY", "E_UNHEALTHY", "E", Likeness.OPPOSITE),
+        ("Latitude", "Longitude", "", Likeness.OPPOSITE),
+    ],
+)
+def test_names_are_respelt_or_others(old: str, new: str, whole: str, likeness: Likeness) -> None:
+    assert name_likeness(old, new, whole) is likeness
+    if likeness is not Likeness.NEAR:
+        assert name_likeness(new, old, whole) is likeness
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "likeness"),
+    [
+        ("Roll angle (-pi..+pi)", "Roll angle, between -pi and +pi", Likeness.NEAR),
+        ("Positive up", "Positive down", Likeness.OPPOSITE),
+        ("Reserved (all remaining params)", "Camera", Likeness.UNSAID),
+        ("Drop the load", "Arm the cutter", Likeness.OTHER),
+    ],
+)
+def test_texts_say_the_same_or_not(old: str, new: str, likeness: Likeness) -> None:
+    assert text_likeness(old, new) is likeness
+
+
+def test_a_text_that_says_another_thing_is_a_change_of_meaning() -> None:
+    """It is told once, by its own rule and not as another text."""
+    score = scoring()
+    texts = "Speed along z, positive up", "Speed along z, positive down"
+    fields = [f'<field type="float" name="climb">{text}</field>' for text in texts]
+    entries = [f'<entry value="1" name="X"><description>{text}</description></entry>' for text in texts]
+    for (before, after), rule in ((fields, "field-meaning-changed"), (entries, "enum-entry-meaning-changed")):
+        pair = score.Pair("p", Weight.SILENT, "", before, after)
+        (found,) = score.judged([pair])
+        assert [(change.rule.id, change.is_silent) for change in found.changes] == [(rule, True)]
+
+
+def test_what_was_announced_is_softened_and_says_so() -> None:
+    """It stays among the changes, with why it counts as no break; what was not announced does not."""
+    score = scoring()
+    message = (
+        '<message id="7" name="M">{}<description>d</description><field type="uint8_t" name="a">a</field></message>'
+    )
+    for standing, said in (
+        ("<wip/>", "it was work in progress"),
+        ('<deprecated since="2020-01" replaced_by="N"/>', "it was deprecated since 2020-01, N taking its place"),
+        ("", ""),
+    ):
+        (found,) = score.judged([score.Pair("p", Weight.HARMLESS, "", message.format(standing), "")])
+        (change,) = found.changes
+        assert (change.rule.id, change.softened, change.is_breaking) == ("message-removed", said, not said)
+
+
+def test_reserved_is_said_in_many_ways() -> None:
+    for text in ("", "Empty", "Reserved, send 0", "Reserved (set to 0)", "unused."):
+        assert is_unsaid(text), text
+    assert not is_unsaid("Reserved for a lens ID")
+
+
+def test_numbers_and_units_are_read_in_texts() -> None:
+    assert stated_values("direction: -1: counter clockwise, 1: clockwise") == {-1: "counter clockwise", 1: "clockwise"}
+    assert stated_values("0 = start (soon), 1 = cancel") == {0: "start", 1: "cancel"}
+    units = {
+        "Distance in centimeters": "cm",
+        "Acceleration (mG)": "mG",
+        "Speed in metres per second": "m/s",
+        "Heading, 0.0..359.99 degrees": None,
+        "Sent after 5 seconds": None,
+        "Yaw angle": None,
+    }
+    assert {text: unit_in_words(text) for text in units} == units
