@@ -1,6 +1,6 @@
 """What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
 
-COMMANDS = ("build", "check", "diff", "explain", "trace", "import", "codec", "sim")
+COMMANDS = ("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim")
 """Each is a module of this package with ``add_command``."""
 
 HELP = """\
@@ -19,6 +19,7 @@ options:
 
 commands:
   COMMAND
+    init          begin a project that builds as it is
     build         generate the firmware, mocks, tests and documents
     check         check the specification against the dialect, and what
                   documents claim

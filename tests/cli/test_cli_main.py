@@ -110,6 +110,13 @@ def test_no_project_ends_with_2_and_says_what_is_missing(
     assert (code, out, pipeline.projects) == (2, "", [])
     assert "codegen.yaml" in err
     assert "--project" in err
+    assert "codegen init" in err
+
+
+@pytest.mark.parametrize("folder", [".", "specs", "../{name}"])
+def test_project_may_be_a_folder(pipeline: Any, run: Any, project: Path, folder: str) -> None:
+    run("check", "--project", folder.format(name=project.name))
+    assert pipeline.projects == [str(project / "specs/codegen.yaml")]
 
 
 def test_internal_error_is_one_line_and_ends_with_3(pipeline: Any, run: Any) -> None:
