@@ -100,6 +100,11 @@ def decode_program(program: ListedProgram, report: Report) -> Spec | None:
     return _SpecReader(program.project_file, program, report).read()
 
 
+def _hash(data: bytes) -> str:
+    """The sha256 of a text, whatever its line ends are: git may check it out with others."""
+    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
+
+
 class _SpecReader:
     """Reads the files of one specification and keeps account of them.
 
@@ -188,7 +193,7 @@ class _SpecReader:
         data = read_bytes(path, self._report, asked_at)
         if data is None:
             return None
-        self._hashes[path] = hashlib.sha256(data).hexdigest()
+        self._hashes[path] = _hash(data)
         return decode_text(data, path, self._report)
 
     def _record(self, path: str, cls: type[_Record], asked_at: Place) -> _Record | None:
@@ -314,7 +319,7 @@ class _SpecReader:
         for name in (project.dialect, *project.overlays, *project.known):
             data = read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
             if data is not None:
-                self._hashes[self._path(name)] = hashlib.sha256(data).hexdigest()
+                self._hashes[self._path(name)] = _hash(data)
 
     def _report_unread(self) -> None:
         for folder in ("", "messages", "dialects", "requirements", OWN):
