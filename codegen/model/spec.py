@@ -274,8 +274,8 @@ class Spec:
     """Everything below the folder of ``codegen.yaml``.
 
     ``folder`` is its absolute path; ``files`` maps the absolute path of every file that was read to the sha256 of
-    its content with line ends of LF, in the order of the paths. A further program has its name in ``program``; ``folder`` is then that of
-    its base, and ``own_folder`` its own, of which the files come first.
+    its content with line ends of LF, in the order of the paths. A further program has its name in ``program``;
+    ``folder`` is then that of its base, and ``own_folder`` its own, of which the files come first.
     """
 
     folder: str

@@ -58,6 +58,22 @@ def test_a_new_project_has_what_a_repository_and_an_editor_need(here: Path) -> N
     assert findings(here / "my boat/specs/codegen.yaml") == []
 
 
+def test_a_build_says_what_there_is_now(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Not only how many files: what they are, and what one can do next; the second time that there was nothing to do."""
+    assert main(["init", "a", "--board", "esp32_c3"]) == 0
+    capsys.readouterr()
+    project = ["--project", str(here / "a")]
+    assert main([*project, "build"]) == 0
+    written, made, what_is_next = capsys.readouterr().err.splitlines()
+    assert " files written" in written
+    assert made == "a/generated/ has a with 2 messages: firmware, mocks, tests, pages (docs/index.html)"
+    assert what_is_next == ("next: codegen sim, pytest a/generated/tests, codegen build --mpy rv32imc (for the board)")
+    assert main([*project, "build", "--check"]) == 0
+    assert capsys.readouterr().err == ""
+    assert main([*project, "build"]) == 0
+    assert capsys.readouterr().err.startswith("up to date: ")
+
+
 def test_nothing_is_overwritten_and_nothing_written_beside_it(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (here / "specs").mkdir()
     (here / "specs" / "state.yaml").write_text("mine\n")
