@@ -7,6 +7,7 @@ from typing import TypeVar, cast
 
 from codegen.cache import entry, keep_object, kept_object, pickled
 from codegen.decode.decoded import decoded_with_includes
+from codegen.decode.dialect_version import is_stated_version
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.reach import folders_of
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
@@ -136,6 +137,8 @@ def scenarios_path(project_file: str) -> str:
 def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
     project = spec.project
+    if not is_stated_version(project, report):
+        return None
     inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections, spec.refusals)
     dialect, digest = decoded_with_includes("project", inputs, lambda found: _decode_dialect(spec, found), report)
     return None if dialect is None else replace(dialect, digest=digest)

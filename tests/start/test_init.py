@@ -59,7 +59,7 @@ def test_a_new_project_has_what_a_repository_and_an_editor_need(here: Path) -> N
 
 
 def test_a_build_says_what_there_is_now(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Not only how many files: what they are, and what one can do next; the second time that there was nothing to do."""
+    """Not only how many files: what they are, and what one can do next; then that there was nothing to do."""
     assert main(["init", "a", "--board", "esp32_c3"]) == 0
     capsys.readouterr()
     project = ["--project", str(here / "a")]
@@ -81,7 +81,7 @@ def test_nothing_is_overwritten_and_nothing_written_beside_it(here: Path, capsys
     assert main(["init"]) == 1
     assert files(here) == {"specs/state.yaml": "mine\n", "app.py": "mine, too\n"}
     (line, hint), said = capsys.readouterr().out.splitlines(), "they are there already: app.py, specs/state.yaml"
-    assert said in line
+    assert f"error init-exists: {said}" in line
     assert "codegen init FOLDER" in hint
     assert main(["init", "app.py"]) == 1
     assert "not a folder" in capsys.readouterr().out
@@ -103,6 +103,7 @@ def test_what_does_not_fit_is_told_and_nothing_written(
     assert main(["init", "rover", *options]) in (1, 2)
     told = capsys.readouterr()
     assert said in told.out
+    assert ("error init-unknown: " in told.out) is ("did you mean" in said)
     assert "nothing was written" in told.err
     assert list(here.iterdir()) == []
 
