@@ -13,7 +13,7 @@ from codegen.template_files import copied
 STUBS = ("mavlink", "message", "receiver", "sender", "signing")
 """Modules that have a stub which is the same for each dialect."""
 
-_OWN = frozenset(
+OWN = frozenset(
     {"NAME", "ID", "CRC_EXTRA", "BASE_LENGTH", "LENGTH", "FIELDS", "DEFAULTS", "wire", "live"}
     | {"source_sequence", "source_system", "source_component", "names", "get", "raw", "set", "update"}
 )
@@ -72,7 +72,7 @@ def _class_stub(message: WireMessage, name: str) -> Iterator[str]:
     keywords = []
     for field in message.fields:
         held = _held(field)
-        attribute = field.name + "_" * (field.name in _OWN or keyword.iskeyword(field.name))
+        attribute = field.name + "_" * (field.name in OWN or keyword.iskeyword(field.name))
         yield f"    {attribute}: {held}"
         argument = field.name + "_" * (field.name == "self" or keyword.iskeyword(field.name))
         keywords.append(f"        {argument}: {held} = ...,")
