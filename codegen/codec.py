@@ -110,10 +110,11 @@ def codec_of(
     *,
     enums: Sequence[str] | None = None,
     machine_code: bool = True,
+    package: str | None = None,
 ) -> dict[str, str]:
     """Like :func:`codec_files`, of a dialect that was read."""
     messages = chosen_messages(names, dialect, report)
     chosen = chosen_enums(enums, messages, dialect, report)
     if report.has_errors:
         return {}
-    return render_codec(dialect, messages, chosen, machine_code=machine_code)
+    return render_codec(dialect, messages, chosen, machine_code=machine_code, package=package)

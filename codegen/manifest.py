@@ -62,6 +62,11 @@ def sha256(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
+def with_lf(content: bytes) -> bytes:
+    """A text with line ends of LF, as codegen writes it."""
+    return content.replace(b"\r\n", b"\n")
+
+
 def read_manifest(content: bytes | None, place: Place, report: Report) -> Manifest | None:
     """The manifest that ``content`` holds: an empty one for None and, with a warning, for what cannot be understood.
 

@@ -7,6 +7,7 @@ from typing import TypeVar, cast
 
 from codegen.cache import entry, keep_object, kept_object, pickled
 from codegen.decode.decoded import decoded_with_includes
+from codegen.decode.dialect_version import is_stated_version
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.reach import folders_of
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
@@ -25,7 +26,7 @@ from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import check_system
-from codegen.source import Place
+from codegen.source import Place, shown_path
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
 from codegen.tool import tool_digest
@@ -136,6 +137,8 @@ def scenarios_path(project_file: str) -> str:
 def read_dialect(spec: Spec, report: Report) -> Dialect | None:
     """The dialect of a project with its includes, overlays and corrections."""
     project = spec.project
+    if not is_stated_version(project, report):
+        return None
     inputs = (spec.folder, project.dialect, project.overlays, project.known, spec.corrections, spec.refusals)
     dialect, digest = decoded_with_includes("project", inputs, lambda found: _decode_dialect(spec, found), report)
     return None if dialect is None else replace(dialect, digest=digest)
@@ -287,6 +290,20 @@ def files_read(systems: Iterable[System]) -> set[str]:
 def folders_read(systems: Iterable[System]) -> list[str]:
     """The absolute paths of the folders of the specifications, that of the project first."""
     return [system.spec.own_folder for system in systems]
+
+
+def what_is_made(systems: Sequence[System]) -> list[str]:
+    """What a build has made, and what one can do with it now, for people."""
+    main, *others = systems
+    folder = shown_path(output_folder(main)).replace("\\", "/")
+    count = len(main.messages)
+    further = f", and beside it {', '.join(system.spec.program for system in others)}" if others else ""
+    name, messages = main.spec.project.project, f"{count} {'message' if count == 1 else 'messages'}"
+    lines = [f"{folder}/ has {name} with {messages}{further}: firmware, mocks, tests, pages (docs/index.html)"]
+    steps = ["codegen sim", f"pytest {folder}/tests"] if main.program else [f"pytest {folder}/tests"]
+    if main.spec.board_model is not None:
+        steps.append(f"codegen build --mpy {main.spec.board_model.architecture} (for the board)")
+    return [*lines, f"next: {', '.join(steps)}"]
 
 
 def output_folder(system: System) -> str:

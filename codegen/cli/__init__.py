@@ -47,6 +47,11 @@ def main(argv: list[str]) -> int:
 
 
 def _run(argv: list[str]) -> int:
+    if not argv:
+        from codegen.cli.usage import BEGINNING
+
+        print(BEGINNING, end="")
+        return 0
     if argv in (["--help"], ["-h"]):
         from codegen.cli.usage import HELP
 

@@ -6,7 +6,7 @@ import time
 
 from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
-from codegen.cli.output import add_output_options, is_plain, nonsense
+from codegen.cli.output import add_output_options, is_plain, nonsense, up_to_date
 
 TYPE_CHECKING = False  # typing takes longer to import than --help may take
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
     started = time.time()
     kept = stamp.unchanged(project) if is_plain(arguments) and arguments.mpy is None else None
     if kept is not None:
-        print(f"0 files written, {kept} unchanged", file=sys.stderr)
+        print(up_to_date(kept), file=sys.stderr)
         return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project))
     from codegen import pipeline
     from codegen.cli.output import emit
@@ -71,6 +71,8 @@ def run(arguments: argparse.Namespace) -> int:
         compiled = Report()
         boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
         code = emit(boards, pipeline.board_folder(system, arguments.mpy), arguments, compiled)
+    if not code and not (arguments.check or arguments.diff or arguments.dry_run):
+        print("".join(f"{line}\n" for line in pipeline.what_is_made(systems)), end="", file=sys.stderr)
     if arguments.depfile is None or code:
         return code
     return write_depfile(arguments, stamp.everything_read(project, read, beside))

@@ -32,6 +32,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="how findings are printed: for people, as JSON, as annotations of GitHub, as SARIF 2.1.0, as JUnit, for "
         "GitLab",
     )
+    parser.add_argument("--waived", action="store_true", help="print waived findings, too, and not only their number")
     parser.set_defaults(run=run)
 
 
@@ -63,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
         waivers = waivers_of(project)
         with confined(folders_of(project)):
             report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
-    print_findings(report, arguments.format)
+    print_findings(report, arguments.format, shows_waived=arguments.waived)
     return report.exit_code
 
 

@@ -29,6 +29,12 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--enums", metavar="A,B", help="names of enums, or none (default: those that the messages refer to)"
     )
     parser.add_argument(
+        "--package",
+        metavar="NAME",
+        help="make a package of that name below DIR, which may lie anywhere, with stubs for type checkers and a "
+        "package.json for mip (default: loose modules)",
+    )
+    parser.add_argument(
         "--bytecode", action="store_true", help="make no machine code, for ports of MicroPython without it"
     )
     parser.add_argument(
@@ -51,6 +57,8 @@ def run(arguments: argparse.Namespace) -> int:
         fault = "--messages names no message; say all for every one"
     elif not arguments.out:
         fault = "--out names no folder"
+    elif arguments.package is not None and not _is_package(arguments.package):
+        fault = f"--package: {arguments.package} is no name of a package"
     if fault:
         print(f"codegen codec: {fault}", file=sys.stderr)
         return 2
@@ -61,12 +69,17 @@ def run(arguments: argparse.Namespace) -> int:
     report = Report()
     machine_code = not (arguments.bytecode or arguments.mpy == "bytecode")
     dialect = read_codec_dialect(arguments.dialect, report)
-    files = {} if dialect is None else codec_of(dialect, names, report, enums=enums, machine_code=machine_code)
+    options = {"enums": enums, "machine_code": machine_code, "package": arguments.package}
+    files = {} if dialect is None else codec_of(dialect, names, report, **options)
     rendered: dict[str, str | bytes] = {**files}
     if rendered and arguments.mpy is not None:
         from codegen.mpy import compiled
 
         rendered = compiled(rendered, arguments.mpy, report)
+    if rendered and arguments.package is not None:
+        from codegen.targets.codec.package import mip_list
+
+        rendered["package.json"] = mip_list(rendered)
     # A module that is left over would be imported instead of its successor; what was edited by hand stays all the same.
     arguments.clean = arguments.clean or not arguments.check
     code = emit(rendered or None, os.path.abspath(arguments.out), arguments, report)
@@ -75,6 +88,12 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.tool import tool_files
 
     return write_depfile(arguments, [*dialect.files, *tool_files()])
+
+
+def _is_package(name: str) -> bool:
+    from keyword import iskeyword
+
+    return all(part.isidentifier() and not iskeyword(part) for part in name.split("."))
 
 
 def _names(text: str) -> list[str]:

@@ -12,7 +12,13 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         parents=[common],
         description="Tell the whole story of one thing: where it is specified, what becomes of it and why.",
     )
-    parser.add_argument("topic", metavar="TOPIC", help="MESSAGE, MESSAGE.field, PARAMETER or RULE_ID")
+    parser.add_argument(
+        "topic",
+        metavar="TOPIC",
+        help="a message (BATTERY_STATUS) or its field (BATTERY_STATUS.voltages), a table by its own name, a component "
+        "(battery) or its quantity (battery.voltage), a parameter, a stream, a requirement or its criterion "
+        "(FR-00068.3), or the id of a rule (sentinel-contradiction)",
+    )
     parser.set_defaults(run=run)
 
 

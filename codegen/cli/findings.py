@@ -15,13 +15,14 @@ FORMATS = ("text", "json", "github", "sarif", "junit", "gitlab")
 """How findings can be printed."""
 
 
-def print_findings(report: Report, form: str = "text") -> None:
+def print_findings(report: Report, form: str = "text", *, shows_waived: bool = True) -> None:
     """Print the findings to stdout, sorted and each once, in one of ``FORMATS``; of one kind not more than tell enough.
 
-    As text, how many there are goes to stderr; where there are none, nothing is printed.
+    As text, how many there are goes to stderr; where there are none, nothing is printed. People may do without those
+    that are waived, and see their number; programs get all.
     """
     if form == "text":
-        _print_text(report)
+        _print_text(report, shows_waived=shows_waived)
         return
     text = findings_text(shortened(report), form)
     if text:
@@ -56,9 +57,11 @@ def repository_root() -> str:
     return str(next((above for above in (folder, *folder.parents) if (above / ".git").exists()), folder))
 
 
-def _print_text(report: Report) -> None:
+def _print_text(report: Report, *, shows_waived: bool) -> None:
     is_coloured = wants_colour(sys.stdout)
     for finding in shortened(report):
+        if finding.waived is not None and not shows_waived:
+            continue
         print(finding_text(finding, is_coloured=is_coloured))
     closing = closing_line(report)
     if closing:
@@ -67,5 +70,6 @@ def _print_text(report: Report) -> None:
 
 
 def wants_colour(stream: TextIO | None) -> bool:
-    """Whether a stream is a terminal of somebody who has nothing against colours."""
-    return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR")
+    """Whether a stream is a terminal that shows colours, of somebody who has nothing against them."""
+    is_dumb = os.environ.get("TERM") in ("dumb", "")
+    return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR") and not is_dumb

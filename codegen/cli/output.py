@@ -55,8 +55,14 @@ def emit(
     if outcome is not None:
         removed = f", {outcome.removed} removed" if outcome.removed else ""
         noun = "file" if outcome.written == 1 else "files"
-        print(f"{outcome.written} {noun} written, {outcome.unchanged} unchanged{removed}", file=sys.stderr)
+        done = f"{outcome.written} {noun} written, {outcome.unchanged} unchanged{removed}"
+        print(done if outcome.written or removed else up_to_date(outcome.unchanged), file=sys.stderr)
     return report.exit_code
+
+
+def up_to_date(count: int) -> str:
+    """What a command says that had nothing to write."""
+    return f"up to date: {count} {'file' if count == 1 else 'files'}"
 
 
 def _plan(

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 from functools import cache
 from importlib import import_module
 
@@ -10,8 +11,10 @@ from codegen.cli.usage import COMMANDS, HELP
 
 TYPE_CHECKING = False  # typing takes longer to import than a command that does nothing may take
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, NoReturn
 
+_INVALID = re.compile(r"invalid choice: '?(.*?)'? \(choose from (.*)\)", re.DOTALL)
+_UNRECOGNIZED = "unrecognized arguments: "
 _MODULES = {"import": "importing"}
 """Modules of commands that are words of Python."""
 
@@ -24,10 +27,38 @@ class _Formatter(argparse.HelpFormatter):
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser, and by that also those of the commands, with that formatter."""
+    """A parser, and by that also those of the commands, with that formatter, which says what may have been meant."""
 
     def __init__(self, **options: "Any") -> None:
         super().__init__(formatter_class=_Formatter, **options)
+
+    def parse_args(self, args: "Any" = None, namespace: "Any" = None) -> "Any":
+        """As argparse does, but options that nobody knows are told by the parser of their command."""
+        found, unknown = self.parse_known_args(args, namespace)
+        if unknown:
+            getattr(found, "parser", self).error(f"unrecognized arguments: {' '.join(unknown)}")
+        return found
+
+    def error(self, message: str) -> "NoReturn":
+        """Called by argparse for wrong usage: it ends the program."""
+        wrong = _INVALID.search(message)
+        if wrong is not None:
+            known = re.findall(r"[\w.-]+", wrong[2])
+            hint = _near(wrong[1], known) or f"known: {', '.join(known)}"
+            message = f"{message[: wrong.start()]}there is no {wrong[1]} ({hint})"
+        elif message.startswith(_UNRECOGNIZED):
+            options = [name for name in self._option_string_actions if name.startswith("--")]
+            hint = _near(message.removeprefix(_UNRECOGNIZED).split()[0].partition("=")[0], options)
+            message += f" ({hint})" if hint else ""
+        super().error(message)
+
+
+def _near(written: str, known: list[str]) -> str:
+    """What may have been meant by a word; empty where nothing is near."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(written, known, n=2)
+    return f"did you mean {' or '.join(near)}?" if near else ""
 
 
 class _Program(_Parser):
@@ -63,4 +94,5 @@ def parser_for(argv: list[str]) -> argparse.ArgumentParser:
     )
     for command in argv[:1] if argv[:1] and argv[0] in COMMANDS else COMMANDS:
         import_module(f"codegen.cli.{_MODULES.get(command, command)}").add_command(commands, common)
+        commands.choices[command].set_defaults(parser=commands.choices[command])
     return parser

@@ -64,7 +64,12 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help="the board's file system, kept for the next run (default: a temporary one): stored parameters",
     )
-    parser.add_argument("--rover", metavar="FILE", help="a rover.py whose class Rover extends the generated vehicle")
+    parser.add_argument(
+        "--rover",
+        metavar="FILE",
+        help="your code, whose class extends the generated vehicle (default: rover.py, or what code in vehicle.yaml "
+        "names, in the folder of the project, if it is there)",
+    )
     parser.add_argument("--quiet", action="store_true", help="print only the result")
     parser.set_defaults(run=run)
 
@@ -128,6 +133,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     except AddressError as problem:
         raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
+    rover = arguments.rover or _own_code(systems[0])
     _warn_of_stale([module for system in cast for module in pipeline.stale_firmware(system)])
     return Simulation(
         scenario=scenario,
@@ -137,7 +143,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         interpreter=interpreter,
         to=target,
         flash=arguments.flash,
-        programs=simulated_programs(scenario, cast, folders, arguments.rover),
+        programs=simulated_programs(scenario, cast, folders, rover),
     )
 
 
@@ -206,6 +212,15 @@ def _generated(folder: str) -> str:
 
         raise UsageError(f"there is no firmware in {shown_path(folder)}: run codegen build first")
     return folder
+
+
+def _own_code(system: "System") -> str | None:
+    """The file with the user's code in the folder of the project; None where there is none."""
+    from codegen import pipeline
+
+    name = system.program.module if system.program else "rover"
+    path = os.path.join(pipeline.project_folder([system]), f"{name}.py")
+    return path if os.path.isfile(path) else None
 
 
 def _warn_of_stale(modules: list[str]) -> None:

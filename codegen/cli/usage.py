@@ -1,7 +1,21 @@
 """What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
 
-COMMANDS = ("build", "check", "diff", "explain", "trace", "import", "codec", "sim")
+COMMANDS = ("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "watch", "completion")
 """Each is a module of this package with ``add_command``."""
+
+BEGINNING = """\
+codegen makes MicroPython firmware that talks MAVLink, with its tests and
+documents, from requirement documents, field tables and dialects.
+
+  codegen init boat        begin a project in the folder boat
+  codegen build            make its firmware, mocks, tests and documents
+  codegen check            say what is wrong with the specification
+  codegen sim              run the firmware here, for a ground station to see
+  codegen explain TOPIC    tell all about a message, a field or a finding
+
+codegen --help lists all commands, codegen COMMAND --help their options.
+"""
+"""What ``codegen`` says alone: how one begins."""
 
 HELP = """\
 usage: codegen [-h] [--project FILE] [--debug] [--version] COMMAND ...
@@ -19,6 +33,7 @@ options:
 
 commands:
   COMMAND
+    init          begin a project that builds as it is
     build         generate the firmware, mocks, tests and documents
     check         check the specification against the dialect, and what
                   documents claim
@@ -31,6 +46,8 @@ commands:
     codec         make MicroPython encoders and decoders for any dialect,
                   without a specification
     sim           run the generated firmware on this host against a scenario
+    watch         build and check again whenever a file changes
+    completion    print what a shell needs to complete commands and options
 
 Exit codes: 0 clean; 1 findings, stale output or a breaking change; 2 usage,
 configuration or unreadable input; 3 internal error.

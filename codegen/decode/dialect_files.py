@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from codegen.decode.dialect import decode_dialect_file
 from codegen.diagnostics import Diagnostic, Report
-from codegen.load.shipped import is_shipped
+from codegen.load.shipped import is_shipped, shipped_dialect_path
 from codegen.load.text import read_bytes, real_path
 from codegen.load.xml_tree import parse_xml_bytes
 from codegen.model.dialect import DialectFile
@@ -18,7 +18,8 @@ def decode_dialect_files(
 ) -> tuple[DialectFile, ...]:
     """The file and all files it includes, over all levels, each once; included files before those that include them.
 
-    Paths of includes are relative to the including file. Files that include each other are read once each, which is
+    Paths of includes are relative to the including file; a plain name of which there is no file is that of a shipped
+    dialect. Files that include each other are read once each, which is
     no error. A missing or unreadable file is reported at its ``<include>``; for ``path`` itself at ``asked_at``, the
     place that names it, if there is one. ``known`` are files that were read before and are not read again: those of
     the dialect, when ``path`` is an overlay.
@@ -47,8 +48,21 @@ def decode_dialect_files(
             continue
         open_files.append((file, position + 1))
         include = file.includes[position]
-        open_file(os.path.abspath(os.path.join(os.path.dirname(file.path), include.path)), include.place)
+        open_file(_included(file.path, include.path), include.place)
     return tuple(finished)
+
+
+def _included(path: str, written: str) -> str:
+    """The absolute path of what a file includes: what lies there, or else the dialect of that name that is shipped.
+
+    So a dialect of one's own says ``<include>common.xml</include>`` without a copy of it beside it.
+    """
+    beside = os.path.abspath(os.path.join(os.path.dirname(path), written))
+    name, ending = os.path.splitext(written)
+    shipped = shipped_dialect_path(name) if ending == ".xml" else None
+    if shipped is None or read_bytes(beside, Report()) is not None:  # reading notes for the cache that there is none
+        return beside
+    return shipped
 
 
 def decode_overlay(

@@ -45,6 +45,12 @@ NO_MESSAGES = Rule(
     "The folder messages beside codegen.yaml has no YAML file, so there is nothing to send. Write one population table "
     "for each message.",
 )
+INCOMPLETE_PROJECT = Rule(
+    "incomplete-project",
+    "A project has state.yaml, board.yaml, parameters.yaml and streams.yaml beside its codegen.yaml, and some of them "
+    "are missing. codegen init writes a project that has everything, with comments.",
+    unreadable=True,
+)
 DUPLICATE_TABLE = Rule(
     "duplicate-table",
     "Two population tables have the same name, so it is ambiguous what is sent: they are for the same message, or say "
@@ -94,6 +100,11 @@ def decode_program(program: ListedProgram, report: Report) -> Spec | None:
     return _SpecReader(program.project_file, program, report).read()
 
 
+def _hash(data: bytes) -> str:
+    """The sha256 of a text, whatever its line ends are: git may check it out with others."""
+    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
+
+
 class _SpecReader:
     """Reads the files of one specification and keeps account of them.
 
@@ -110,12 +121,18 @@ class _SpecReader:
         self._hashes: dict[str, str] = {}
         self._unused_tables: dict[str, str] = {}  # their overlays, by name
         self._has_broken_table = False
+        self._missing: list[str] = []  # of the files that every project has
 
     def read(self) -> Spec | None:
         # A project file with errors does not keep the other files from being checked.
         project = self._main_project() if self._program is None else self._program_project(self._program)
         if self._project_file not in self._hashes:
             return None
+        self._missing = [name for name in FIXED_FILES if not exists(self._used(name))]
+        if len(self._missing) > 1:
+            message = f"there is no {', '.join(self._missing[:-1])} and {self._missing[-1]} beside it"
+            hint = "codegen init FOLDER writes a project that has them all"
+            self._report.add(INCOMPLETE_PROJECT, Place(self._project_file), message, hint)
         state = self._fixed("state.yaml", StateSpec)
         board = self._fixed("board.yaml", BoardSpec)
         board_model = None if board is None else self._board_model(board)
@@ -176,7 +193,7 @@ class _SpecReader:
         data = read_bytes(path, self._report, asked_at)
         if data is None:
             return None
-        self._hashes[path] = hashlib.sha256(data).hexdigest()
+        self._hashes[path] = _hash(data)
         return decode_text(data, path, self._report)
 
     def _record(self, path: str, cls: type[_Record], asked_at: Place) -> _Record | None:
@@ -184,6 +201,8 @@ class _SpecReader:
         return None if text is None else decode_record_text(text, path, cls, self._report)
 
     def _fixed(self, name: str, cls: type[_Record]) -> _Record | None:
+        if name in self._missing and len(self._missing) > 1:
+            return None  # one finding names them all
         return self._record(self._used(name), cls, Place(self._base_file))
 
     def _optional(self, name: str, cls: type[_Record]) -> _Record | None:
@@ -210,8 +229,9 @@ class _SpecReader:
     def _populations(self, project: Project | None) -> tuple[PopulationSpec, ...]:
         """The tables in use, by the names of their files; of two with one name the first."""
         paths = self._united("messages", (".yaml",))
-        if not paths:
-            self._report.add(NO_MESSAGES, Place(self._base_file), "there is no population table messages/*.yaml")
+        if not paths and len(self._missing) < 2:
+            hint = "codegen init FOLDER writes a project with two of them to begin with"
+            self._report.add(NO_MESSAGES, Place(self._base_file), "there is no population table messages/*.yaml", hint)
         tables: dict[str, PopulationSpec] = {}
         for path in paths:
             table = self._record(path, PopulationSpec, Place(path))
@@ -299,7 +319,7 @@ class _SpecReader:
         for name in (project.dialect, *project.overlays, *project.known):
             data = read_bytes(self._path(name), Report()) if name.endswith(".xml") else None
             if data is not None:
-                self._hashes[self._path(name)] = hashlib.sha256(data).hexdigest()
+                self._hashes[self._path(name)] = _hash(data)
 
     def _report_unread(self) -> None:
         for folder in ("", "messages", "dialects", "requirements", OWN):

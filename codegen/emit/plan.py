@@ -8,7 +8,7 @@ from enum import Enum
 from codegen.diagnostics import Report, Rule
 from codegen.emit.folder import leads_outside, other_files
 from codegen.frozen import dataclass
-from codegen.manifest import Manifest, read_manifest, sha256, stays_inside
+from codegen.manifest import Manifest, read_manifest, sha256, stays_inside, with_lf
 from codegen.output_files import MANIFEST
 from codegen.source import Place
 
@@ -99,31 +99,38 @@ def plan_output(
     files = []
     for path in sorted({*rendered, *manifest.paths}):
         text = rendered.get(path)
-        wanted = text.encode("utf-8") if isinstance(text, str) else text
-        file = _planned(folder, path, wanted, manifest.written(path), report)
+        file = _planned(folder, path, text, manifest.written(path), report)
         if file is not None:
             files.append(file)
     new = _next_manifest(files, manifest, force, clean).text().encode("utf-8")
-    if content != new:
+    if content is None or with_lf(content) != new:
         change = Change.NEW if content is None else Change.FOREIGN if read is None else Change.CHANGED
         files.append(PlannedFile(MANIFEST, change, content, new))
     strays, leftovers = other_files(folder, {*rendered, *manifest.paths, MANIFEST})
     return Plan(folder, tuple(files), manifest, strays, leftovers, force, clean)
 
 
-def _planned(folder: str, path: str, new: bytes | None, written: tuple[str, ...], report: Report) -> PlannedFile | None:
-    """The comparison of one file; None if it is blocked, and for a file that is neither generated nor there."""
+def _planned(
+    folder: str, path: str, rendered: str | bytes | None, written: tuple[str, ...], report: Report
+) -> PlannedFile | None:
+    """The comparison of one file; None if it is blocked, and for a file that is neither generated nor there.
+
+    The line ends of a text do not count: git may have checked it out with those of another system.
+    """
+    new = rendered.encode("utf-8") if isinstance(rendered, str) else rendered
     old, blocked = _content(folder, path, report, is_wanted=new is not None)
     if blocked or (old is None and new is None):
         return None
+    if old is not None and isinstance(rendered, str) and with_lf(old) == new:
+        return PlannedFile(path, Change.UNCHANGED, old, new)
+    is_whole = old is not None and not {sha256(old), sha256(with_lf(old))}.isdisjoint(written)
     if new is None:
-        is_whole = old is not None and sha256(old) in written
         return PlannedFile(path, Change.ORPHAN if is_whole else Change.EDITED_ORPHAN, old, new)
     if old is None:
         return PlannedFile(path, Change.NEW, old, new)
     if old == new:
         return PlannedFile(path, Change.UNCHANGED, old, new)
-    if sha256(old) in written:
+    if is_whole:
         return PlannedFile(path, Change.CHANGED, old, new)
     return PlannedFile(path, Change.EDITED if written else Change.FOREIGN, old, new)
 

@@ -23,6 +23,11 @@ def shipped_in(folder: str) -> Iterator[None]:
         _GIVEN.pop()
 
 
+def is_another_given() -> bool:
+    """Whether the dialects are those of another pymavlink than the installed one."""
+    return bool(_GIVEN)
+
+
 def shipped_dialect_path(name: str) -> str | None:
     """The absolute path of the XML file of a shipped dialect (``common``), or None where pymavlink has no such."""
     return _shipped().get(name)

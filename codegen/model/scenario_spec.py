@@ -68,7 +68,7 @@ class EventSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BesideSpec(Written):
-    """What another program of the project finds that runs beside the vehicle's own."""
+    """What another program of the project finds that runs beside the vehicle's own: its battery, if it measures any."""
 
     battery: BatterySpec | None = described("Its battery.", default=None)
     batteries: tuple[BatterySpec, ...] = described("Its batteries by instance, where it measures several.", default=())
@@ -76,12 +76,10 @@ class BesideSpec(Written):
         "Parameters that were stored on its board before it starts.", default_factory=dict
     )
 
-    ONE_OF: ClassVar[tuple[str, ...]] = ("battery", "batteries")
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScenarioSpec(Written):
-    """One scenario."""
+    """One scenario. A vehicle that measures a battery finds one, or several: battery or batteries."""
 
     doc: str = described("What the scenario shows, for people.")
     duration: Amount = described("How long it runs, such as 120 s.")
@@ -95,8 +93,6 @@ class ScenarioSpec(Written):
         "Other programs of the project, by name, that run at the same time.", key="with", default_factory=dict
     )
     events: tuple[EventSpec, ...] = described("What happens, in the order of time.", default=())
-
-    ONE_OF: ClassVar[tuple[str, ...]] = ("battery", "batteries")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -28,6 +28,11 @@ class Project(Written):
 
     project: str = described("Name of the vehicle's firmware, printed in the generated headers.")
     dialect: str = described("A dialect that pymavlink ships (common, ardupilotmega, ...) or the path of an XML file.")
+    dialect_version: str | None = described(
+        "Release of pymavlink that this was reviewed with, such as pymavlink 2.4.50: another one that is installed is "
+        "an error. Without it any is taken.",
+        default=None,
+    )
     overlays: tuple[str, ...] = described("XML files whose messages and enums are added to the dialect.", default=())
     known: tuple[str, ...] = described(
         "XML files of other dialects that receivers know, beside those that pymavlink ships: their names and ids are "
@@ -274,8 +279,8 @@ class Spec:
     """Everything below the folder of ``codegen.yaml``.
 
     ``folder`` is its absolute path; ``files`` maps the absolute path of every file that was read to the sha256 of
-    its content, in the order of the paths. A further program has its name in ``program``; ``folder`` is then that of
-    its base, and ``own_folder`` its own, of which the files come first.
+    its content with line ends of LF, in the order of the paths. A further program has its name in ``program``;
+    ``folder`` is then that of its base, and ``own_folder`` its own, of which the files come first.
     """
 
     folder: str

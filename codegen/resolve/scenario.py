@@ -65,7 +65,8 @@ class _Resolver:
         pairs = [(event, written) for written in spec.events if (event := self._event(written, beside)) is not None]
         events = sorted(pairs, key=lambda pair: pair[0].at_ms)
         self._check_swaps(events)
-        if not self._values.is_good or self._duration_ms is None or not batteries:
+        has_broken_ones = not batteries and not {"battery", "batteries"}.isdisjoint(spec.places)
+        if not self._values.is_good or self._duration_ms is None or has_broken_ones:
             return None
         return Scenario(
             name=self._name,

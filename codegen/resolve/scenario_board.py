@@ -13,8 +13,8 @@ from codegen.resolve.scenario_values import ScenarioValues
 
 SCENARIO_INSTANCE = Rule(
     "scenario-instance",
-    "A scenario has at least one battery, at most as many as the program measures (instances of board.yaml), and a "
-    "fault is at one of these: instance counts from 1.",
+    "A scenario has a battery for a program that measures one, battery or batteries, at most as many as it measures "
+    "(instances of board.yaml), and a fault is at one of these: instance counts from 1.",
 )
 SCENARIO_PARAMETER = Rule(
     "scenario-parameter",
@@ -38,6 +38,9 @@ class ScenarioBoard:
         """The batteries by instance; some are missing after errors."""
         if source.battery is not None:
             found: Sequence[BatterySpec] = [source.battery]
+            if "batteries" in source.places:
+                message = "battery and batteries are given, and only one of them can hold"
+                self._values.say(SCENARIO_INSTANCE, source.at("batteries"), message)
         else:
             found = source.batteries
             self._check_count(source)
@@ -72,8 +75,12 @@ class ScenarioBoard:
     def _check_count(self, source: Source) -> None:
         place = source.at("batteries")
         written = len(source.batteries)
-        if not written and "batteries[0]" not in source.places:
-            self._values.say(SCENARIO_INSTANCE, place, "batteries has no battery", "write [{voltage: 12.6 V}]")
+        if "batteries" in source.places:
+            if not written and "batteries[0]" not in source.places:
+                self._values.say(SCENARIO_INSTANCE, place, "batteries has no battery", "write [{voltage: 12.6 V}]")
+        elif self._inputs and "battery" not in source.places:
+            message = "there is no battery, and the program measures one"
+            self._values.say(SCENARIO_INSTANCE, source.place, message, "write battery: {voltage: 12.6 V}")
         most = len(self._inputs) or 1
         if self._system is not None and written > most:
             message = f"{_count(written)} are given, and the program measures {_count(most)}"

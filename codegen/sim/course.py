@@ -54,7 +54,7 @@ class Course:
         self._is_first_start = True
         self._short_runs = 0
         self._heard_s = 0.0
-        self._rover = stack.enter_context(rover_folder(program.rover))
+        self._rover = stack.enter_context(rover_folder(program.rover, program.module))
 
     @property
     def is_done(self) -> bool:

@@ -47,18 +47,19 @@ def _write_credentials(folder: str, to: Address, local_port: int) -> None:
 
 
 @contextmanager
-def rover_folder(rover: str | None) -> Iterator[tuple[str, ...]]:
-    """The folders that the path of the interpreter needs for the user's program; a file of another name is copied.
+def rover_folder(rover: str | None, module: str) -> Iterator[tuple[str, ...]]:
+    """The folders that the path of the interpreter needs for the user's ``module``; a file of another name is copied.
 
     OSError: the file cannot be read.
     """
+    name = f"{module}.py"
     if rover is None:
         yield ()
         return
     folder = os.path.dirname(os.path.abspath(rover))
-    if os.path.basename(rover) == "rover.py":
+    if os.path.basename(rover) == name:
         yield (folder,)
         return
     with tempfile.TemporaryDirectory(prefix="codegen-rover-") as copy:
-        shutil.copyfile(rover, os.path.join(copy, "rover.py"))
+        shutil.copyfile(rover, os.path.join(copy, name))
         yield (copy, folder)

@@ -31,7 +31,8 @@ class SimulatedProgram:
     """A program that runs: ``name`` is what it is called, ``key`` its name in the scenario, None for the vehicle's own.
 
     ``first_number`` is the parameter with the id of its first battery. ``files`` and ``chunk`` are those of its
-    storage, in which ``parameters`` are before it starts. ``stretches`` are its boards, one after the other.
+    storage, in which ``parameters`` are before it starts. ``stretches`` are its boards, one after the other. ``rover``
+    is the file with the user's code, which the program imports as ``module``.
     """
 
     name: str
@@ -46,6 +47,7 @@ class SimulatedProgram:
     chunk: int = 64
     parameters: Mapping[str, float] = field(default_factory=dict)
     events: tuple[Event, ...] = ()
+    module: str = "rover"
     rover: str | None = None
 
     @property
@@ -123,6 +125,7 @@ def _program(
         chunk=64 if storage is None else storage.chunk,
         parameters=parameters,
         events=scenario.events if key is None else (),
+        module=system.program.module if system.program else "rover",
         rover=rover,
     )
 

@@ -17,7 +17,7 @@ def volts(millivolts: float) -> str:
 def verdict(recording: Recording) -> list[str]:
     """The sentences, the most important one first; of all programs, where several run."""
     happenings = recording.happenings
-    sentences = [*_endings(recording), _failsafe(recording, happenings)]
+    sentences = [*_endings(recording), *_failsafe(recording, happenings)]
     for record in recording.all:
         sentences += _faults(record, happenings)
     for record in recording.all:
@@ -43,12 +43,16 @@ def _endings(recording: Recording) -> list[str]:
     return []
 
 
-def _failsafe(recording: Recording, happenings: list[Happening]) -> str:
+def _failsafe(recording: Recording, happenings: list[Happening]) -> list[str]:
     fired = [happening for happening in happenings if happening.kind is Kind.FAILSAFE]
+    if not fired and not any(record.instances for record in recording.all):
+        return []  # nothing is measured that one could watch
     if not fired:
-        return "The failsafe did not fire."
+        return ["The failsafe did not fire."]
     is_one = not recording.beside and len(recording.instances) == 1
-    return "The failsafe fired: " + ", ".join(f"{_level(f, is_one=is_one)} at {seconds(f.at_ms)}" for f in fired) + "."
+    return [
+        "The failsafe fired: " + ", ".join(f"{_level(f, is_one=is_one)} at {seconds(f.at_ms)}" for f in fired) + "."
+    ]
 
 
 def _level(happening: Happening, *, is_one: bool) -> str:

@@ -52,6 +52,9 @@ class Pipeline:
     def folders_read(self, _systems: object) -> list[str]:
         return []
 
+    def what_is_made(self, _systems: object) -> list[str]:
+        return []
+
     def output_folder(self, _system: object) -> str:
         return str(self.folder)
 

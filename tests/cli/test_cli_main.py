@@ -53,11 +53,46 @@ def test_version(run: Any) -> None:
     assert run("--version") == (0, f"codegen {__version__}\n", "")
 
 
-@pytest.mark.parametrize("argv", [[], ["nonsense"], ["build", "--nonsense"], ["check", "--format", "xml"], ["explain"]])
+@pytest.mark.parametrize("argv", [["nonsense"], ["build", "--nonsense"], ["check", "--format", "xml"], ["explain"]])
 def test_wrong_usage_ends_with_2(run: Any, argv: list[str]) -> None:
     code, out, err = run(*argv)
     assert (code, out) == (2, "")
     assert err.startswith("usage: codegen")
+
+
+def test_alone_it_says_how_one_begins(run: Any) -> None:
+    code, out, err = run()
+    assert (code, err) == (0, "")
+    named = re.findall(r"(?m)^  codegen (\w+)", out)
+    assert len(named) == 5
+    assert set(named) <= set(COMMANDS)
+
+
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        (["bild"], "codegen: error: argument COMMAND: there is no bild (did you mean build?)\n"),
+        (["--debug", "chek"], "there is no chek (did you mean check?)\n"),
+        (
+            ["build", "--chekc"],
+            "codegen build: error: unrecognized arguments: --chekc (did you mean --check or --help?)\n",
+        ),
+        (["check", "--formt=json"], "unrecognized arguments: --formt=json (did you mean --format?)\n"),
+        (["build", "--zzz"], "unrecognized arguments: --zzz\n"),
+        (["build", "--mpy", "armv7"], "there is no armv7 (did you mean armv7m or armv6m?)\n"),
+        (["check", "--format", "zzz"], "there is no zzz (known: text, json, github, sarif)\n"),
+    ],
+)
+def test_wrong_words_are_told_with_what_may_have_been_meant(run: Any, argv: list[str], said: str) -> None:
+    code, out, err = run(*argv)
+    assert (code, out) == (2, "")
+    assert err.endswith(said)
+
+
+def test_explain_tells_its_topics(run: Any) -> None:
+    told = " ".join(run("explain", "--help")[1].split())
+    for topic in ("message", "field", "component", "quantity", "parameter", "stream", "requirement", "rule"):
+        assert topic in told
 
 
 def test_help_names_every_command(run: Any) -> None:
@@ -110,6 +145,13 @@ def test_no_project_ends_with_2_and_says_what_is_missing(
     assert (code, out, pipeline.projects) == (2, "", [])
     assert "codegen.yaml" in err
     assert "--project" in err
+    assert "codegen init" in err
+
+
+@pytest.mark.parametrize("folder", [".", "specs", "../{name}"])
+def test_project_may_be_a_folder(pipeline: Any, run: Any, project: Path, folder: str) -> None:
+    run("check", "--project", folder.format(name=project.name))
+    assert pipeline.projects == [str(project / "specs/codegen.yaml")]
 
 
 def test_internal_error_is_one_line_and_ends_with_3(pipeline: Any, run: Any) -> None:
@@ -174,7 +216,10 @@ def test_characters_that_the_terminal_lacks_are_escaped(project: Path) -> None:
     assert rb"it is wrong \xb5 \udcff" in ran.stdout
 
 
-@pytest.mark.parametrize(("extra", "coloured"), [({}, True), ({"NO_COLOR": "1"}, False)])
+@pytest.mark.parametrize(
+    ("extra", "coloured"),
+    [({"TERM": "xterm"}, True), ({"TERM": "xterm", "NO_COLOR": "1"}, False), ({"TERM": "dumb"}, False)],
+)
 def test_colours_only_on_a_terminal_that_wants_them(project: Path, extra: dict[str, str], coloured: bool) -> None:
     environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"} | extra
     few = STAGED.replace("20_000", "2")

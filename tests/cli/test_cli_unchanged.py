@@ -28,7 +28,7 @@ def test_the_second_build_is_known_to_change_nothing(built: Path) -> None:
         len([path for path in (built / "generated").rglob("*") if path.is_file()]) - 3
     )  # manifest, stamp, .gitignore
     assert known(built) == count
-    assert build(built) == f"0 files written, {count} unchanged\n"
+    assert build(built) == f"up to date: {count} files\n"
 
 
 def edit(path: str, text: str = "# more\n") -> Callable[[Path], None]:

@@ -11,6 +11,7 @@ import pytest
 from codegen.decode.dialect_files import decode_dialect_files
 from codegen.diagnostics import Report
 from codegen.load.shipped import shipped_dialect_names, shipped_dialect_path
+from codegen.load.text import noting
 from codegen.source import Place
 
 Write = Callable[..., str]
@@ -154,3 +155,19 @@ def test_a_file_that_is_read_again(write: Write) -> None:
     assert read(path) == read(path) == (["d.xml"], ["d.xml:2:3 dialect-version"])
     write("<mavlink>\n  <version>3</version>\n</mavlink>")
     assert read(path) == (["d.xml"], [])
+
+
+def test_what_does_not_lie_beside_is_what_pymavlink_ships(write: Write) -> None:
+    """A dialect of one's own needs no copy of common.xml; one that is there is the one that is meant."""
+    path = write(including("common.xml"), "mine.xml")
+    assert read(path) == (["minimal.xml", "standard.xml", "common.xml", "mine.xml"], [])
+    with noting() as noted:
+        read(path)
+    beside = os.path.join(os.path.dirname(path), "common.xml")
+    assert noted[beside] == ""  # what is kept for later runs holds only while there is none
+    write(including(), "common.xml")
+    assert read(path) == (["common.xml", "mine.xml"], [])
+    assert read(write(including("comon.xml", "sub/common.xml"), "other.xml"))[1] == [
+        "other.xml:2:3 file-not-found",
+        "other.xml:3:3 file-not-found",
+    ]

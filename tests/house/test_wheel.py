@@ -1,13 +1,13 @@
 """What users install: it works away from the checkout, and generates the same bytes there."""
 
 import os
-import shutil
 import subprocess
 import sys
 import zipfile
 from pathlib import Path
 
 import pytest
+from generated_suite import suite_is_green
 
 import codegen
 
@@ -54,6 +54,7 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("templates", "codegen/templates"),
         ("generated/schemas", "codegen/schema_files"),
         ("codegen/corrections", "codegen/corrections"),
+        ("specs", "codegen/rover_specs"),
     ],
 )
 def test_wheel_holds_every_template_schema_and_correction(
@@ -84,10 +85,14 @@ def test_installed_command_is_the_one_of_the_wheel(installed: Path, tmp_path: Pa
 
 
 def test_installed_command_generates_the_committed_bytes(installed: Path, tmp_path: Path) -> None:
-    """No date, no path of this machine and no file of the checkout gets into the output."""
-    shutil.copytree(ROOT / "specs", tmp_path / "specs")
-    run(sys.executable, "-m", "codegen", "build", cwd=tmp_path, PYTHONPATH=str(installed))
-    generated, committed = tree(tmp_path / "generated"), tree(ROOT / "generated")
+    """No date, no path of this machine and no file of the checkout gets into the output of a new rover."""
+    codegen_of_wheel = (sys.executable, "-m", "codegen")
+    run(*codegen_of_wheel, "init", "pico-trail", "--from", "rover", cwd=tmp_path, PYTHONPATH=str(installed))
+    rover = tmp_path / "pico-trail"
+    assert tree(rover / "specs") == tree(ROOT / "specs")
+    run(*codegen_of_wheel, "build", cwd=rover, PYTHONPATH=str(installed))
+    run(*codegen_of_wheel, "check", cwd=rover, PYTHONPATH=str(installed))
+    generated, committed = tree(rover / "generated"), tree(ROOT / "generated")
     assert sorted(generated) == sorted(committed)
     assert [path for path in generated if generated[path] != committed[path]] == []
 
@@ -99,3 +104,35 @@ def test_installed_command_makes_codecs(installed: Path, tmp_path: Path) -> None
     run(sys.executable, "-m", "codegen", *options, "b", cwd=tmp_path, PYTHONPATH=str(ROOT))
     assert tree(tmp_path / "a") == tree(tmp_path / "b")
     assert "messages.py" in tree(tmp_path / "a")
+
+
+@pytest.mark.parametrize(
+    ("kind", "sent"),
+    [
+        ("minimal", {"HEARTBEAT", "NAMED_VALUE_FLOAT"}),
+        ("boat", {"HEARTBEAT", "GPS_RAW_INT", "ATTITUDE", "DISTANCE_SENSOR"}),
+    ],
+)
+def test_new_projects_of_the_wheel_run(installed: Path, tmp_path: Path, kind: str, sent: set[str]) -> None:
+    """In an empty folder and in three commands something of one's own is on the wire, and nothing is found wrong."""
+
+    def codegen_of_wheel(*arguments: str, cwd: Path = tmp_path) -> str:
+        return run(sys.executable, "-m", "codegen", *arguments, cwd=cwd, PYTHONPATH=str(installed))
+
+    project = tmp_path / "mine"
+    assert codegen_of_wheel("init", "mine", "--from", kind) == "  cd mine && codegen build && codegen sim\n"
+    codegen_of_wheel("build", cwd=project)
+    assert codegen_of_wheel("check", cwd=project) == ""
+    shown = codegen_of_wheel("sim", "--speed", "max", "--duration", "5 s", "--out", "udp:127.0.0.1:9", cwd=project)
+    assert {line.split()[0] for line in shown.splitlines() if " frames  " in line} >= sent
+    suite_is_green(project, "generated/tests", only="link or loop or test_frames")
+
+
+def test_new_codec_of_the_wheel_is_made(installed: Path, tmp_path: Path) -> None:
+    """Its dialect includes one that pymavlink ships; the command is the one that init says comes next."""
+    environment = {"PYTHONPATH": str(installed)}
+    shown = run(sys.executable, "-m", "codegen", "init", "--from", "codec", cwd=tmp_path, **environment)
+    assert shown.startswith("  codegen codec --dialect dialects/mine.xml ")
+    run(sys.executable, "-m", *shown.split(), cwd=tmp_path, **environment)
+    script = "import messages; print(messages.TankLevel.NAME, messages.Heartbeat.CRC_EXTRA)"
+    assert run(sys.executable, "-c", script, cwd=tmp_path / "lib") == "TANK_LEVEL 50\n"

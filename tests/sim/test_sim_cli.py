@@ -78,6 +78,7 @@ def test_a_broken_scenario_file_is_reported_with_all_its_places(project: Path, r
     assert code == 1
     places = [line.split(": ")[:2] for line in out.splitlines() if line.startswith("own.yaml")]
     assert places == [
+        ["own.yaml:4:15", "error unit-mismatch"],
         ["own.yaml:5:24", "error wrong-type"],
         ["own.yaml:10:19", "error scenario-time"],
     ]

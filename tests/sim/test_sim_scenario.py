@@ -87,7 +87,8 @@ def test_the_data_is_plain_numbers(tmp_path: Path) -> None:
 
 BROKEN = [
     ("scenarios: {}\n", [("empty-mapping", 1, 12)]),
-    ("scenarios:\n  a: {doc: d, duration: 1 s}\n", [("one-of-keys", 2, 3)]),
+    ("scenarios:\n  a: {doc: d, duration: 1 s}\n", [("scenario-instance", 2, 3)]),
+    (HEAD + "    battery: {voltage: 12 V}\n    batteries: [{voltage: 12 V}]\n", [("scenario-instance", 6, 16)]),
     (HEAD + "    battery: {volts: 12 V}\n", [("unknown-key", 5, 15)]),
     (HEAD + "    battery: {voltage: 12}\n", [("wrong-type", 5, 24)]),
     (HEAD + "    battery: {voltage: []}\n", [("scenario-points", 5, 24)]),

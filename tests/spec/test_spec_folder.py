@@ -178,3 +178,17 @@ def test_strange_entries_in_the_folder_do_not_raise(folder: Path) -> None:
         ("codegen.yaml", 3, 21),
         ("codegen.yaml", 3, 24),
     ]
+
+
+def test_several_missing_files_are_one_finding(folder: Path) -> None:
+    """Whoever begins with codegen.yaml alone is told how to begin, once."""
+    for name in ("state.yaml", "board.yaml", "streams.yaml"):
+        (folder / name).unlink()
+    for path in (folder / "messages").iterdir():
+        path.unlink()
+    report = Report()
+    assert decode_spec(str(folder / "codegen.yaml"), report) is None
+    (finding,) = report
+    assert finding.rule.id == "incomplete-project"
+    assert finding.message == "there is no state.yaml, board.yaml and streams.yaml beside it"
+    assert "codegen init" in (finding.hint or "")

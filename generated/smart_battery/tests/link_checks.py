@@ -1,12 +1,12 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: b64d6c60a596952d
+# Inputs: 3d96e110e7d4c65c
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
 import sys
 
 from program_bench import SECOND_US, GroundStation, Port, live, machine, main, messages, new_rover, run, run_passes
-from program_facts import CONTROL_US, MEASURED, STREAMS
+from program_facts import CONTROL_US, LINKS_US, MEASURED, STREAMS
 
 import board
 from serial_port import open_uart
@@ -44,12 +44,23 @@ def _wired(size=512):
 def partial_writes_keep_frames_whole():
     """A UART that takes a few bytes at a time, or none: the receiver finds whole frames and no false ones."""
     several = sum(sum(measured["are_on"]) for measured in MEASURED)  # each has messages of its own
-    rover, station, line, port = _wired(512 * max(1, several))
-    line.parts = ([0, 1, 2, 3, 5, 7, 11, 0, 0, 13] + [32, 32] * (several - 1)) * 200
-    run(rover, 10 * SECOND_US)
+    parts, seconds = [0, 1, 2, 3, 5, 7, 11, 0, 0, 13] + [32, 32] * (several - 1), 10
+    needed = _bytes_sent(seconds) * 3 // 2  # a line that takes less would have to drop frames
+    rover, station, line, port = _wired(max(512 * max(1, several), needed // seconds * 2))
+    while sum(parts) * seconds * SECOND_US < needed * len(parts) * LINKS_US:
+        parts += [needed]
+    line.parts = parts * 200
+    run(rover, seconds * SECOND_US)
     found = station.received(*messages.ALL)
     assert len([each for each in found if each.ID == messages.Heartbeat.ID]) >= _beats(10), len(found)
     assert (station.link.crc_errors, port.dropped) == (0, 0)
+
+
+def _bytes_sent(seconds):
+    """Return how many bytes go out in so many seconds over a line that takes all of them."""
+    rover, station, _, _ = _wired(4096)
+    run(rover, seconds * SECOND_US)
+    return len(station.port.frames[0])
 
 
 def _beats(seconds):
@@ -82,7 +93,10 @@ def full_buffer_drops_whole_frames():
         taken = _counting(port)
         run(rover, SECOND_US)
         line.room = 0
-        run(rover, 8 * SECOND_US)
+        for _ in range(20):  # a vehicle that has little to tell fills it slowly
+            run(rover, 8 * SECOND_US)
+            if port.dropped:
+                break
         assert port.dropped > 0
         assert rover.scheduler.overruns == 0
         line.room = None
@@ -168,7 +182,7 @@ def datagrams_over_the_loopback():
                 break
             other_end.frames.append(frame)
             heard += 1
-        assert heard or second == 5, second
+        assert heard or second in (0, 5), second
     assert len(station.received(messages.Heartbeat)) >= _beats(9)
     there.sendto(bytes(station.link.encode(messages.CommandLong(unknown=False).update(command=410))), peer)
     run_passes(rover, 8)

@@ -1,0 +1,127 @@
+"""``codegen init``: a new project that builds as it is. It never overwrites and asks nothing."""
+
+import argparse
+import os
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from codegen.diagnostics import Report
+    from codegen.start import Wish
+
+KINDS = ("minimal", "rover", "boat", "codec")
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "init",
+        parents=[common],
+        description="Begin a project: a specification with comments, a requirement document, schemas for editors, a "
+        "workflow that checks it. Nothing that is there is overwritten.",
+    )
+    parser.add_argument("folder", metavar="FOLDER", nargs="?", default=".", help="where (default: here)")
+    parser.add_argument(
+        "--from",
+        dest="kind",
+        choices=KINDS,
+        default="minimal",
+        help="what it begins as: minimal, a board that measures one thing; rover, the whole rover with its battery; "
+        "boat, position, attitude and depth; codec, a dialect of your own without a program (default: minimal)",
+    )
+    parser.add_argument("--board", metavar="B", help="a board of docs/boards.md, such as pico_2_w or esp32")
+    parser.add_argument(
+        "--dialect", metavar="D", help="a dialect that pymavlink ships, such as common, or an XML file, which is copied"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Write the project, say what comes next, and return the exit code."""
+    from codegen.cli.findings import print_findings
+    from codegen.diagnostics import Report
+    from codegen.start import CODEC, Wish, report_existing, start_files
+
+    if arguments.kind == CODEC and arguments.board is not None:
+        print("codegen init: --board says nothing about a codec: it runs on all of them", file=sys.stderr)
+        return 2
+    wish = Wish(arguments.kind, os.path.abspath(arguments.folder), arguments.board, arguments.dialect)
+    report = Report()
+    files = start_files(wish, report)
+    schemas = {} if wish.kind == CODEC else _schemas()
+    if files:
+        report_existing(wish.folder, {**files, **{f"generated/{path}": "" for path in schemas}}, report)
+    if not report.has_errors and (wish.board or wish.dialect) and schemas:
+        _check(wish, files, report)
+    if not report.has_errors:
+        _write(wish.folder, files, schemas, report)
+    print_findings(report)
+    if report.has_errors:
+        print("codegen init: nothing was written", file=sys.stderr)
+    else:
+        _say_what_is_next(arguments.folder, wish, len(files))
+    return report.exit_code
+
+
+def _schemas() -> dict[str, str]:
+    from codegen.schemas import schema_texts
+
+    return {f"schemas/{name}": text for name, text in schema_texts().items()}
+
+
+def _check(wish: "Wish", files: dict[str, str], report: "Report") -> None:
+    """Report what does not fit the board or the dialect that were chosen, at the places that the files will have."""
+    import tempfile
+    from dataclasses import replace
+
+    from codegen import pipeline
+    from codegen.diagnostics import Report
+    from codegen.source import Place
+
+    found = Report()
+    with tempfile.TemporaryDirectory(prefix="codegen-init-") as folder:
+        trial = os.path.realpath(folder)
+        _write_files(trial, files, found)
+        project = os.path.join(trial, "specs", "codegen.yaml")
+        systems = pipeline.read_systems(project, found)
+        pipeline.check_scenarios(project, systems, found)
+
+        def moved(place: Place) -> Place:
+            inside = place.file.startswith(trial + os.sep)
+            return place._replace(file=wish.folder + place.file[len(trial) :]) if inside else place
+
+        for finding in found:
+            related = tuple((moved(place), text) for place, text in finding.related)
+            report.extend([replace(finding, place=moved(finding.place), related=related)])
+
+
+def _write(folder: str, files: dict[str, str], schemas: dict[str, str], report: "Report") -> None:
+    """The files, and the schemas where a build will have them: an editor checks from the start."""
+    from codegen.emit.plan import plan_output
+    from codegen.emit.write import write_output
+
+    _write_files(folder, files, report)
+    plan = plan_output(schemas, os.path.join(folder, "generated"), report) if schemas else None
+    if plan is not None and not report.has_errors:
+        write_output(plan, report)
+
+
+def _write_files(folder: str, files: dict[str, str], report: "Report") -> None:
+    from codegen.emit.file import write_file
+
+    for path, text in files.items():
+        write_file(os.path.join(folder, path), text, report)
+
+
+def _say_what_is_next(written: str, wish: "Wish", count: int) -> None:
+    from codegen.start import CODEC
+
+    where = "here" if os.path.normpath(written) == "." else f"in {written}"
+    into = "" if where == "here" else f"cd {written} && "
+    print(f"{count} files of a new project ({wish.kind}) are {where}.", file=sys.stderr)
+    if wish.kind == CODEC:
+        print("README.md tells what they are. Next:", file=sys.stderr)
+        print(f"  {into}codegen codec --dialect dialects/mine.xml --messages HEARTBEAT,TANK_LEVEL --out lib")
+    else:
+        print("specs/ is what is generated from; its comments tell what each file is. Next:", file=sys.stderr)
+        print(f"  {into}codegen build && codegen sim")

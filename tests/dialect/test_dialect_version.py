@@ -1,0 +1,51 @@
+"""A project that states its release of pymavlink is told of another one, once, and how to see what differs."""
+
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+
+from codegen import pipeline
+from codegen.diagnostics import Report
+from codegen.load.shipped import shipped_dialect_path, shipped_in
+
+INSTALLED = f"pymavlink {metadata.version('pymavlink')}"
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    specs = Path(__file__).parents[1] / "projects" / "boat" / "specs"
+    for path in specs.rglob("*.*"):
+        copy = tmp_path / path.relative_to(specs)
+        copy.parent.mkdir(exist_ok=True)
+        copy.write_text(path.read_text())
+    return tmp_path / "codegen.yaml"
+
+
+def found(project: Path, stated: str) -> list[tuple[str, str, str | None]]:
+    project.write_text(f"project: boat\ndialect: ardupilotmega\ndialect_version: {stated}\n")
+    report = Report()
+    pipeline.read_systems(str(project), report)
+    return [(one.rule.id, one.message, one.hint) for one in report]
+
+
+def test_the_release_that_is_stated_is_none_to_tell(project: Path) -> None:
+    assert found(project, INSTALLED) == []
+
+
+def test_another_release_is_one_finding(project: Path) -> None:
+    """What follows from it is not told beside it."""
+    ((rule, message, hint),) = found(project, "pymavlink 2.4.49")
+    assert rule == "other-dialect-version"
+    assert message == f"{INSTALLED} is installed, not pymavlink 2.4.49"
+    assert "pip download --no-deps pymavlink==2.4.49" in (hint or "")
+    assert ".whl:ardupilotmega ardupilotmega" in (hint or "")
+    assert f"dialect_version: {INSTALLED}" in (hint or "")
+
+
+def test_a_release_that_is_given_is_compared_as_it_is(project: Path) -> None:
+    """`codegen diff --base-pymavlink` reads the project with another release on purpose."""
+    path = shipped_dialect_path("ardupilotmega")
+    assert path is not None
+    with shipped_in(str(Path(path).parent)):
+        assert found(project, "pymavlink 2.4.49") == []

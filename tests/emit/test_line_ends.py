@@ -1,0 +1,62 @@
+"""What git checks out under Windows, with CRLF, is the same specification and the same output."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+TEXT = {".py", ".yaml", ".xml", ".md", ".json", ".html"}
+
+
+def codegen(folder: Path, *arguments: str) -> "subprocess.CompletedProcess[str]":
+    command = [sys.executable, "-m", "codegen", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def check_out_with_crlf(folder: Path) -> int:
+    """Give each text below a folder the line ends of Windows; how many there are."""
+    paths = [path for path in folder.rglob("*") if path.suffix in TEXT and path.is_file()]
+    for path in paths:
+        path.write_bytes(b"\r\n".join(path.read_bytes().splitlines()) + b"\r\n")
+    return len(paths)
+
+
+@pytest.fixture
+def boat(tmp_path: Path) -> Path:
+    """A project with a document, a dialect of its own and tables, as it was built."""
+    assert codegen(tmp_path, "init").returncode == 0
+    (tmp_path / "own.xml").write_text("<mavlink>\n  <include>common.xml</include>\n</mavlink>\n")
+    project = tmp_path / "specs" / "codegen.yaml"
+    project.write_text(project.read_text().replace("dialect: common", "dialect: ../own.xml"))
+    assert codegen(tmp_path, "build").returncode == 0
+    return tmp_path
+
+
+def test_a_checkout_with_crlf_is_neither_edited_nor_stale(boat: Path) -> None:
+    """Alike whether specification, output, or both have CRLF; what was edited by hand in such a file is found."""
+    assert check_out_with_crlf(boat / "specs") > 8
+    (boat / "own.xml").write_bytes((boat / "own.xml").read_bytes().replace(b"\n", b"\r\n"))
+    for _ in range(2):
+        checked = codegen(boat, "build", "--check")
+        assert (checked.returncode, checked.stdout) == (0, "")
+        assert check_out_with_crlf(boat / "generated") > 40
+    state = boat / "generated/firmware/state.py"
+    content = state.read_bytes()
+    assert b"\r\n" in content
+    built = codegen(boat, "build")
+    assert (built.returncode, built.stdout, state.read_bytes()) == (0, "", content)
+    # A change of the specification replaces what belongs to it, and is not stopped by the rest.
+    table = boat / "specs/messages/level.yaml"
+    table.write_bytes(table.read_bytes().replace(b"constant: LEVEL", b"constant: TANK"))
+    assert codegen(boat, "build").returncode == 0
+    state.write_bytes(content + b"# mine\r\n")
+    assert "edited-by-hand" in codegen(boat, "build").stdout
+
+
+def test_compiled_files_are_compared_to_the_byte(boat: Path) -> None:
+    """In machine code a CR is no line end."""
+    assert codegen(boat, "build", "--mpy", "armv6m").returncode == 0
+    compiled = next(path for path in (boat / "build/armv6m").glob("*.mpy") if b"\n" in path.read_bytes())
+    compiled.write_bytes(compiled.read_bytes().replace(b"\n", b"\r\n"))
+    assert codegen(boat, "build", "--mpy", "armv6m", "--check").returncode == 1
