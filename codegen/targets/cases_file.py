@@ -10,6 +10,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import Component
 from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.naming import message_about
+from codegen.targets.value_sources import value_sources
 
 
 def cases_text(system: System, origin: dict[str, object]) -> str:
@@ -45,6 +46,8 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
     parts.append(f'"dialect": {json.dumps(_dialect_files(system))}')
     parts.append(f'"instances": {json.dumps(_instances(system.components))}')
     parts.append(f'"about": {json.dumps(_about(system))}')
+    sources = ",\n".join(map(_json, value_sources(system)))
+    parts.append(f'"sources": [\n{sources}\n]' if sources else '"sources": []')
     for key, cases in (("messages", messages), ("conversions", conversions)):
         lines = ",\n".join(_json(case) for case in cases)
         parts.append(f'"{key}": [\n{lines}\n]')

@@ -12,10 +12,12 @@
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json
+import math
 
 import pytest
 from interpreters import CASES, HERE
 from oracle import dialects, message_class
+from units import one
 
 DATA = json.loads(CASES.read_text(encoding="utf-8"))
 SENDER = {"srcSystem": 1, "srcComponent": 1}
@@ -70,6 +72,40 @@ def test_frames(case, results, modules):
 def test_conversion(case, results):
     """An ADC count becomes the number that the formula gives."""
     assert results["conversions"][case["name"]] == case["expect"]
+
+
+def test_values_arrive_in_units(results, modules):
+    """What pymavlink decodes is what was set, in the units of both, to a step of the field or of what is kept."""
+    for source in DATA["sources"]:
+        compared = 0
+        for case in DATA["messages"]:
+            frame = results["frames"][case["name"]][0]
+            value = value_set(case, source)
+            if case.get("table", case["message"]) != source["table"] or frame is None or value is None:
+                continue
+            decoded = modules[0].MAVLink(None).parse_buffer(bytearray.fromhex(frame))[0]
+            wire = getattr(decoded, source["field"])
+            wire = wire[source["element"]] if "element" in source else wire
+            sizes = [one(source["unit"]), one(type(decoded).fieldunits_by_name.get(source["field"], ""))]
+            if None in sizes or wire == source["unknown"] or math.isnan(wire):
+                continue
+            step = sizes[0] / sizes[1]
+            low, high = source["ends"]
+            exact = min(max(value * step, low), high)
+            apart = abs(wire - exact) - abs(exact) * 1e-6
+            assert apart <= (1 if source["is_whole"] else step * 1.000001), (case["name"], source["field"], wire, exact)
+            compared += 1
+        assert compared or one(source["unit"]) is None, source
+
+
+def value_set(case, source):
+    """Return the number that a case sets a source to, or None."""
+    found = None
+    for component, attribute, value, *instance in case["set"]:
+        named = component, attribute, (instance or [0])[0]
+        if named == (source["component"], source["attribute"], case["instance"]):
+            found = value
+    return None if found is None or isinstance(found, (str, bool)) else found
 
 
 @pytest.mark.parametrize("case", named(DATA["messages"], mark=None))

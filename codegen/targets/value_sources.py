@@ -1,0 +1,42 @@
+"""Which fields are single numbers of the state: the suite holds what arrives against what was set, in units.
+
+It reads the units anew, so only texts are told here: that in which the quantity is kept. That of the field, pymavlink
+knows itself.
+"""
+
+from collections.abc import Iterator
+
+from codegen.answers.live import LiveAnswer
+from codegen.model.system import PopulatedMessage, System
+from codegen.model.vehicle import Quantity, QuantityKind
+
+
+def value_sources(system: System) -> Iterator[dict[str, object]]:
+    """The table and the field of each, where its number is from, and between which numbers on the wire it is told."""
+    for message in system.messages:
+        for answer in message.answers:
+            if isinstance(answer, LiveAnswer) and _is_told(answer, message, system):
+                assert isinstance(answer.source, Quantity)
+                field, scaling = answer.covers.field, answer.scaling
+                yield {
+                    "table": message.name,
+                    "field": field.name,
+                    **({"element": answer.covers.first} if field.is_array else {}),
+                    "component": answer.source.component,
+                    "attribute": answer.source.attribute,
+                    "unit": answer.source.stored.name,
+                    "ends": [float(scaling.low), float(scaling.high)],
+                    "unknown": answer.unknown,
+                    "is_whole": field.type.is_integer,
+                }
+
+
+def _is_told(answer: LiveAnswer, message: PopulatedMessage, system: System) -> bool:
+    """Whether both have a unit that the dialect states itself, and the message is about the instance that is set."""
+    source, field = answer.source, answer.covers.field
+    if not isinstance(source, Quantity) or source.kind is not QuantityKind.NUMBER or source.is_computed:
+        return False
+    is_own = message.component is not None and message.component.name == source.component
+    is_one = system.components[source.component].instances == 1
+    stated = field.multiplier == 1 and bool(field.unit_text) and field.unit_text == field.definition.units
+    return stated and bool(source.stored.name) and (is_own or is_one)
