@@ -178,11 +178,11 @@ def _trace(side: "Side") -> "Trace":
 
 def _waivers(given: str | None, project: str | None, head: "Side") -> str | None:
     """The file of waivers and severities: the one that is given, or else that of the project."""
+    if given is not None or project is None or not head.is_project:
+        return given
     from codegen.cli.waived import waivers_of
 
-    if given is not None:
-        return given
-    return waivers_of(project) if project and head.is_project else None
+    return waivers_of(project)
 
 
 def _with_severities(found: "Review", waivers: str | None) -> "tuple[Review, int]":

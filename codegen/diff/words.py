@@ -1,0 +1,105 @@
+"""Words in one spelling, and which of them exclude each other: what names and texts are compared by."""
+
+import re
+from functools import cache
+
+_VOWELS = re.compile(r"(?<=.)[aeiou]")
+
+_EXCLUDING: tuple[tuple[str, ...], ...] = (
+    ("up", "down"), ("left", "right"), ("on", "off"), ("open", "close"), ("lock", "unlock"), ("arm", "disarm"),
+    ("high", "low"), ("highest", "lowest"), ("max", "min"), ("maximum", "minimum"), ("largest", "smallest"),
+    ("first", "last"), ("north", "south"), ("east", "west"), ("front", "rear"), ("front", "back"),
+    ("forward", "backward", "reverse"), ("start", "stop"), ("begin", "end"), ("positive", "negative"),
+    ("true", "false"), ("local", "global"), ("absolute", "relative"), ("ascend", "descend"), ("inner", "outer"),
+    ("success", "fail"), ("before", "after"), ("above", "below"), ("inclusive", "exclusive"), ("inside", "outside"),
+    ("grab", "release"), ("raise", "lower"), ("increase", "decrease"), ("internal", "external"),
+    ("horizontal", "vertical"), ("latitude", "longitude", "altitude"), ("pitch", "roll", "yaw"),
+    ("enable", "disable"), ("valid", "invalid"), ("active", "inactive"), ("healthy", "unhealthy"),
+    ("available", "unavailable"), ("allow", "forbid"), ("accept", "reject"), ("upper", "lower"),
+    ("gyro", "accelerometer", "magnetometer"), ("input", "output"), ("master", "slave"), ("import", "export"),
+    ("read", "write"), ("run", "stop"), ("epoch", "boot"), ("sea", "home", "terrain", "ellipsoid"),
+    ("vehicle", "gimbal", "camera"), ("north", "nose"), ("true", "magnetic"), ("ground", "air"), ("remote", "local"),
+    ("old", "new"), ("minute", "second", "hour"), ("total", "remaining"), ("charge", "discharge"), ("x", "y", "z", "w"),
+    ("ned", "enu", "frd", "flu", "fru"), ("coming", "going"), ("incoming", "outgoing"), ("toward", "away"),
+    ("position", "velocity", "acceleration"), ("source", "target", "sender", "receiver"), ("body", "world"),
+    ("more", "less"), ("larger", "smaller"), ("load", "save"), ("pressure", "temperature", "humidity"),
+    ("voltage", "current", "power"),
+)  # fmt: skip
+"""Words that exclude each other: where one takes the place of another, the meaning does."""
+
+_SPELLINGS = {
+    "manoeuver": "maneuver", "manoeuvre": "maneuver", "metre": "meter", "centre": "center", "colour": "color",
+    "bad": "fail", "failure": "fail", "failed": "fail", "error": "fail", "good": "ok", "okay": "ok",
+    "sec": "second", "secs": "second", "max": "maximum", "min": "minimum", "mag": "magnetometer",
+    "accel": "accelerometer", "mtr": "meter", "cal": "calibration", "alt": "altitude", "temp": "temperature",
+    "pos": "position", "lat": "latitude", "lon": "longitude", "vel": "velocity", "cfg": "config", "bat": "battery",
+    "batt": "battery", "cam": "camera", "ctrl": "control", "num": "number", "msg": "message", "cmd": "command",
+    "param": "parameter", "drone": "vehicle", "uav": "vehicle", "aircraft": "vehicle", "location": "position",
+    "cable": "line", "dist": "distance", "acc": "accuracy", "est": "estimate", "calib": "calibration",
+}  # fmt: skip
+
+_SPELT_OTHERWISE = ("manoeuver", "manoeuvre", "metre", "centre", "colour")
+"""Words of these that are the beginning of longer ones."""
+
+
+@cache
+def stem(word: str) -> str:
+    """A word in one spelling, without the ending of a plural or a past."""
+    if word.lstrip("-").isdigit():
+        return str(int(word))
+    for ending in ("ing", "ed", "es", "s"):
+        if word.endswith(ending) and len(word) - len(ending) > 3 and not word.endswith(("eed", "ss", "us")):
+            word = word.removesuffix(ending)
+            break
+    if word in _SPELLINGS:
+        return _SPELLINGS[word]
+    for written in _SPELT_OTHERWISE:
+        if word.startswith(written):
+            return _SPELLINGS[written] + word[len(written) :]
+    return word.removesuffix("e") if len(word) > 4 else word
+
+
+def is_short_for(one: str, other: str) -> bool:
+    """``temp`` and ``temperature``, ``cfg`` and ``config``."""
+    short, long = sorted((one, other), key=len)
+    if short.isdigit() or long.isdigit() or len(short) < 3 or short[0] != long[0] or excluding(short) & {long}:
+        return False
+    return long.startswith(short) or (len(short) < 5 and _VOWELS.sub("", long).startswith(_VOWELS.sub("", short)))
+
+
+def is_slip(one: str, other: str) -> bool:
+    """Whether two words differ by a letter, as a typing error makes it."""
+    if min(len(one), len(other)) < 3 or abs(len(one) - len(other)) > 1:
+        return False
+    short, long = sorted((one, other), key=len)
+    if len(short) == len(long):
+        differing = [index for index in range(len(short)) if short[index] != long[index]]
+        if len(differing) == 2 and differing[1] == differing[0] + 1:
+            return sorted(short) == sorted(long)
+        return len(differing) == 1 and len(short) > 4
+    return any(long[:index] + long[index + 1 :] == short for index in range(len(long)))
+
+
+def is_shortened(one: str, other: str) -> bool:
+    """Whether letters are missing within a long word: ``permant``."""
+    short, long = sorted((one, other), key=len)
+    rest = iter(long)
+    is_near = len(short) > 5 and len(long) - len(short) <= 2 and short[0] == long[0]
+    return is_near and all(letter in rest for letter in short)
+
+
+def is_negated(word: str, other: str) -> bool:
+    """Whether the other word is the opposite of one: ``unhealthy`` of ``healthy``."""
+    return other in {f"{prefix}{word}" for prefix in ("un", "dis", "in", "non", "ab", "de")}
+
+
+@cache
+def excluding(word: str) -> frozenset[str]:
+    """The words that exclude a word, all in one spelling."""
+    return frozenset(other for group in exclusive_groups() if word in group for other in group if other != word)
+
+
+@cache
+def exclusive_groups() -> tuple[frozenset[str], ...]:
+    """The words that exclude each other, in one spelling."""
+    return tuple(frozenset(map(stem, group)) for group in _EXCLUDING)
