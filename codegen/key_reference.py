@@ -27,7 +27,7 @@ FILES = {
 _HEAD = """\
 # Every key of the specification
 
-Made from the schemas by `make reference`. A key in bold has to be written; what stands behind `=` counts where it is not.
+Made from the schemas by `make reference`. A key in bold has to be written; without a key counts what stands behind `=`.
 """
 
 _Schema = Mapping[str, Any]
