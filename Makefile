@@ -12,7 +12,7 @@ NPM ?= $(or $(shell command -v npm),$(abspath $(BIN))/npm)
 VALGRIND ?= valgrind
 BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 
-.PHONY: build test browser valgrind lint clean benchmarks conformance
+.PHONY: build test browser valgrind lint clean benchmarks conformance reference
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -45,6 +45,10 @@ benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
 # Some ten minutes; docs/conformance.md says what was compared with pymavlink.
 conformance: $(INSTALLED) $(MICROPYTHON32)
 	$(BIN)/python benchmarks/conformance.py --write
+
+# docs/reference.md has every key of the specification, as the schemas state it; a test holds it to them.
+reference: $(INSTALLED)
+	$(BIN)/python -c 'from codegen.key_reference import reference_page; print(reference_page(), end="")' > docs/reference.md
 
 # The generated folder is committed and belongs to `codegen build --clean`: it stays. So does what codegen keeps in the
 # cache of the user (~/.cache/codegen, see CONTRIBUTING.md): it holds no answer that a build would not find again.

@@ -1,7 +1,8 @@
 """The way of the data for a codec: read a dialect, choose messages, render; no specification is needed."""
 
+import json
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect_files import decode_dialect_files
@@ -118,3 +119,9 @@ def codec_of(
     if report.has_errors:
         return {}
     return render_codec(dialect, messages, chosen, machine_code=machine_code, package=package)
+
+
+def mip_list(paths: Iterable[str]) -> str:
+    """``package.json``: what ``mip.install`` and ``mpremote mip install`` copy, from where this file lies."""
+    copied_files = [path for path in sorted(paths) if os.path.splitext(path)[1] in (".py", ".mpy")]
+    return json.dumps({"urls": [[path, path] for path in copied_files], "version": "1"}, indent=2) + "\n"

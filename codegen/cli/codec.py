@@ -63,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         print(f"codegen codec: {fault}", file=sys.stderr)
         return 2
     from codegen.cli.output import emit
-    from codegen.codec import codec_of, read_codec_dialect
+    from codegen.codec import codec_of, mip_list, read_codec_dialect
     from codegen.diagnostics import Report
 
     report = Report()
@@ -77,8 +77,6 @@ def run(arguments: argparse.Namespace) -> int:
 
         rendered = compiled(rendered, arguments.mpy, report)
     if rendered and arguments.package is not None:
-        from codegen.targets.codec.package import mip_list
-
         rendered["package.json"] = mip_list(rendered)
     # A module that is left over would be imported instead of its successor; what was edited by hand stays all the same.
     arguments.clean = arguments.clean or not arguments.check

@@ -2,7 +2,6 @@
 
 import argparse
 import os
-import subprocess
 import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
@@ -95,6 +94,8 @@ def _folders(folder: str, files: Iterable[str]) -> list[str]:
 
 def _build_and_check(project: str) -> None:
     """Run both as processes of their own: nothing that was read before counts."""
+    import subprocess
+
     for command in ("build", "check"):
         done = subprocess.run(  # noqa: S603
             [sys.executable, "-m", "codegen", "--project", project, command], check=False

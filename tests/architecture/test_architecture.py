@@ -36,6 +36,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "template_files": set(),
     "render": {"cache", "tool", "template_files"},
     "schemas": {"model", *GROUND},
+    "key_reference": {"schemas"},
     "targets": {
         *("derivations", "resolve", "render", "template_files", "schemas", "cache", "tool", "model"),
         *GROUND,

@@ -80,7 +80,7 @@ def test_alone_it_says_how_one_begins(run: Any) -> None:
         (["check", "--formt=json"], "unrecognized arguments: --formt=json (did you mean --format?)\n"),
         (["build", "--zzz"], "unrecognized arguments: --zzz\n"),
         (["build", "--mpy", "armv7"], "there is no armv7 (did you mean armv7m or armv6m?)\n"),
-        (["check", "--format", "zzz"], "there is no zzz (known: text, json, github, sarif)\n"),
+        (["init", "--from", "zzz"], "there is no zzz (known: minimal, rover, boat, codec)\n"),
     ],
 )
 def test_wrong_words_are_told_with_what_may_have_been_meant(run: Any, argv: list[str], said: str) -> None:

@@ -60,3 +60,10 @@ def test_compiled_files_are_compared_to_the_byte(boat: Path) -> None:
     compiled = next(path for path in (boat / "build/armv6m").glob("*.mpy") if b"\n" in path.read_bytes())
     compiled.write_bytes(compiled.read_bytes().replace(b"\n", b"\r\n"))
     assert codegen(boat, "build", "--mpy", "armv6m", "--check").returncode == 1
+
+
+def test_no_two_files_differ_only_in_their_case(boat: Path) -> None:
+    """Windows and macOS would take them for one; nor is there a link, which git makes a text of there."""
+    paths = [path for path in boat.rglob("*") if ".codegen" not in path.parts]
+    assert len({str(path).casefold() for path in paths}) == len(paths)
+    assert not any(path.is_symlink() for path in paths)

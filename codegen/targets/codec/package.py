@@ -1,8 +1,6 @@
-"""The codec as a package: its modules import one another there, with stubs for type checkers and a list for mip."""
+"""The codec as a package: its modules import one another there, and have stubs for type checkers."""
 
-import json
 import keyword
-import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -42,12 +40,6 @@ def packed(files: Mapping[str, str], package: str, messages: Iterable[WireMessag
     result[f"{folder}/messages.pyi"] = _messages_stub(messages)
     result[f"{folder}/py.typed"] = ""
     return dict(sorted(result.items()))
-
-
-def mip_list(paths: Iterable[str]) -> str:
-    """``package.json``: what ``mip.install`` and ``mpremote mip install`` copy, from where this file lies."""
-    copied_files = [path for path in sorted(paths) if os.path.splitext(path)[1] in (".py", ".mpy")]
-    return json.dumps({"urls": [[path, path] for path in copied_files], "version": "1"}, indent=2) + "\n"
 
 
 def _relative(found: "re.Match[str]") -> str:
