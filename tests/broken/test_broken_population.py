@@ -32,11 +32,11 @@ CASES = [
     Case("pointless-key", SYS, "load: {state: vehicle.load}", "load: {state: vehicle.load, from: §2}", "without each"),
     Case("pointless-key", STATUS, EXTENDED, "voltages_ext: {each: battery.cells, split: §true, from: 10,", "split"),
     Case(
-        "parameter-beyond-field",
+        "beyond-field",
         SYS,
         "voltage_battery: {state: battery.voltage}",
         "voltage_battery: {parameter: §BATT_LOW_VOLT}",
-        "voltage_battery carries no more than 65.53",
+        "voltage_battery (uint16_t) ends at 65.53",
     ),
     Case("bad-pages", CELLS, "pages: battery.cells", "pages: §battery.voltage", "one value"),
     Case("bad-pages", CELLS, "pages: battery.cells\n", "", "no pages"),
