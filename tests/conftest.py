@@ -12,10 +12,14 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from codegen.cache import cache_folder
+
 ROOT = Path(__file__).resolve().parents[1]
 
-# A cache that is new with each run, for all workers: what an earlier run kept is no evidence. Tests of the cache have
-# a folder of their own.
+# Commands that tests start share a cache that is new with each run: what an earlier run kept is no evidence. This
+# process has none, since tests exchange parts of codegen here. Tests of the cache have folders of their own.
+os.environ["CODEGEN_CACHE"] = "off"
+assert cache_folder() is None  # which is asked once
 CACHE = Path(tempfile.gettempdir()) / f"codegen-tests-{os.environ.setdefault('CODEGEN_TEST_RUN', uuid.uuid4().hex)}"
 os.environ["CODEGEN_CACHE"] = str(CACHE)
 

@@ -22,7 +22,7 @@ from codegen.answers.scaled import (
 from codegen.answers.scope import Scope
 from codegen.answers.source import Taken, take
 from codegen.frozen import dataclass
-from codegen.model.account import Aspect, Origins, ReadBack, StateCase, Trait, Words
+from codegen.model.account import Arriving, Aspect, Origins, ReadBack, StateCase, Trait, Words
 from codegen.model.answer import Elements
 from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, shown_value, stored_value
@@ -240,6 +240,13 @@ class LiveAnswer(KindOfAnswer):
         """The quantity."""
         if isinstance(self.source, Quantity):
             yield read_back(self.covers, self.source, self.scaling)
+
+    @property
+    def arriving(self) -> Arriving | None:
+        """The quantity, where it is a number."""
+        source = self.source
+        is_number = isinstance(source, Quantity) and source.kind is QuantityKind.NUMBER and not source.is_computed
+        return Arriving(source, self.scaling, self.unknown) if is_number and isinstance(source, Quantity) else None
 
     @property
     def varies(self) -> bool:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.model.known import Stored
+from codegen.model.scaling import Scaling
 from codegen.model.step import Step
 from codegen.model.vehicle import Parameter, Quantity
 
@@ -75,6 +76,15 @@ class Together:
     source: Quantity
     room: int
     instead: Quantity | None
+
+
+@dataclass(frozen=True, slots=True)
+class Arriving:
+    """A number of the state that a field carries alone: how it is scaled, and what says that it is unknown."""
+
+    quantity: Quantity
+    scaling: Scaling
+    unknown: int | float | None
 
 
 @dataclass(frozen=True, slots=True)

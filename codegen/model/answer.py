@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 
 from codegen.frozen import dataclass
-from codegen.model.account import Origins, ReadBack, StateCase, Together, Trait, Words
+from codegen.model.account import Arriving, Origins, ReadBack, StateCase, Together, Trait, Words
 from codegen.model.dialect import Dialect, WireField
 from codegen.model.known import Known, Value
 from codegen.model.payload_code import PayloadCode
@@ -178,6 +178,11 @@ class Answer(ABC):
         yield from ()
 
     # How it is tested.
+
+    @property
+    def arriving(self) -> Arriving | None:
+        """The number of the state that arrives, where the field carries one alone and tells it from unknown."""
+        return None
 
     @property
     def varies(self) -> bool:

@@ -6,36 +6,33 @@ knows itself.
 
 from collections.abc import Iterator
 
-from codegen.answers.live import LiveAnswer
+from codegen.model.answer import Answer
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Quantity, QuantityKind
+from codegen.model.vehicle import Quantity
 
 
 def value_sources(system: System) -> Iterator[dict[str, object]]:
     """The table and the field of each, where its number is from, and between which numbers on the wire it is told."""
     for message in system.messages:
         for answer in message.answers:
-            if isinstance(answer, LiveAnswer) and _is_told(answer, message, system):
-                assert isinstance(answer.source, Quantity)
-                field, scaling = answer.covers.field, answer.scaling
+            number, field = answer.arriving, answer.covers.field
+            if number is not None and _is_told(number.quantity, answer, message, system):
                 yield {
                     "table": message.name,
                     "field": field.name,
                     **({"element": answer.covers.first} if field.is_array else {}),
-                    "component": answer.source.component,
-                    "attribute": answer.source.attribute,
-                    "unit": answer.source.stored.name,
-                    "ends": [float(scaling.low), float(scaling.high)],
-                    "unknown": answer.unknown,
+                    "component": number.quantity.component,
+                    "attribute": number.quantity.attribute,
+                    "unit": number.quantity.stored.name,
+                    "ends": [float(number.scaling.low), float(number.scaling.high)],
+                    "unknown": number.unknown,
                     "is_whole": field.type.is_integer,
                 }
 
 
-def _is_told(answer: LiveAnswer, message: PopulatedMessage, system: System) -> bool:
+def _is_told(source: Quantity, answer: Answer, message: PopulatedMessage, system: System) -> bool:
     """Whether both have a unit that the dialect states itself, and the message is about the instance that is set."""
-    source, field = answer.source, answer.covers.field
-    if not isinstance(source, Quantity) or source.kind is not QuantityKind.NUMBER or source.is_computed:
-        return False
+    field = answer.covers.field
     is_own = message.component is not None and message.component.name == source.component
     is_one = system.components[source.component].instances == 1
     stated = field.multiplier == 1 and bool(field.unit_text) and field.unit_text == field.definition.units

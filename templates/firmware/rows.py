@@ -15,7 +15,8 @@ class _Row:
 
     def __init__(self, component, place, count, about, functions):
         self._component = component
-        self._place = place
+        self.first = place
+        self.width = about[0]
         self._count = count
         self._about = about
         self._functions = functions
@@ -29,14 +30,10 @@ class _Row:
     def __setitem__(self, index, value):
         self._functions[1](self._component, self._at(index), self._about, value)
 
-    def index(self, place):
-        """Return which value it is whose words begin at a place."""
-        return (place - self._place) // self._about[0]
-
     def _at(self, index):
         if not -self._count <= index < self._count:
             raise IndexError("there are fewer elements")
-        return self._place + self._about[0] * (index % self._count)
+        return self.first + self.width * (index % self._count)
 
 
 def integers(place, count, halves, low, high, name, told=None):

@@ -17,7 +17,7 @@ SMART = "    with:\n      smart_battery: {battery: {voltage: 12 V}}\n"
 MANY = ", ".join(["{voltage: 12 V}"] * 17)
 
 CASES = [
-    ("one-of-keys", "    battery: {voltage: 12 V}\n    §batteries: [{voltage: 12 V}]\n", "only one of them can hold"),
+    ("scenario-instance", "    battery: {voltage: 12 V}\n    batteries: §[{voltage: 12 V}]\n", "only one of them can hold"),
     ("scenario-instance", "    batteries: §[]\n", "batteries has no battery"),
     ("scenario-instance", f"    batteries: §[{MANY}]\n", "17 batteries are given"),
     ("scenario-points", "    battery: {voltage: 12 V, current: §[]}\n", "current has no point"),
@@ -29,7 +29,7 @@ CASES = [
     ("scenario-parameter", PACK + "    parameters: {BATT_MONITOR: §1}\n", "it takes 0 Disabled, 3 Analog"),
     ("wrong-type", PACK + "    parameters: {BATT_MONITOR: §on}\n", ""),
     ("scenario-program", PACK + "    with:\n      §smart_batery: {battery: {voltage: 12 V}}\n", "did you mean smart_battery"),
-    ("one-of-keys", PACK + "    with: {§smart_battery: {parameters: {BATT_ID: 3}}}\n", "none is given"),
+    ("scenario-instance", PACK + "    with: {§smart_battery: {parameters: {BATT_ID: 3}}}\n", "there is no battery"),
     (
         "scenario-parameter",
         PACK + "    with: {smart_battery: {battery: {voltage: 12 V}, parameters: {BATT_ID: §99}}}\n",

@@ -136,14 +136,15 @@ def test_only_messages_with_doubles_bring_the_module() -> None:
 
 
 SET = """
-from array import array
 from wide import floating
+from words import Component
 
-class Wheels:
-    words = array("i", [0] * 4)
-    distance = floating(0, 4)
+class Wheels(Component):
+    NAME = "wheels"
+    distance = floating(0, 4, "distance")
 
-wheels = Wheels()
+wheels = Wheels(4, ())
+wheels._log = lambda _: None
 for value in (16777217, -(10**39), float("inf"), 0.5, 2**1024):
     wheels.distance = value
     bits = 0

@@ -21,7 +21,7 @@ fields:
   type: {board: pack.chemistry}
   capacity_full_specification: {parameter: BATT_CAPACITY}
   capacity_full: {parameter: BATT_CAPACITY, rounding: up}
-  cycle_count: {state: house.cycles}
+  cycle_count: {state: house.cycles, max: 65534}
   serial_number: {board: pack.serial}
   device_name: {constant: two packs}
   weight: {board: pack.weight}

@@ -43,9 +43,8 @@ def names_of(text: str) -> set[str]:
                 found |= set(ast.literal_eval(node.value))
         if isinstance(node, ast.ClassDef):  # views of the state's words
             views = [each for each in node.body if isinstance(each, ast.Assign)]
-            found |= {
-                f"{node.name}.{target.id}" for each in views for target in each.targets if isinstance(target, ast.Name)
-            }
+            parts = [part for each in views for target in each.targets for part in ast.walk(target)]
+            found |= {f"{node.name}.{part.id}" for part in parts if isinstance(part, ast.Name)}
         for inner in ast.walk(node) if isinstance(node, ast.ClassDef) else ():
             match inner:
                 case ast.FunctionDef(name=name):

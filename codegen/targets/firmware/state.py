@@ -110,7 +110,7 @@ class StateView:
     components: tuple[ComponentView, ...]
     families: tuple[FamilyView, ...]
     has_estimate: bool
-    modules: frozenset[str]
+    modules: tuple[str, ...]
     is_measured: bool
     waiting: int = WAITING
 
@@ -126,7 +126,7 @@ def state_view(system: System, layout: Layout) -> StateView:
     }
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
     names |= {(VIEWS.get(word, "words"), word) for word in words}
-    modules = frozenset(VIEWS[word] for word in words & VIEWS.keys())
+    modules = {VIEWS[word] for word in words & VIEWS.keys()}
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
@@ -150,7 +150,7 @@ def state_view(system: System, layout: Layout) -> StateView:
         components=components,
         families=_families(system),
         has_estimate=has_estimate,
-        modules=modules | ({"wide"} if "rows" in modules else set()),
+        modules=tuple(sorted(modules | ({"wide"} if "rows" in modules else set()))),
         is_measured=bool(measured),
     )
 

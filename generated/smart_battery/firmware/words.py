@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 4c726cfeec8a289b
+# Inputs: eb96ae214a566ee8
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -52,7 +52,7 @@ class Component:
         limit = getattr(self, name)
         name = self.beyond[place] = name.lstrip("_")
         if not isinstance(limit, (int, float)):  # a list
-            place = limit.index(place)
+            place = (place - limit.first) // limit.width
             name, limit = f"{name}[{place}]", limit[place]
         owner = self.NAME if len(self) == 1 else f"{self.NAME}[{self._all.index(self)}]"
         self._log(f"warning: {owner}.{name} beyond {limit:.7g}: limited")
@@ -169,8 +169,10 @@ def below(place, limit, own=None):
 class _Elements:
     """The whole numbers of a list, each of which can be None; `accessors` get and set the number at a place."""
 
+    width = 1  # words for each
+
     def __init__(self, component, first, count, accessors):
-        self._first = first
+        self.first = first
         self._component = component
         self._count = count
         self._accessors = accessors
@@ -187,11 +189,7 @@ class _Elements:
     def _place(self, index):
         if not -self._count <= index < self._count:
             raise IndexError("there are fewer elements")
-        return self._first + index % self._count
-
-    def index(self, place):
-        """Return which value it is that is kept at a place."""
-        return place - self._first
+        return self.first + index % self._count
 
 
 def elements(first, count, low, high, name, own=None):

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 168dc02ad369f193
+# Inputs: 8e277671608beb79
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -104,15 +104,10 @@ class Pin:
     PULL_DOWN = 2
 
     def __init__(self, id, mode=IN, pull=None, value=0):  # noqa: A002 - the board's own argument names
-        self.id = id
+        self.id = id if isinstance(id, int) else int(id[1:])  # a name is a letter and a number: X19
         self.mode = mode
         self.pull = pull
         self._level = 1 if value else 0
-
-    @property
-    def number(self):
-        """The GPIO number; of a pin that is called by name, the number in it: 19 of X19."""
-        return self.id if isinstance(self.id, int) else int(self.id[1:])
 
     def value(self, level=None):
         """Return the level, or set it."""
@@ -139,9 +134,8 @@ class ADC:
 
     ATTN_11DB = 3
 
-    def __init__(self, pin, atten=None):
-        self.atten = atten
-        number = pin.number if isinstance(pin, Pin) else pin
+    def __init__(self, pin, atten=None):  # noqa: ARG002
+        number = pin.id if isinstance(pin, Pin) else pin
         self._input = analog(number + 26 if 0 <= number <= 3 and not isinstance(pin, Pin) else number)
         if self._input.absent:
             raise OSError(errno.ENODEV)
