@@ -24,8 +24,6 @@ nothing did. {differences}
 
 {varies}
 
-What no quantity answers:
-
 {unsaid}
 
 A limit of a quantity between two steps of a field is the step inside. A number that would read as the sentinel goes out
@@ -34,7 +32,7 @@ as the step beside it; the entry of an enum that is the sentinel goes out as it 
 
 
 VARIES = {
-    "the answer": "numbers, enums, bitmasks as numbers and by booleans, both clocks, element by element",
+    "the answer": "numbers, texts, enums, bitmasks as numbers and by booleans, both clocks, lists, element by element",
     "its unit": "that of the field, another one (deg for degE7, km/h for m/s), with the dialect's multiplier",
     "what is kept": "whole steps of the field, finer ones with each rounding, floats, thousandths for them",
     "its limits": "those of the type, of the dialect (`minValue`), and `min` and `max` of quantity and table",
@@ -50,8 +48,7 @@ def section(outcome: Outcome, table: Callable[[Sequence[Sequence[str]], Sequence
     messages = read_messages(LARGEST, importlib.import_module(f"pymavlink.dialects.v20.{LARGEST}"))
     head = ["dialect", "messages", "fields", "proven", "texts", "refused", "values", "frames", "withheld"]
     rows = [_row(INCLUDED, included(messages), messages, outcome), _row(LARGEST, messages, messages, outcome)]
-    text = "The fields of characters: texts are constants." if outcome.texts else "Nothing."
-    lines = [f"- {text}"] + [f"- {label}: `{rule}`." for label, rule in sorted(KNOWN.items())]
+    lines = [f"- {label}: `{rule}`" for label, rule in sorted(KNOWN.items())]
     return TEXT.format(
         largest=LARGEST,
         included=INCLUDED,
@@ -64,7 +61,9 @@ def section(outcome: Outcome, table: Callable[[Sequence[Sequence[str]], Sequence
         differences="\n".join(["These differ:", "", *(f"- {each}" for each in outcome.differences)])
         if outcome.differences
         else "Nothing differs.",
-        unsaid="\n".join(lines),
+        unsaid="\n".join(["No quantity answers:", "", *lines])
+        if lines
+        else "There is no field that no quantity answers.",
     )
 
 

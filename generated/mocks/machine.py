@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 8e277671608beb79
+# Inputs: ea13d50e9156b3f8
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -104,7 +104,7 @@ class Pin:
     PULL_DOWN = 2
 
     def __init__(self, id, mode=IN, pull=None, value=0):  # noqa: A002 - the board's own argument names
-        self.id = id if isinstance(id, int) else int(id[1:])  # a name is a letter and a number: X19
+        self.id = id
         self.mode = mode
         self.pull = pull
         self._level = 1 if value else 0
@@ -136,6 +136,8 @@ class ADC:
 
     def __init__(self, pin, atten=None):  # noqa: ARG002
         number = pin.id if isinstance(pin, Pin) else pin
+        if isinstance(number, str):
+            number = int(number[1:])  # X19
         self._input = analog(number + 26 if 0 <= number <= 3 and not isinstance(pin, Pin) else number)
         if self._input.absent:
             raise OSError(errno.ENODEV)

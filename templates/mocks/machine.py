@@ -102,7 +102,7 @@ class Pin:
     PULL_DOWN = 2
 
     def __init__(self, id, mode=IN, pull=None, value=0):  # noqa: A002 - the board's own argument names
-        self.id = id if isinstance(id, int) else int(id[1:])  # a name is a letter and a number: X19
+        self.id = id
         self.mode = mode
         self.pull = pull
         self._level = 1 if value else 0
@@ -134,6 +134,8 @@ class ADC:
 
     def __init__(self, pin, atten=None):  # noqa: ARG002
         number = pin.id if isinstance(pin, Pin) else pin
+        if isinstance(number, str):
+            number = int(number[1:])  # X19
         self._input = analog(number + 26 if 0 <= number <= 3 and not isinstance(pin, Pin) else number)
         if self._input.absent:
             raise OSError(errno.ENODEV)
