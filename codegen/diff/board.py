@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.program import BoardLink
 from codegen.model.system import Generations, System
@@ -135,7 +135,7 @@ def _generations(generations: Generations) -> Subject:
         Fact("new", ", ".join(generations.new), rules.GENERATIONS, spec.at("new")),
         Fact("sent", chosen, rules.GENERATIONS, spec.at("parameter" if parameter else "send")),
         Fact("fixed", generations.send.value if generations.send else "", rules.GENERATIONS, spec.at("send")),
-        Fact("answers to", str(generations.citation or ""), CITATION, spec.at("requirement")),
+        Fact("answers to", citations(generations.citation, generations.aspects), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     return Subject(
@@ -145,7 +145,7 @@ def _generations(generations: Generations) -> Subject:
         removed=rules.GENERATIONS,
         place=spec.place,
         facts=facts,
-        cited=cited(generations.citation),
+        cited=cited(generations.citation, generations.aspects),
         messages=(*generations.old, *generations.new),
         row=generations.component.name,
     )

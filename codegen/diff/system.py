@@ -116,7 +116,9 @@ def _cited(systems: Sequence[System], said: Iterable[Sequence[Subject]]) -> set[
     found = {name for subjects in said for subject in subjects for name in subject.cited}
     for system in systems:
         for message in system.messages:
-            found.update(cited(message.citation, *(answer.covers.citation for answer in message.answers)))
+            found.update(
+                cited(message.citation, message.aspects, *(answer.covers.citation for answer in message.answers))
+            )
     return found
 
 

@@ -25,10 +25,11 @@ class AdcSpec(Written):
     read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: reference, samples, read_limit, failure, absence.", default_factory=dict
+        "Criteria for single aspects: reference, samples, read_limit, failure, absence, pin, rate, monitor, first.",
+        default_factory=dict,
     )
 
-    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence")
+    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence", "pin", "rate", "monitor", "first")
     ONE_OF: ClassVar[tuple[str, ...]] = ("gpio", "pin")
 
 

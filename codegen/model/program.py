@@ -63,6 +63,7 @@ class Failsafe:
     used: Quantity | None
     spec: FailsafeSpec
     citation: Citation
+    aspects: Mapping[str, Citation]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,8 @@ class Program:
     they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest
     rate in Hz of messages without a stream, ``silence_ms`` the time without a HEARTBEAT after which a ground station
     is gone. ``module`` and ``class_name`` are those of the user's code, which is asked to measure every ``measure_us``,
-    or not at all: None.
+    or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
+    single aspects.
     """
 
     control_us: int
@@ -91,6 +93,7 @@ class Program:
     measure_us: int | None
     silence_ms: int
     cited: Mapping[str, Citation]
+    aspects: Mapping[str, Mapping[str, Citation]]
     spec: VehicleSpec
 
     @property

@@ -162,7 +162,9 @@ class GenerationsSpec(Written):
     )
     send: Generation | None = described("The choice, where it is fixed: old, new or both.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described("Criteria for single aspects: choice, other, price.", default_factory=dict)
 
+    ASPECTS = ("choice", "other", "price")
     ONE_OF: ClassVar[tuple[str, ...]] = ("parameter", "send")
 
 

@@ -58,6 +58,7 @@ class PopulatedMessage:
     citation: Citation
     population: PopulationSpec
     represents: Mapping[str, Representation]
+    aspects: Mapping[str, Citation]
     on_connection: bool = False
     on_change: Quantity | None = None
     pages: int = 1
@@ -103,6 +104,7 @@ class Generations:
     send: Generation | None
     spec: GenerationsSpec
     citation: Citation | None
+    aspects: Mapping[str, Citation]
 
     @property
     def default(self) -> Generation:

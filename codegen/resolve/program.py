@@ -13,7 +13,7 @@ from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component, Parameter
-from codegen.resolve.citation import cite_optional
+from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.failsafe import FailsafeResolver
 from codegen.resolve.services import SENT, service_constants, service_messages
 from codegen.source import Place
@@ -68,6 +68,8 @@ def resolve_program(
         citation = cite_optional(text, place, index, report)
         if citation is not None:
             cited[name] = citation
+    sections = {"control": spec.control, "storage": spec.storage, "arming": spec.arming, "services": spec.services}
+    aspects = {name: cite_aspects(section, index, report) for name, section in sections.items() if section}
     code = spec.code or CodeSpec(place=spec.place)
     measure = read_rate(code.measure, code.at("measure"), report) if code.measure is not None else None
     step_limit = read_time(spec.storage.step_limit, unit_named("us"), spec.storage.at("step_limit"), report)
@@ -104,6 +106,7 @@ def resolve_program(
         measure_us=round(Fraction(1000000) / measure) if measure else None,
         silence_ms=silence_ms,
         cited=cited,
+        aspects=aspects,
         spec=spec,
     )
 

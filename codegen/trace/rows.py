@@ -38,16 +38,20 @@ def _rows(system: System) -> Iterator[Row]:
     for generations in system.generations:
         name = generations.component.name
         yield from _whole(Kind.GENERATIONS, name, generations.citation, generations.spec, symbols.generations())
+        yield from _aspects(Kind.GENERATIONS, name, generations.aspects, generations.spec, symbols.generations())
     yield from _program(system, symbols)
     if system.receiver is not None:
         receiver = system.receiver
         name = receiver.component.name
         yield from _whole(Kind.RECEIVER, name, receiver.citation, receiver.spec, symbols.whole_receiver())
+        yield from _aspects(Kind.RECEIVER, name, receiver.aspects, receiver.spec, symbols.whole_receiver())
 
 
 def _messages(system: System, symbols: Symbols) -> Iterator[Row]:
     for message in system.messages:
-        yield from _whole(Kind.MESSAGE, message.name, message.citation, message.population, symbols.message(message))
+        found = symbols.message(message)
+        yield from _whole(Kind.MESSAGE, message.name, message.citation, message.population, found)
+        yield from _aspects(Kind.MESSAGE, message.name, message.aspects, message.population, found)
         for answer in message.answers:
             covers = answer.covers
             name = f"{message.name}.{covers.field.name}"
@@ -89,10 +93,14 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
     }
     for name, citation in program.cited.items():
         yield from _whole(Kind.PROGRAM, name, citation, written[name] or program.spec, symbols.part_of_program(name))
+    for name, aspects in program.aspects.items():
+        section = written[name] or program.spec
+        yield from _aspects(Kind.PROGRAM, name, aspects, section, symbols.part_of_program(name))
     for failsafe in program.failsafes:
         name = failsafe.component.name
         found = symbols.failsafe(failsafe.component)
         yield from _whole(Kind.FAILSAFE, name, failsafe.citation, failsafe.spec, found)
+        yield from _aspects(Kind.FAILSAFE, name, failsafe.aspects, failsafe.spec, found)
         for part, level, spec in (
             ("low", failsafe.low, failsafe.spec.low),
             ("critical", failsafe.critical, failsafe.spec.critical),
@@ -116,5 +124,11 @@ def _whole(
 def _cited(kind: Kind, name: str, cited: Cited, written: Written, symbols: tuple[Symbol, ...]) -> Iterator[Row]:
     if cited.citation is not None or not cited.aspects:
         yield from _whole(kind, name, cited.citation, written, symbols)
-    for aspect, citation in cited.aspects.items():
+    yield from _aspects(kind, name, cited.aspects, written, symbols)
+
+
+def _aspects(
+    kind: Kind, name: str, aspects: Mapping[str, Citation], written: Written, symbols: tuple[Symbol, ...]
+) -> Iterator[Row]:
+    for aspect, citation in aspects.items():
         yield Row(kind, name, aspect, str(citation), written.at(f"criteria.{aspect}"), symbols)
