@@ -251,9 +251,9 @@ CASES = [
     Case("bad-link", "board.yaml", "  wifi:\n", "  §Wi-Fi:\n", "cannot be the name of a link"),
     Case("bad-link", "board.yaml", "  wifi:\n", "  §class:\n", "cannot be the name of a link"),
     Case("bad-link", "board.yaml", "udp: 14550", "udp: §0", "1 to 65535"),
-    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:19:3"),
-    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:19:3"),
-    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:19:3"),
+    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:27:3"),
+    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:27:3"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:27:3"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    baud: §9600\n", "a link over udp"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    local_port: §65536\n", "0 to 65535"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    buffer: §279\n", "280 to 65536"),
@@ -354,7 +354,7 @@ CASES = [
     Case("unknown-key", "vehicle.yaml", "    health: health", "    §heath: health", "did you mean health"),
     Case("unknown-key", "vehicle.yaml", "low: {below: ", "low: {§belo: ", "did you mean below"),
     Case("unknown-key", "vehicle.yaml", "disarm: true", "§disarms: true", "did you mean disarm"),
-    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:22:3"),
+    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:33:3"),
     # failsafes
     Case("bad-failsafe", "vehicle.yaml", "  battery:\n", "  §batery:\n", "did you mean battery"),
     Case("bad-failsafe", "vehicle.yaml", "quantity: voltage", "quantity: §current", "not measured"),
@@ -422,13 +422,13 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:78:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:93:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:78:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:93:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
-    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:78:17"),
+    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:93:17"),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
@@ -485,7 +485,7 @@ CASES = [
     Case("unit-mismatch", "state.yaml", "unit: hJ\n", "unit: hJ\n        estimate_from: §voltage\n", "in %"),
 ]
 
-ESTIMATE = "state.yaml:51:24"
+ESTIMATE = "state.yaml:65:24"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 ESTIMATES = [
     Case(
