@@ -1,6 +1,7 @@
 """Numbers that a driver gives which is not codegen's: what they are is declared in YAML."""
 
 import re
+from collections.abc import Iterable
 from fractions import Fraction
 
 from codegen.frozen import dataclass
@@ -24,6 +25,12 @@ class OutputSpec(Written):
     stored: str | None = described("Unit of one step that it is rounded to, such as mm. Default: unit.", default=None)
     min: Fraction | None = described("Smallest plausible value, in unit; what is less is unknown.", default=None)
     max: Fraction | None = described("Largest plausible value, in unit; what is more is unknown.", default=None)
+
+
+def in_tuple(items: Iterable[str]) -> str:
+    """A tuple of the generated Python."""
+    written = tuple(items)
+    return f"({written[0]},)" if len(written) == 1 else f"({', '.join(written)})"
 
 
 def declared_output(name: str, spec: OutputSpec, around: Around) -> tuple[Output, Fraction] | None:

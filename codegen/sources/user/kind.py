@@ -8,7 +8,7 @@ from codegen.frozen import dataclass
 from codegen.model.described import described
 from codegen.model.source_kind import Output, Polling, Source, SourceFact
 from codegen.model.source_spec import SourceSpec
-from codegen.sources.declared import OutputSpec, declared_output
+from codegen.sources.declared import OutputSpec, declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource
 
 _CLASS = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
@@ -48,9 +48,9 @@ class User(Source):
     @property
     def opened(self) -> str:
         module, _, name = self.class_name.rpartition(".")
-        scales = ", ".join(f"({steps.numerator}, {steps.denominator})" for steps in self.steps)
-        limits = ", ".join(f"({output.low}, {output.high})" for output in self.outputs)
-        return f'UserSource("{module}", "{name}", ({scales},), ({limits},))'
+        scales = in_tuple(f"({steps.numerator}, {steps.denominator})" for steps in self.steps)
+        limits = in_tuple(f"({output.low}, {output.high})" for output in self.outputs)
+        return f'UserSource("{module}", "{name}", {scales}, {limits})'
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("class", self.class_name, "class")
