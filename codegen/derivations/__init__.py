@@ -14,6 +14,7 @@ from codegen.derivations.estimate import resolve_estimate
 from codegen.derivations.follows import resolve_follows
 from codegen.derivations.measured import resolve_measured
 from codegen.derivations.set_by_code import SetByCode
+from codegen.derivations.sourced import resolve_sourced
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.derivations.trend import resolve_trend
 from codegen.derivations.while_known import resolve_while_known
@@ -25,6 +26,7 @@ from codegen.model.derivation_spec import (
     EstimateSpec,
     FollowsSpec,
     MeasuredSpec,
+    SourcedSpec,
     TrendSpec,
     WhileKnownSpec,
 )
@@ -40,6 +42,7 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     WhileKnownSpec: resolve_while_known,
     EnabledBySpec: resolve_enabled_by,
     CountsReturnsSpec: resolve_counts_returns,
+    SourcedSpec: resolve_sourced,
 }
 """How each kind is resolved, by what it is written with."""
 
@@ -61,6 +64,8 @@ def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
 def _fits(written: DerivationSpec, kept: Kept, around: Surroundings) -> bool:
     """Whether the quantity is one of those that a derivation gives a value."""
     key, name, kind = written.KEY, around.name, kept.kind
+    if isinstance(written, SourcedSpec):
+        return True  # it says itself what it cannot give
     if not written.GIVES_BOOLEAN:
         if kind is not QuantityKind.NUMBER:
             around.bad(key, f"{name} is a {kind.value} quantity and cannot have {key}")

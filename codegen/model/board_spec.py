@@ -6,6 +6,7 @@ from typing import ClassVar, Literal
 
 from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
+from codegen.model.source_spec import SourceSpec
 from codegen.source import Place, Written
 
 
@@ -92,6 +93,7 @@ class BoardSpec(Written):
         default=None,
     )
     adc: Mapping[str, AdcSpec] = described("ADC channels by name.", default_factory=dict)
+    sources: Mapping[str, SourceSpec] = described("Sensors by name.", default_factory=dict)
     links: Mapping[str, LinkSpec] = described("Links to ground stations by name.", default_factory=dict)
     facts: Mapping[str, Mapping[str, str | Fraction]] = described(
         "Facts about the connected hardware by component: enum entries, numbers or amounts.", default_factory=dict

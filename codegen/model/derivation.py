@@ -7,7 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from codegen.model.step import Step
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from codegen.model.known import Known, Stored
+    from codegen.model.source_kind import Output
     from codegen.model.system import System
     from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold
 
@@ -50,6 +53,11 @@ class Derivation(ABC):
     def is_set_by_code(self) -> bool:
         """Whether code of the vehicle sets it, and nothing else does."""
         return False
+
+    @property
+    def ages_alone(self) -> bool:
+        """Whether its age counts from when it was set itself, and not from the last reading of its component."""
+        return self.is_set_by_code
 
     @property
     def conversion(self) -> "Conversion | None":
@@ -96,6 +104,11 @@ class Derivation(ABC):
     @property
     def curves_by_instance(self) -> tuple[tuple[tuple[int, int], ...], ...]:
         """The points (stored steps of what is measured, value), rising, by which each reading sets it."""
+        return ()
+
+    @property
+    def gives(self) -> "tuple[tuple[str, Output, Fraction], ...]":
+        """By instance the sensor that gives it, what of it, and the stored steps in one step of that; else nothing."""
         return ()
 
     @property

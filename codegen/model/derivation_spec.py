@@ -16,10 +16,12 @@ class DerivationSpec(Written):
     """What is written about where a value comes from, beside the keys that every quantity has.
 
     ``KEY`` is the one that names the derivation. ``GIVES_BOOLEAN``: for a boolean, or for a number.
+    ``LOOKS_AT_QUANTITY``: what ``KEY`` names may be a quantity of the component.
     """
 
     KEY: ClassVar[str]
     GIVES_BOOLEAN: ClassVar[bool] = False
+    LOOKS_AT_QUANTITY: ClassVar[bool] = True
 
     @property
     def is_named(self) -> bool:
@@ -141,7 +143,32 @@ class MeasuredSpec(DerivationSpec):
         return self.warn_above is not None
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SourcedSpec(DerivationSpec):
+    """What a sensor gives."""
+
+    KEY = "source"
+    LOOKS_AT_QUANTITY = False
+
+    source: str | tuple[str, ...] = described(
+        "The sensor of board.yaml that gives it: its name, or NAME.OUTPUT where it gives several numbers; for a "
+        "component with several instances a list, with one for each."
+    )
+
+    @property
+    def has_readings(self) -> bool:
+        """A sensor is asked, which can fail."""
+        return True
+
+
 WrittenDerivation = (
-    WhileKnownSpec | EnabledBySpec | FollowsSpec | CountsReturnsSpec | TrendSpec | EstimateSpec | MeasuredSpec
+    WhileKnownSpec
+    | EnabledBySpec
+    | FollowsSpec
+    | CountsReturnsSpec
+    | TrendSpec
+    | EstimateSpec
+    | MeasuredSpec
+    | SourcedSpec
 )
 """Every derivation that can be written; a quantity with none of them is set by code."""

@@ -164,6 +164,18 @@ def short_forms(model: type[Written]) -> Mapping[str, Mapping[str, Any]]:
     return forms
 
 
+def chosen_by(model: type[Written]) -> str | None:
+    """The key whose value decides which class a record is of; None where the class is the one that is named."""
+    key: str | None = getattr(model, "CHOSEN_BY", None)
+    return key
+
+
+def rest(model: type[Written]) -> str | None:
+    """The attribute that takes keys of the author's choice; None where there are none."""
+    name: str | None = getattr(model, "REST", None)
+    return name
+
+
 def _key(field: Field[Any], hint: Any) -> Key:
     is_required = field.default is MISSING and field.default_factory is MISSING
     shape = _shape(hint)

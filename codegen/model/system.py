@@ -4,6 +4,7 @@ Rules, targets, ``explain`` and the documents read this model; none of them look
 """
 
 from collections.abc import Mapping
+from dataclasses import field
 from enum import Enum
 
 from codegen.frozen import dataclass
@@ -13,6 +14,7 @@ from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
+from codegen.model.source_kind import Source
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Conversion, Parameter, Quantity, Stream
 
@@ -144,6 +146,7 @@ class System:
     requirements: Mapping[str, Requirement]
     generations: tuple[Generations, ...] = ()
     receiver: Receiver | None = None
+    sources: Mapping[str, Source] = field(default_factory=dict)
 
     @property
     def wires(self) -> tuple[WireMessage, ...]:
@@ -162,6 +165,11 @@ class System:
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
         """The tables of a message of the dialect, by its name."""
         return tuple(table for table in self.messages if table.wire.name == message)
+
+    @property
+    def polled(self) -> tuple[Source, ...]:
+        """The sensors that have a slot of the main loop."""
+        return tuple(source for source in self.sources.values() if source.is_polled)
 
     @property
     def board_name(self) -> str:

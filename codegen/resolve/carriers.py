@@ -45,7 +45,7 @@ def _compared(spec: Spec) -> Iterator[str]:
         for quantity in written.quantities.values():
             for derivation in quantity.derivations:
                 name = getattr(derivation, derivation.KEY)
-                if isinstance(name, str):
+                if isinstance(name, str) and derivation.LOOKS_AT_QUANTITY:
                     yield f"{component}.{name}"
     if spec.vehicle is None:
         return

@@ -19,6 +19,7 @@ from codegen.resolve.links import resolve_links
 from codegen.resolve.population import Parts, resolve_message
 from codegen.resolve.program import resolve_program
 from codegen.resolve.receiver import resolve_receiver
+from codegen.resolve.sources import resolve_sources
 from codegen.resolve.state import resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
 from codegen.source import Place
@@ -38,7 +39,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     board = resolve_board_model(spec.board_model, report)
     channels = resolve_channels(spec.board, board, spec.parameters, parameters, index, report)
     streams = resolve_streams(spec, dialect, parameters, index, report)
-    components = resolve_components(spec, dialect, instances, channels, parameters, index, report)
+    sources = resolve_sources(spec, board, parameters, index, report)
+    components = resolve_components(spec, dialect, instances, channels, sources, parameters, index, report)
     parts = Parts(spec, dialect, parameters, components, streams, index)
     messages = [
         message
@@ -83,6 +85,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         requirements=index,
         generations=generations,
         receiver=receiver,
+        sources=sources,
     )
 
 

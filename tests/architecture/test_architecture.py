@@ -27,15 +27,16 @@ MAY_IMPORT: dict[str, set[str]] = {
     "measure": {"model", *GROUND},
     "answers": {"measure", "model", *GROUND},
     "derivations": {"measure", "model", *GROUND},
+    "sources": {"measure", "model", *GROUND},
     "load": {"model", *GROUND},
-    "decode": {"load", "cache", "tool", "model", *GROUND},
+    "decode": {"load", "sources", "cache", "tool", "model", *GROUND},
     "checks": GROUND,
-    "resolve": {"answers", "derivations", "measure", "model", *GROUND},
+    "resolve": {"answers", "derivations", "sources", "measure", "model", *GROUND},
     "rules": {"checks", "measure", "resolve", "model", *GROUND},
     "importing": {"load", "decode", "measure", "resolve", "model", *GROUND},
     "template_files": set(),
     "render": {"cache", "tool", "template_files"},
-    "schemas": {"model", *GROUND},
+    "schemas": {"sources", "model", *GROUND},
     "key_reference": {"schemas"},
     "targets": {
         *("derivations", "resolve", "render", "template_files", "schemas", "cache", "tool", "model"),
@@ -96,7 +97,10 @@ KNOW_KINDS = {
 
 VAGUE = {"util", "utils", "helper", "helpers", "manager", "managers", "core", "common", "misc", "base"}
 
-MODULES = sorted(PACKAGE.rglob("*.py"))
+ON_THE_BOARD = {"firmware", "mocks"}
+"""Folders of kinds of sensors with MicroPython, which is no part of codegen."""
+
+MODULES = sorted(path for path in PACKAGE.rglob("*.py") if path.parent.name not in ON_THE_BOARD)
 
 
 def name_of(path: Path) -> str:

@@ -13,6 +13,8 @@ GOOD = {
         "links:\n  a: {uart: 0, tx: 0, rx: 1, baud: 57600}\n  b: {usb: true}\n"
         "  c: {udp: 14550, to: 10.0.0.1, credentials: w.json, retry: 5 s, local_port: 1, buffer: 512}\n"
         "discharge_curves:\n  LIPO: {4.2 V: 100, 3.27 V: 0}\n"
+        "sources:\n  sonar: {driver: user, class: a.B, unit: m, stored: mm, rate: 5 Hz, outputs: {}}\n"
+        "  own: {driver: mine, address: 0x40, gain: 2, on: true, limit: 2 ms}\n"
     ),
     "parameters": "parameters:\n  MULT: {doc: d, default: 3.95, min: 1, max: 0x0a, step: 0.0001}\n"
     "  PIN: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int8, reboot: true, values: {0: Off, 1: On}}\n",
@@ -159,6 +161,11 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("vehicle", VEHICLE.replace("chunk: 64", "chunk: big"), [("wrong-type", 2, 33)], False),
     ("vehicle", VEHICLE.replace("[a, b]", "a"), [("wrong-type", 2, 18)], False),
     ("vehicle", VEHICLE.replace("services: {fastest: 10 Hz}\n", ""), [("missing-key", 1, 1)], False),
+    ("board", "sources: {a: {driver: user, class: a.B, rates: 1 Hz}}\n", [("unknown-key", 1, 41)], True),
+    ("board", "sources: {a: {driver: user, class: 1}}\n", [("wrong-type", 1, 36)], True),
+    ("board", "sources: {a: {driver: 3}}\n", [("wrong-type", 1, 23)], True),
+    ("board", "sources: {a: {class: a.B}}\n", [("missing-key", 1, 11)], True),
+    ("board", "sources: {a: {driver: mine, gain: [1]}}\n", [("wrong-type", 1, 35)], True),
     ("board", "board: b\nlinks: {a: {usb: false}}\n", [("wrong-type", 2, 18)], True),
     ("board", "board: b\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 2, 24)], True),
     ("board", "board: b\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 2, 9)], True),

@@ -12,6 +12,7 @@ from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.program import dialect_text, program_view
 from codegen.targets.firmware.reading_view import readings_view
+from codegen.targets.firmware.sources import sources_view
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
@@ -19,6 +20,7 @@ from codegen.targets.firmware.words import word_layout
 from codegen.targets.naming import prose
 from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text, specification_file
 from codegen.targets.rendered import rendered
+from codegen.targets.source_files import source_files
 from codegen.template_files import copied, plain_files
 
 _PROGRAM = "firmware/program"
@@ -52,11 +54,14 @@ def render_firmware(system: System) -> dict[str, str]:
             views["samples_viper.py"] = (board_view(system), [board, state], [])
             readings = readings_view(system, layout, machine_code=True)
             views["state_viper.py"] = (readings, [state, board, parameters], [])
+    if system.polled:
+        views["sources.py"] = (sources_view(system, layout), [board, state], [])
     if machine_code:
         fast = functions_view(system, layout, machine_code=True)
         views["telemetry_viper.py"] = (fast, written, wires)
     accelerated = [MACHINE_CODE] if machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
+    listens = any(source.silence_ms is not None for source in system.polled)
     optional = {
         "discharge": view.has_estimate,
         "floats_plain": plain.puts_floats,
@@ -65,6 +70,9 @@ def render_firmware(system: System) -> dict[str, str]:
         "reals_viper": plain.puts_reals and machine_code,
         **{name: name in view.modules for name in VIEWS.values()},
         "clock_viper": plain.ticks and machine_code,
+        "polling": bool(system.polled),
+        **dict.fromkeys(("listening", "turns_plain"), listens),
+        "turns_viper": listens and machine_code,
     }
     for name, is_used in optional.items():
         if not is_used:
@@ -78,7 +86,7 @@ def render_firmware(system: System) -> dict[str, str]:
     for name, (shown, paths, messages) in views.items():
         text = rendered(f"firmware/{name}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
-    return files | _program_files(system)
+    return files | source_files(system, "firmware") | _program_files(system)
 
 
 def _program_files(system: System) -> dict[str, str]:

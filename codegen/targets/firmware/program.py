@@ -56,6 +56,7 @@ class ProgramView:
     jobs: tuple[JobView, ...]
     has_ports: bool
     has_usb: bool
+    has_sources: bool
     takes_time: bool
     cited: dict[str, str]
 
@@ -91,6 +92,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         jobs=jobs,
         has_ports=bool(system.links),
         takes_time=program.takes_time,
+        has_sources=bool(system.polled),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
         cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
@@ -106,6 +108,7 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("micropython", "const"),
         ("parameters", "Parameters"),
         ("scheduler", "Scheduler"),
+        *([("sources", "Sources")] if system.polled else []),
         ("clock_service" if program.takes_time else "services", "receivable"),
         *([("clock_service", "follow_time")] if program.takes_time else []),
         ("state", "SystemState"),

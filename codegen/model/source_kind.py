@@ -1,0 +1,156 @@
+"""Sensors: what the stages ask each of them, whatever its kind is (``codegen/sources/``)."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from codegen.frozen import dataclass
+from codegen.model.source_spec import SourceSpec
+from codegen.model.storage import Storage, storage_of
+from codegen.model.unit import Unit
+from codegen.model.vehicle import Cited
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """One number that a sensor gives: whole steps of ``unit``, plausible from ``low`` to ``high``.
+
+    ``name`` is empty where a sensor gives only one. What lies outside of its limits is unknown.
+    """
+
+    name: str
+    unit: Unit
+    low: int
+    high: int
+    doc: str
+
+    @property
+    def storage(self) -> Storage:
+        """How the driver hands it over: a small integer, or its halves of 16 bits, the low one first."""
+        storage = storage_of(self.low, self.high)
+        assert storage is not None
+        return storage
+
+
+@dataclass(frozen=True, slots=True)
+class Polling(Cited):
+    """What is known of every sensor: its name, how often it is asked, how long that may take, when it is set up again.
+
+    ``limit_us`` is None where nothing limits it.
+    """
+
+    name: str
+    period_us: int
+    limit_us: int | None
+    retry_ms: int
+    spec: SourceSpec
+
+
+class PinUse(NamedTuple):
+    """A GPIO number that a sensor takes: the key that says so, and the numbers that could stand there instead.
+
+    ``shared`` names what several sensors may be connected to together, such as the lines of a bus; else it is empty.
+    """
+
+    gpio: int
+    key: str
+    choices: frozenset[int]
+    shared: str = ""
+
+
+class SourceFact(NamedTuple):
+    """One attribute of a sensor, as text that differs exactly where the attribute does; ``key`` decides it."""
+
+    attribute: str
+    text: str
+    key: str
+
+
+class Source(ABC):
+    """A sensor, resolved. Every kind is a frozen dataclass in a folder of its own."""
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def polling(self) -> Polling:
+        """What it has in common with all others."""
+
+    @property
+    @abstractmethod
+    def outputs(self) -> tuple[Output, ...]:
+        """What it gives."""
+
+    @property
+    def name(self) -> str:
+        """What board.yaml calls it."""
+        return self.polling.name
+
+    @property
+    def is_polled(self) -> bool:
+        """Whether the firmware asks it by itself, in a slot of its own; else what it gives is read with a component."""
+        return True
+
+    # the firmware
+
+    @property
+    @abstractmethod
+    def module(self) -> str:
+        """The module of its driver."""
+
+    @property
+    @abstractmethod
+    def opened(self) -> str:
+        """The expression that makes its driver; ``machine`` is there, and nothing is connected to yet."""
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The files of the firmware that its driver takes beside its own, by their paths below codegen/sources."""
+        return ()
+
+    @property
+    def mocks(self) -> tuple[str, ...]:
+        """The files that stand in for its hardware on a host, by their paths below codegen/sources."""
+        return ()
+
+    @property
+    def cause(self) -> str:
+        """What is wrong where nothing answers, in the operator's words."""
+        return "no answer"
+
+    @property
+    def sets_clock(self) -> bool:
+        """Whether it knows the time since 1970."""
+        return False
+
+    @property
+    def silence_ms(self) -> int | None:
+        """After how long without anything new it counts as failed; None: it has something new each time."""
+        return None
+
+    # what it is connected to
+
+    def pins(self) -> Iterator[PinUse]:
+        """The pins that it takes."""
+        return iter(())
+
+    @property
+    def port(self) -> str:
+        """What it takes as a whole, such as ``UART 1``; else empty."""
+        return ""
+
+    # words
+
+    @abstractmethod
+    def facts(self) -> Iterator[SourceFact]:
+        """What two versions of it are compared by, beside what all sensors have."""
+
+    @abstractmethod
+    def words(self) -> str:
+        """What it is, in a line for documents and pages."""
+
+
+def hertz(period_us: int) -> Fraction:
+    """The rate of a period."""
+    return Fraction(1000000, period_us)

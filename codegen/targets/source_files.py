@@ -1,0 +1,17 @@
+"""The files that kinds of sensors bring along, drivers and mocks: copied where a project has such a sensor."""
+
+import os
+
+from codegen.model.system import System
+from codegen.targets.origin import headed, origin_of_text
+from codegen.template_files import driver_text
+
+
+def source_files(system: System, folder: str) -> dict[str, str]:
+    """The files below ``folder``, which is firmware or mocks: ``{path in the output: text}``."""
+    files = {}
+    for source in system.polled:
+        for path in source.modules if folder == "firmware" else source.mocks:
+            text = driver_text(path)
+            files[f"{folder}/{os.path.basename(path)}"] = headed(text, origin_of_text(f"codegen/sources/{path}", text))
+    return files
