@@ -60,6 +60,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--report", metavar="FILE.html", help="write a page with charts and tables at the end")
     parser.add_argument(
+        "--record", metavar="FILE", help="write the record as data at the end: FILE.json all of it, FILE.csv quantities"
+    )
+    parser.add_argument(
         "--flash",
         metavar="DIR",
         help="the board's file system, kept for the next run (default: a temporary one): stored parameters",
@@ -70,6 +73,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="your code, whose class extends the generated vehicle, whatever the file is called (default: the module "
         "that code in vehicle.yaml names, in the folder of the project, if it is there)",
     )
+    parser.add_argument("--no-code", action="store_true", help="run the generated vehicle without your code")
     parser.add_argument("--rover", dest="code", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--quiet", action="store_true", help="print only the result")
     parser.set_defaults(run=run)
@@ -134,7 +138,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     except AddressError as problem:
         raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
-    code = arguments.code or _own_code(systems[0])
+    code = None if arguments.no_code else arguments.code or _own_code(systems[0])
     _warn_of_stale([module for system in cast for module in pipeline.stale_firmware(system)])
     return Simulation(
         scenario=scenario,
@@ -236,12 +240,21 @@ def _check_files(arguments: argparse.Namespace) -> None:
         raise UsageError(f"--code: there is no file {arguments.code}")
     if arguments.flash is not None and os.path.exists(arguments.flash) and not os.path.isdir(arguments.flash):
         raise UsageError(f"--flash: {arguments.flash} is not a folder")
-    if arguments.report is not None:
-        folder = os.path.dirname(os.path.abspath(arguments.report))
-        if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
-            raise UsageError(f"--report: {folder} is not a folder that can be written to")
-        if os.path.isdir(arguments.report):
-            raise UsageError(f"--report: {arguments.report} is a folder")
+    if arguments.record is not None and not arguments.record.endswith((".json", ".csv")):
+        raise UsageError(f"--record: {arguments.record} ends neither with .json nor with .csv")
+    _check_written("--report", arguments.report)
+    _check_written("--record", arguments.record)
+
+
+def _check_written(option: str, path: str | None) -> None:
+    """Whether a file can be written in the end. UsageError: it cannot."""
+    if path is None:
+        return
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+        raise UsageError(f"{option}: {folder} is not a folder that can be written to")
+    if os.path.isdir(path):
+        raise UsageError(f"{option}: {path} is a folder")
 
 
 def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
@@ -266,6 +279,10 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
         from codegen.sim.report import write_report
 
         write_report(arguments.report, simulation, recording)
+    if arguments.record is not None:
+        from codegen.sim.data import write_data
+
+        write_data(arguments.record, recording)
     print_result(simulation, recording, arguments.report)
     failed = next((record for record in recording.all if record.problem), None)
     if failed is not None:

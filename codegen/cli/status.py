@@ -78,13 +78,15 @@ def state_line(recording: "Recording") -> str:
 
 
 def _state(recording: "Recording") -> str:
+    from codegen.sim.sample import state_words
+
     sample = recording.sample
     name = f"{recording.name}: " if recording.name else ""
     if recording.is_out:
         return f"{name}out"
-    armed = "armed" if sample.is_armed else "disarmed"
     rate = sample.size / max(1, sample.at_ms) * 1000
-    state = f"{armed}, {sample.state_name}  {sample.frames} frames, {rate:.0f} bytes/s"
+    does = f"{state_words(sample)}  " if recording.tells_state else ""
+    state = f"{does}{sample.frames} frames, {rate:.0f} bytes/s"
     return f"{name}{_numbers(recording)}{state}"
 
 

@@ -24,7 +24,8 @@ class Course:
     """What is true of one quantity over time, ascending in time.
 
     ``label`` is the path of the quantity with the number of the instance, ``battery[1].voltage``, where there are
-    several. Single values deviate by up to ``noise``. Code that sets it does so every ``every_ms``.
+    several. Single values deviate by up to ``noise``. Code that sets it does so every ``every_ms``. Between two points
+    lies a line where ``is_line``, else a step.
     """
 
     label: str
@@ -32,10 +33,19 @@ class Course:
     through: SimulatedInput
     noise: float = 0.0
     every_ms: int = 100
+    is_line: bool = True
 
     def value(self, at_ms: float) -> Truth:
-        """What is true at a time in ms."""
-        return value_at(self.points, at_ms)
+        """What is true at a time in ms: straight lines between two numbers, else steps; the ends stay."""
+        before = self.points[0]
+        for point in self.points:
+            if point.at_ms > at_ms:
+                start, end = before.value, point.value
+                if at_ms <= before.at_ms or not self.is_line or not is_number(start) or not is_number(end):
+                    return start
+                return start + (end - start) * (at_ms - before.at_ms) / (point.at_ms - before.at_ms)
+            before = point
+        return before.value
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,19 +168,6 @@ class Scenario:
         return (*stretches, Stretch(len(stretches) + 1, start_ms, None, courses))
 
 
-def value_at(points: tuple[Point, ...], at_ms: float) -> Truth:
-    """The value at a time in ms: straight lines between two numbers, else steps; the first and the last one stay."""
-    before = points[0]
-    for point in points:
-        if point.at_ms > at_ms:
-            start, end = before.value, point.value
-            if at_ms <= before.at_ms or not is_number(start) or not is_number(end):
-                return start
-            return start + (end - start) * (at_ms - before.at_ms) / (point.at_ms - before.at_ms)
-        before = point
-    return before.value
-
-
 def is_number(value: Truth) -> TypeGuard[float]:
     """Whether lines can be drawn to it: it is known, and neither a text nor a boolean."""
     return isinstance(value, float | int) and not isinstance(value, bool)
@@ -186,6 +183,7 @@ def course_data(course: Course, seed: int) -> dict[str, Any]:
         "points": [[point.at_ms, point.value] for point in course.points],
         "noise": course.noise,
         "every_ms": course.every_ms,
+        "is_line": course.is_line,
     }
 
 

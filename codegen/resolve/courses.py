@@ -84,7 +84,8 @@ class Courses:
             return None
         points = self._points(spec, quantity)
         noise = self._noise(spec, quantity)
-        return Course(label, points, through, noise, every_ms) if points else None
+        is_line = quantity.kind is QuantityKind.NUMBER
+        return Course(label, points, through, noise, every_ms, is_line) if points else None
 
     def _points(self, spec: CourseSpec, quantity: Quantity) -> tuple[Point, ...]:
         values = self._values

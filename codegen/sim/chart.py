@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from codegen.frozen import dataclass
-from codegen.model.scenario import Fault, Point, Stretch, Swap, is_number, value_at
+from codegen.model.scenario import Fault, Point, Stretch, Swap, is_number
 from codegen.sim.amount import amount, digits_of
 from codegen.sim.line import Line
 from codegen.sim.record import Recording
@@ -15,7 +15,11 @@ from codegen.sim.sample import Happening, Kind, Reading
 MOST_MARKERS = 40
 _UNITS = ((1000, "s", 600_000), (60_000, "min", 6 * 3_600_000), (3_600_000, "h", None))
 _LEAST = 0.02
-"""The least height of a chart, as a share of the largest value in it."""
+"""The least height of a chart whose true value stays, as a share of the largest value in it."""
+_DIGIT = 7
+"""Width of a digit of a label."""
+_SILENT_MS = 1000
+"""A line breaks where nothing was told for longer, and for several times as long as usual."""
 _SHORT = 5
 """Characters of a word beside the line of a level."""
 _MARKER_ROWS = 3
@@ -131,20 +135,24 @@ class _Drawing:
         drawn = [*(value for part in self._true for _, value in part), *told]
         values = [*drawn, *(value for _, value in self._levels)] or [0.0]
         lowest, highest = min(values), max(values)
-        length = max(highest - lowest, _LEAST * max(abs(lowest), abs(highest))) or 1.0
-        self._step = _value_step(length)
+        turns = {value for part in self._true for _, value in part}
+        least = 0.0 if len(turns) > 1 else _LEAST * max(abs(lowest), abs(highest))
+        self._step = max(_value_step(max(highest - lowest, least) or 1.0), float(line.is_whole))
         self._low = math.floor((lowest - self._step / 4) / self._step)
         self._high = math.ceil((highest + self._step / 4) / self._step)
 
     def chart(self, happenings: Sequence[Happening], name: str) -> Chart:
         rows = self._rows(happenings)
         more = _MARKER_SPACE * max(rows, default=0)
-        self._size = replace(self._size, top=self._size.top + more, height=self._size.height + more)
+        digits, unit_of_value = digits_of(self._step), self._line.unit
+        heights = [number * self._step for number in range(self._low, self._high + 1)]
+        widest = _DIGIT * max(len(f"{value:.{digits}f}") for value in heights) + 12
+        size = self._size
+        left = max(size.left, widest)
+        self._size = replace(size, top=size.top + more, height=size.height + more, left=left)
         per_unit, unit = next((ms, unit) for ms, unit, until in _UNITS if until is None or self._end_ms <= until)
         step = _time_step(self._end_ms / per_unit, self._size.ticks)
         times = [step * index for index in range(int(self._end_ms / per_unit / step + 1e-9) + 1)]
-        heights = [number * self._step for number in range(self._low, self._high + 1)]
-        digits, unit_of_value = digits_of(self._step), self._line.unit
         return Chart(
             size=self._size,
             name=name,
@@ -183,7 +191,7 @@ class _Drawing:
         if course is None or stretch.start_ms > end_ms:
             return
         inside = [point for point in course.points if stretch.start_ms < point.at_ms < end_ms]
-        ends = [Point(at_ms, value_at(course.points, at_ms)) for at_ms in (stretch.start_ms, end_ms)]
+        ends = [Point(at_ms, course.value(at_ms)) for at_ms in (stretch.start_ms, end_ms)]
         part: list[tuple[int, float]] = []
         for point in [ends[0], *inside, ends[1]]:
             if is_number(point.value):
@@ -195,9 +203,23 @@ class _Drawing:
             yield part
 
     def _reported(self) -> Iterable[str]:
-        for is_known, readings in groupby(self._readings, key=lambda reading: reading.value is not None):
-            if is_known:
-                yield _path(self._thinned(readings))
+        """The lines of what was told, without a break in each."""
+        part: list[Reading] = []
+        for reading in self._readings:
+            is_late = bool(part) and reading.at_ms - part[-1].at_ms > self._longest_ms
+            if part and (reading.value is None or is_late):
+                yield _path(self._thinned(part))
+                part = []
+            if reading.value is not None:
+                part.append(reading)
+        if part:
+            yield _path(self._thinned(part))
+
+    @property
+    def _longest_ms(self) -> int:
+        """The longest time between two values that belong to one line."""
+        spans = sorted(after.at_ms - before.at_ms for before, after in pairwise(self._readings))
+        return max(_SILENT_MS, 3 * spans[len(spans) // 2] if spans else 0)
 
     def _thinned(self, readings: Iterable[Reading]) -> list[tuple[float, float]]:
         """The points of a line: of those that share a unit of width the first, the lowest, the highest and the last."""

@@ -11,8 +11,10 @@ from codegen.sim.told import told_paths
 
 SEVERE, MILD = "critical", "low"
 """Classes of the lines of levels in a chart: that of the highest level, and that of all others."""
-_STATE = {"armed": "armed", "status": "status", "mode": "mode"}
+_STATE = ("armed", "status", "mode")
 """Quantities of the vehicle that are watched where there are any."""
+_EVENTS = tuple(f"vehicle.{name}" for name in _STATE)
+"""The same: their changes are events."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +30,8 @@ class Level:
 class Line:
     """A quantity of one instance: ``label`` as courses name it, ``path`` without the instance, its unit and doc.
 
-    ``levels`` are those of the failsafe that watches it; ``is_told``: messages carry it.
+    ``levels`` are those of the failsafe that watches it; ``is_told``: messages carry it, and
+    ``is_whole``: it only counts.
     """
 
     label: str
@@ -38,6 +41,7 @@ class Line:
     doc: str = ""
     levels: tuple[Level, ...] = ()
     is_told: bool = True
+    is_whole: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +103,7 @@ def _paths(system: System, labels: Sequence[str]) -> Iterator[str]:
     for label in labels:
         component, _, name = split_label(label)
         yield f"{component}.{name}"
-    yield from told_paths(system)
+    yield from (path for path in told_paths(system) if path not in _EVENTS)
 
 
 def _lines(system: System, path: str) -> Iterator[Line]:
@@ -111,7 +115,8 @@ def _lines(system: System, path: str) -> Iterator[Line]:
         number = f"[{instance}]" if instance else ""
         label = f"{quantity.component}{number}.{quantity.name}"
         levels = tuple(_drawn(system, quantity, instance))
-        yield Line(label, path, instance, quantity.unit.name, quantity.spec.doc, levels, is_told)
+        is_whole = not quantity.unit.name and not quantity.storage.is_float and quantity.steps == 1
+        yield Line(label, path, instance, quantity.unit.name, quantity.spec.doc, levels, is_told, is_whole)
 
 
 def _drawn(system: System, quantity: Quantity, instance: int) -> Iterator[Level]:

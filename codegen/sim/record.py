@@ -133,11 +133,25 @@ class Recording:
 
     @property
     def lines(self) -> tuple[Line, ...]:
-        """The numbers to show: those with a course, and those that were told and did not stay the same."""
+        """The numbers to tell of: those with a course, and those that were told and did not stay the same."""
         return tuple(line for line in self.program.lines if self.has_course(line.label) or self._varied(line.label))
 
+    @property
+    def drawn(self) -> tuple[Line, ...]:
+        """Those of them that did not stay the same."""
+        return tuple(line for line in self.lines if self._varied(line.label))
+
+    @property
+    def tells_state(self) -> bool:
+        """Whether the program has a state to tell, armed or not."""
+        return any(watched.label in (_ARMED, _STATUS) for watched in self.program.watched)
+
     def _varied(self, label: str) -> bool:
-        return len({reading.value for reading in self.readings_of.get(label, ()) if reading.value is not None}) > 1
+        """Whether what was told or what is true changed; a noise around one value counts."""
+        told = {reading.value for reading in self.readings_of.get(label, ()) if reading.value is not None}
+        courses = [course for stretch in self.stretches if (course := stretch.course(label)) is not None]
+        true = {point.value for course in courses for point in course.points}
+        return len(told) > 1 or len(true) > 1 or bool(courses and told and told != true)
 
     def add(
         self,

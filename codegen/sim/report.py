@@ -1,7 +1,5 @@
 """The report of a simulation: one page of HTML that needs nothing else."""
 
-import os
-import tempfile
 from collections.abc import Iterable
 
 from codegen.frozen import dataclass
@@ -12,8 +10,9 @@ from codegen.sim.expected import unmet
 from codegen.sim.line import Line
 from codegen.sim.record import Recording
 from codegen.sim.run import Simulation
-from codegen.sim.sample import SEVERITIES, Happening, Kind
+from codegen.sim.sample import SEVERITIES, Happening, Kind, state_words
 from codegen.sim.verdict import line_name, verdict
+from codegen.sim.written import write_whole
 
 _MOST_ROWS = 1000
 _PREFIXES = {
@@ -92,17 +91,7 @@ class ReportView:
 
 def write_report(path: str, simulation: Simulation, recording: Recording) -> None:
     """Write the page, whole or not at all. OSError: it cannot be written."""
-    text = render_page("sim/report.html.j2", report_view(simulation, recording))
-    folder = os.path.dirname(os.path.abspath(path))
-    handle, temporary = tempfile.mkstemp(dir=folder, prefix=".report-", suffix=".html")
-    try:
-        with open(handle, "w", encoding="utf-8", errors="replace") as file:
-            file.write(text)
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
+    write_whole(path, render_page("sim/report.html.j2", report_view(simulation, recording)))
 
 
 def report_view(simulation: Simulation, recording: Recording) -> ReportView:
@@ -129,7 +118,7 @@ def report_view(simulation: Simulation, recording: Recording) -> ReportView:
 
 def _figures(recording: Recording, listed: list[Happening], sentences: list[str]) -> Iterable[FigureView]:
     for record in recording.all:
-        for line in record.lines:
+        for line in record.drawn:
             yield _figure(record, line, listed, sentences)
 
 
@@ -170,7 +159,7 @@ def _facts(simulation: Simulation, recording: Recording) -> tuple[tuple[str, str
         ("Runtime", recording.runtime or str(simulation.runtime)),
         ("Simulated time", f"{seconds(recording.at_ms)} of {_planned(simulation)}"),
         ("Speed", "real time" if simulation.speed == 1 else speed),
-        ("At the end", f"{'armed' if sample.is_armed else 'disarmed'}, {sample.state_name}"),
+        *((("At the end", state_words(sample)),) if recording.tells_state else ()),
         ("Restarts", str(sum(record.restarts for record in recording.all))),
         *((("Programs", ", ".join(record.name for record in recording.all)),) if recording.beside else ()),
     )

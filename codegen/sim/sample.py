@@ -96,3 +96,8 @@ class Traffic:
             crc_errors=self.crc_errors + other.crc_errors,
             gaps=self.gaps + other.gaps,
         )
+
+
+def state_words(sample: Sample) -> str:
+    """``disarmed, standby``."""
+    return f"{'armed' if sample.is_armed else 'disarmed'}, {sample.state_name}"

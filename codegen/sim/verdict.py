@@ -66,20 +66,32 @@ def _times(number: int) -> str:
 
 def _differences(recording: Recording) -> list[str]:
     """How far what was told of each quantity with a course was from what was true."""
-    sentences = []
+    sentences, right, silent = [], [], []
     for line in recording.lines:
         if not recording.has_course(line.label):
             continue
         name = line_name(recording, line)
         difference = recording.largest_difference(line.label)
-        if difference is not None:
+        if difference is None:
+            silent += [name] if line.is_told else []
+        elif difference[0] == 0:
+            right.append(name)
+        else:
             apart = amount(difference[0], line.unit, _digits(difference[0]))
             sentences.append(f"{name} was told at most {apart} from what was true, at {seconds(difference[1])}.")
-        elif line.is_told:
-            sentences.append(f"{name} was never told.")
+    if right:
+        sentences.append(f"{_listed(right)} told as {'it was' if len(right) == 1 else 'they were'}.")
+    if silent:
+        sentences.append(f"{_listed(silent)} never told.")
     return sentences
+
+
+def _listed(names: list[str]) -> str:
+    """``a, b and c were``, ``a was``."""
+    *front, last = names
+    return f"{', '.join(front)} and {last} were" if front else f"{last} was"
 
 
 def _digits(difference: float) -> int:
     """Digits behind the point that show a difference with two that say something."""
-    return 0 if difference == 0 else min(12, digits_of(difference) + (difference < 1))
+    return min(12, digits_of(difference) + (difference < 1))

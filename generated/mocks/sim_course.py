@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_course.py: do not edit.
-# Inputs: 01be4e701190fdb7
+# Inputs: 9d5b3c779c74a4f4
 """What is true of one quantity in a simulation, over time, and what is wrong with the way that it takes."""
 
 
@@ -15,6 +15,7 @@ class Course:
         self.settings = data["settings"]
         self.every_ms = data["every_ms"]
         self._points = data["points"]
+        self._is_line = data["is_line"]
         self._noise = data["noise"]
         self._faults = [fault for fault in faults if fault["of"] == self.label]
         self._next = 0  # the first point that lies ahead, when it was last looked for
@@ -34,7 +35,7 @@ class Course:
             return points[0 if index == 0 else -1][1]
         start_ms, start = points[index - 1]
         end_ms, end = points[index]
-        if not is_number(start) or not is_number(end):
+        if not self._is_line or not is_number(start) or not is_number(end):
             return start
         return start + (end - start) * (at_ms - start_ms) / (end_ms - start_ms)
 

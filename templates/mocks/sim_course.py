@@ -13,6 +13,7 @@ class Course:
         self.settings = data["settings"]
         self.every_ms = data["every_ms"]
         self._points = data["points"]
+        self._is_line = data["is_line"]
         self._noise = data["noise"]
         self._faults = [fault for fault in faults if fault["of"] == self.label]
         self._next = 0  # the first point that lies ahead, when it was last looked for
@@ -32,7 +33,7 @@ class Course:
             return points[0 if index == 0 else -1][1]
         start_ms, start = points[index - 1]
         end_ms, end = points[index]
-        if not is_number(start) or not is_number(end):
+        if not self._is_line or not is_number(start) or not is_number(end):
             return start
         return start + (end - start) * (at_ms - start_ms) / (end_ms - start_ms)
 

@@ -43,6 +43,8 @@ def test_the_scenarios_are_listed(run: Any) -> None:
         (["low", "--rover", "absent.py"], "--code: there is no file absent.py"),
         (["low", "--flash", "specs/state.yaml"], "--flash"),
         (["low", "--report", "absent/r.html"], "--report"),
+        (["low", "--record", "absent/r.csv"], "--record: "),
+        (["low", "--record", "r.txt"], "--record: r.txt ends neither"),
         (["low", "--report", "specs"], "--report: specs is a folder"),
         (["specs/scenarios.yaml"], "specs/scenarios.yaml:NAME"),
         (["specs/scenarios.yaml:lwo"], "did you mean low?"),
@@ -143,5 +145,5 @@ def test_a_status_line_changes_on_a_terminal(station: Any) -> None:
 def test_help_says_what_there_is(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sim", "--help"]) == 0
     out = capsys.readouterr().out
-    options = "--runtime --out --speed --duration --report --flash --code --list --quiet"
+    options = "--runtime --out --speed --duration --report --flash --code --no-code --record --list --quiet"
     assert [option for option in options.split() if option not in out] == []

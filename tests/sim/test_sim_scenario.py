@@ -86,6 +86,7 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
                 "battery.protected",
                 (Point(0, False), Point(1_000, True)),
                 SimulatedInput("state", protected, by_code),
+                is_line=False,
             ),
         ),
         events=(
@@ -127,6 +128,7 @@ def test_the_data_is_plain_numbers(tmp_path: Path) -> None:
         "points": [[1_000, 12.0]],
         "noise": 0.0,
         "every_ms": 100,
+        "is_line": True,
     }
     assert [event_data(event) for event in scenario.events] == [
         {"at_ms": 1_000, "arm": True},

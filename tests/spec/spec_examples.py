@@ -42,7 +42,7 @@ GOOD = {
     ),
     "scenarios": (
         "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: 12 V, noise: 1 mV, wired: {MULT: 4}}}}\n"
-        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    courses: {a.b: {points: [[0 s, 12 V], [5 s, unknown]]}}\n"
+        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    courses: {a.b: {points: [[0 s, 1 V], [5 s, unknown]]}}\n"
         "    events: [{at: 1 s, arm: false}, {at: 2 s, fault: slow, of: a.b, delay: 1 ms, for: 1 s}, "
         "{at: 3 s, reboot: true}]\n    expect: [{at: 1 s, state: a.b, between: [1 V, 2 V]}, {no_text: x}]\n"
     ),
@@ -176,7 +176,12 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
         [("one-of-keys", 2, 69), ("unknown-key", 2, 79)],
         True,
     ),
-    ("scenarios", "scenarios:\n  a: {doc: d, duration: 5 s, corses: {a.b: {value: 1}}}\n", [("unknown-key", 2, 30)], True),
+    (
+        "scenarios",
+        "scenarios:\n  a: {doc: d, duration: 5 s, corses: {a.b: {value: 1}}}\n",
+        [("unknown-key", 2, 30)],
+        True,
+    ),
     ("scenarios", "scenarios: [a]\n", [("wrong-type", 1, 12)], False),
     (
         "scenarios",
