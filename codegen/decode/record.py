@@ -17,6 +17,7 @@ from codegen.model.shape import (
     Shape,
     beside,
     chosen_by,
+    instead,
     keys_of,
     one_of,
     rest,
@@ -130,9 +131,9 @@ class _RecordDecoder(Generic[Record]):
         unknown = [] if rest(self._cls) else [key for key, _ in node.entries if key.text not in self._keys]
         meant: set[str] = set()
         for key in unknown:
-            self._report.add(
-                UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", did_you_mean(key.text, self._keys)
-            )
+            is_near = bool(get_close_matches(key.text, self._keys, n=1))
+            hint = (None if is_near else instead(self._cls)) or did_you_mean(key.text, self._keys)
+            self._report.add(UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", hint)
             meant.update(get_close_matches(key.text, self._keys.keys() - written.keys(), n=1))
         missing = [key for key in self._keys.values() if key.is_required and key.name not in written]
         for absent in missing:

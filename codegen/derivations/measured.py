@@ -1,6 +1,6 @@
 """What an ADC measures: the conversion from its counts, and the value above which a warning is logged."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -11,14 +11,23 @@ from codegen.frozen import dataclass
 from codegen.measure import UNIT_MISMATCH
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec
+from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
 from codegen.model.unit import NUMBER, Unit, decimal, ratio, unit_named
-from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold
+from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold, by_instance
 
 if TYPE_CHECKING:
     from codegen.model.system import System
 
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
+
+ADC_FAULTS = {
+    "fail": "ADC readings fail",
+    "absent": "ADC absent",
+    "slow": "ADC readings take longer",
+    "stuck": "ADC readings stay as they were",
+}
+"""What can be wrong with an input in a simulation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +60,21 @@ class Measured(Derivation):
             yield DerivationFact("warns above", above, "warn_above", is_trust=True)
             if self.warns.every_ms is not None:
                 yield DerivationFact("warns every", f"{self.warns.every_ms} ms", "warn_every", is_trust=True)
+
+    def simulated(
+        self, quantity: Quantity, instance: int, system: "System", parameters: Mapping[str, float]
+    ) -> SimulatedInput:
+        conversion, count = self.adc, system.components[quantity.component].instances
+        channel = conversion.channel
+        multiplier = by_instance(conversion.multiplier, system.parameters, count)[instance]
+        gpio: float = channel.gpio
+        if channel.pin is not None:
+            pin = by_instance(channel.pin, system.parameters, count)[instance]
+            gpio = parameters.get(pin.name, float(pin.default * pin.step))
+        stored = parameters.get(multiplier.name)
+        steps = multiplier.default if stored is None else Fraction(stored).limit_denominator(10**6) / multiplier.step
+        full = channel.full_scale * steps * Fraction(conversion.numerator, conversion.denominator) / quantity.steps
+        return SimulatedInput("adc", {"gpio": round(gpio), "zero": 0.0, "full": float(full)}, ADC_FAULTS)
 
     def words(self, quantity: Quantity) -> str:
         channel = self.adc.channel

@@ -4,6 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
+from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
 
 if TYPE_CHECKING:
@@ -149,6 +150,17 @@ class Derivation(ABC):
     def differs_by_instance(self) -> bool:
         """Whether what decides over it is not the same in all instances."""
         return False
+
+    # the simulation
+
+    def simulated(
+        self, quantity: "Quantity", instance: int, system: "System", parameters: Mapping[str, float]
+    ) -> SimulatedInput | None:
+        """How what is true of an instance of it, from 0, reaches the firmware; None where the firmware makes it itself.
+
+        ``parameters`` are those that differ from their defaults.
+        """
+        return None
 
     # words
 

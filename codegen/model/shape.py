@@ -158,6 +158,12 @@ def beside(model: type[Written]) -> Mapping[str, str]:
     return pairs
 
 
+def instead(model: type[Written]) -> str | None:
+    """What is to be written in place of a key that the class does not have."""
+    hint: str | None = getattr(model, "INSTEAD", None)
+    return hint
+
+
 def short_forms(model: type[Written]) -> Mapping[str, Mapping[str, Any]]:
     """The words that stand for a whole record, each with the keys it stands for."""
     forms: Mapping[str, Mapping[str, Any]] = getattr(model, "SHORT_FORMS", {})

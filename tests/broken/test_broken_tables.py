@@ -473,12 +473,19 @@ CASES = [
     Case("scenario-points", "scenarios.yaml", "[[0 s, 12.3 V], [60 s, 12.1 V]]", "[[0 s, 12.3 V], §[60 s]]", "12.6 V"),
     Case("scenario-time", "scenarios.yaml", "duration: 60 s", "duration: §0 s", "from 1 ms to a day"),
     Case("scenario-time", "scenarios.yaml", "at: 5 s, arm", "at: §61 s, arm", "after the end"),
-    Case("scenario-event", "scenarios.yaml", "adc: slow, delay: 3 ms", "adc: §slow", "needs a delay"),
+    Case(
+        "scenario-event",
+        "scenarios.yaml",
+        "fault: slow, of: battery.voltage, delay: 3 ms",
+        "fault: §slow, of: battery.voltage",
+        "need a delay",
+    ),
     Case("scenario-event", "scenarios.yaml", "at: 5 s, arm: true", "at: 5 s, arm: true, for: §1 s"),
-    Case("scenario-battery", "scenarios.yaml", "noise: 10 mV", "noise: §11 V"),
+    Case("scenario-points", "scenarios.yaml", "noise: 10 mV", "noise: §-1 mV"),
+    Case("scenario-course", "scenarios.yaml", "battery.voltage:", "§battery.charging:", "makes it of others"),
     Case("unit-mismatch", "scenarios.yaml", "noise: 10 mV", "noise: §10 ms"),
     Case("unknown-key", "scenarios.yaml", "noise: 10 mV", "§nois: 10 mV", "did you mean noise"),
-    Case("unknown-choice", "scenarios.yaml", "adc: slow", "adc: §slw", "did you mean slow"),
+    Case("scenario-event", "scenarios.yaml", "fault: fail, of", "fault: §fial, of", "did you mean fail"),
     # an estimate
     Case("bad-estimate", "state.yaml", CHARGE, CHARGE + "        estimate_from: §volts\n", "did you mean voltage"),
     Case("unit-mismatch", "state.yaml", CHARGE, CHARGE + "        estimate_from: §current\n"),
@@ -636,12 +643,12 @@ def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
 
 def test_scenarios_are_checked_though_the_rest_is_broken(tmp_path, monkeypatch, capsys):
     """A specification that cannot be resolved does not hide what is wrong with the scenarios, and they may be absent."""
-    changed_copy(Case("", "scenarios.yaml", "noise: 10 mV", "noise: 11 V"), tmp_path)
+    changed_copy(Case("", "scenarios.yaml", "duration: 60 s", "duration: 0 s"), tmp_path)
     streams = tmp_path / "specs" / "streams.yaml"
     streams.write_text("streams: 3\n")
     monkeypatch.chdir(tmp_path)
     found = findings(capsys)
-    assert [line.split(" error ")[1].partition(":")[0] for line in found] == ["scenario-battery", "wrong-type"]
+    assert [line.split(" error ")[1].partition(":")[0] for line in found] == ["scenario-time", "wrong-type"]
     shutil.copy(ROOT / "specs" / "streams.yaml", streams)
     (tmp_path / "specs" / "scenarios.yaml").unlink()
     assert main(["check"]) == 0

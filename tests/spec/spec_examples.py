@@ -43,9 +43,10 @@ GOOD = {
         "     expires: 2030-01-31}\n"
     ),
     "scenarios": (
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 12 V, noise: 1 mV, divider: 4}}\n"
-        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    battery: {voltage: [[0 s, 12 V], [5 s, 11 V]]}\n"
-        "    events: [{at: 1 s, arm: false}, {at: 2 s, adc: slow, delay: 1 ms, for: 1 s}, {at: 3 s, reboot: true}]\n"
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: 12 V, noise: 1 mV, wired: {MULT: 4}}}}\n"
+        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    courses: {a.b: {points: [[0 s, 1 V], [5 s, unknown]]}}\n"
+        "    events: [{at: 1 s, arm: false}, {at: 2 s, fault: slow, of: a.b, delay: 1 ms, for: 1 s}, "
+        "{at: 3 s, reboot: true}]\n    expect: [{at: 1 s, state: a.b, between: [1 V, 2 V]}, {no_text: x}]\n"
     ),
 }
 
@@ -178,28 +179,33 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ),
     (
         "scenarios",
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 1 V}, events: [{at: 1 s, adc: broken}]}\n",
-        [("unknown-choice", 2, 79)],
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: 1 V}}, events: [{at: 1 s, adc: broken}]}\n",
+        [("one-of-keys", 2, 69), ("unknown-key", 2, 79)],
         True,
     ),
-    ("scenarios", "scenarios:\n  a: {doc: d, duration: 5 s, batery: {voltage: 1 V}}\n", [("unknown-key", 2, 30)], True),
+    (
+        "scenarios",
+        "scenarios:\n  a: {doc: d, duration: 5 s, corses: {a.b: {value: 1}}}\n",
+        [("unknown-key", 2, 30)],
+        True,
+    ),
     ("scenarios", "scenarios: [a]\n", [("wrong-type", 1, 12)], False),
     (
         "scenarios",
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: [0 s, [12 V, 3]]}}\n",
-        [("wrong-type", 2, 50), ("wrong-type", 2, 62)],
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {points: [0 s, [12 V, [3]]]}}}\n",
+        [("wrong-type", 2, 55), ("wrong-type", 2, 67)],
         True,
     ),
     (
         "scenarios",
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: {at: 1 s}}}\n",
-        [("wrong-type", 2, 49)],
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: {at: 1 s}}}}\n",
+        [("wrong-type", 2, 53)],
         True,
     ),
     (
         "scenarios",
         (
-            "scenarios:\n  a: {doc: d, duration: 5, battery: {voltage: 12 V},\n"
+            "scenarios:\n  a: {doc: d, duration: 5, courses: {a.b: {value: 12 V}},\n"
             "    events: [{at: 1 s, arm: true, reboot: true}]}\n"
         ),
         [("one-of-keys", 3, 35), ("wrong-type", 2, 25)],

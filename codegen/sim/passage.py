@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from codegen.model.scenario import Stretch
 from codegen.sim.address import free_port
-from codegen.sim.flash import flash_folder, rover_folder
+from codegen.sim.flash import code_folder, flash_folder
 from codegen.sim.process import EXIT_RESET, Console, FirmwareProcess, Item
 from codegen.sim.program import SimulatedProgram
 from codegen.sim.record import Recording
@@ -29,7 +29,7 @@ Watch = Callable[[Recording, Happening | None], None]
 """Called with each happening, and with None several times a second."""
 
 
-class Course:
+class Passage:
     """Runs one program: start() whenever is_due(), take_in() whenever a stream of its has something to read.
 
     ``waits`` is True while the program has come to the end of its turn and waits for the next one.
@@ -54,7 +54,7 @@ class Course:
         self._is_first_start = True
         self._short_runs = 0
         self._heard_s = 0.0
-        self._rover = stack.enter_context(rover_folder(program.rover, program.module))
+        self._code = stack.enter_context(code_folder(program.code, program.module))
 
     @property
     def is_done(self) -> bool:
@@ -97,7 +97,7 @@ class Course:
         self.process = FirmwareProcess(
             simulation.runtime,
             simulation.interpreter,
-            [program.firmware, program.mocks, *self._rover],
+            [program.firmware, program.mocks, *self._code],
             self._flash,
             os.path.join(program.mocks, SCRIPT),
             self._settings,
