@@ -52,6 +52,11 @@ class Derivation(ABC):
         return False
 
     @property
+    def is_received(self) -> bool:
+        """Whether a message that arrives sets it, and nothing else does."""
+        return False
+
+    @property
     def conversion(self) -> "Conversion | None":
         """How it comes from the counts of an ADC; None where it does not."""
         return None

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.model.board_spec import AdcSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.spec import Requirement
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.vehicle import Citation
@@ -57,7 +58,7 @@ def cite_optional(text: str | None, place: Place, index: Mapping[str, Requiremen
 
 
 def cite_aspects(
-    spec: AdcSpec | QuantitySpec | ComponentSpec, index: Mapping[str, Requirement], report: Report
+    spec: AdcSpec | QuantitySpec | ComponentSpec | ReceiveSpec, index: Mapping[str, Requirement], report: Report
 ) -> dict[str, Citation]:
     """The criteria that a record gives for single aspects of it."""
     cited = {}
