@@ -15,6 +15,7 @@ FILES = {
     "parameters.schema.json": "parameters.yaml",
     "streams.schema.json": "streams.yaml",
     "message.schema.json": "messages/*.yaml",
+    "receive.schema.json": "receives/*.yaml",
     "vehicle.schema.json": "vehicle.yaml",
     "receiver.schema.json": "receiver.yaml",
     "scenarios.schema.json": "scenarios.yaml",

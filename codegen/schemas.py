@@ -12,6 +12,7 @@ from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.shape import (
@@ -54,6 +55,7 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "vehicle.schema.json": VehicleSpec,
     "receiver.schema.json": ReceiverSpec,
     "message.schema.json": PopulationSpec,
+    "receive.schema.json": ReceiveSpec,
     "corrections.schema.json": CorrectionsSpec,
     "scenarios.schema.json": ScenariosSpec,
     "trace_lock.schema.json": TraceLockSpec,

@@ -25,6 +25,7 @@ from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.spec import (
     Correction,
@@ -53,7 +54,8 @@ INCOMPLETE_PROJECT = Rule(
 )
 DUPLICATE_TABLE = Rule(
     "duplicate-table",
-    "Two population tables have the same name, so it is ambiguous what is sent: they are for the same message, or say "
+    "Two tables of messages have the same name, so it is ambiguous what is sent, or taken: they are for the same "
+    "message, or say "
     "the same 'as'. Merge them into one, or give one of them a name of its own with 'as: NAME'.",
 )
 UNKNOWN_OVERLAY = Rule(
@@ -143,6 +145,7 @@ class _SpecReader:
         if self._program is not None:
             populations = self._chosen(populations, self._program)
         corrections, refusals = self._corrections(project)
+        receives = self._receives(project)
         requirements = self._requirements()
         receiver = self._receiver()
         if project is not None:
@@ -169,6 +172,7 @@ class _SpecReader:
             files=dict(sorted(self._hashes.items())),
             receiver=receiver,
             refusals=refusals,
+            receives=receives,
         )
 
     def _main_project(self) -> Project | None:
@@ -253,6 +257,21 @@ class _SpecReader:
                 self._report.add(DUPLICATE_TABLE, where, message, hint, related)
         return tuple(tables.values())
 
+    def _receives(self, project: Project | None) -> tuple[ReceiveSpec, ...]:
+        """The tables of received messages in use, those of this program alone; of two with one name the first."""
+        tables: dict[str, ReceiveSpec] = {}
+        for path in self._listed("receives", (".yaml",)):
+            table = self._record(path, ReceiveSpec, Place(path))
+            if table is None or not self._is_used(table, table.overlay, project):
+                continue
+            first = tables.setdefault(table.name, table)
+            if first is not table:
+                place, where = (each.at("as" if each.named else "receive") for each in (first, table))
+                message = f"{table.name} has a table already, {shown_path(place.file)}"
+                hint = "'as: NAME' gives one of them a name of its own"
+                self._report.add(DUPLICATE_TABLE, where, message, hint, [(place, "the first table")])
+        return tuple(tables.values())
+
     def _chosen(self, tables: tuple[PopulationSpec, ...], program: ListedProgram) -> tuple[PopulationSpec, ...]:
         """The tables of the messages that a program has; the others count as not read."""
         own = program.own
@@ -322,7 +341,7 @@ class _SpecReader:
                 self._hashes[self._path(name)] = _hash(data)
 
     def _report_unread(self) -> None:
-        for folder in ("", "messages", "dialects", "requirements", OWN):
+        for folder in ("", "messages", "receives", "dialects", "requirements", OWN):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
                 by_others = () if self._program else READ_BY_OTHERS
@@ -337,6 +356,8 @@ class _SpecReader:
         if folder == "messages":
             is_unused = self._program is not None and name.endswith(".yaml")
             return "the program does not list its message" if is_unused else "population tables end in .yaml"
+        if folder == "receives":
+            return "tables of received messages end in .yaml"
         if folder == "dialects":
             return "name it under corrections in codegen.yaml"
         if folder == OWN:

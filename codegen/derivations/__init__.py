@@ -13,6 +13,7 @@ from codegen.derivations.enabled_by import resolve_enabled_by
 from codegen.derivations.estimate import resolve_estimate
 from codegen.derivations.follows import resolve_follows
 from codegen.derivations.measured import resolve_measured
+from codegen.derivations.received import resolve_received
 from codegen.derivations.set_by_code import SetByCode
 from codegen.derivations.sourced import resolve_sourced
 from codegen.derivations.surroundings import Kept, Surroundings
@@ -51,7 +52,7 @@ def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
     """Where the value of a quantity comes from; None after a finding."""
     written = around.spec.derivations
     if not written:
-        return SetByCode(around.spec.restarts_with)
+        return resolve_received(around) if around.received else SetByCode(around.spec.restarts_with)
     fitting = [each for each in written if each.is_named and _fits(each, kept, around)]
     if len(fitting) > 1:
         first, second, *_ = (each.KEY for each in fitting)

@@ -9,6 +9,7 @@ from codegen.frozen import dataclass
 from codegen.measure import read_time
 from codegen.model.derivation_spec import SourcedSpec
 from codegen.model.dialect import Dialect, WireField
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.source_kind import Output, Source
 from codegen.model.spec import Spec
 from codegen.model.state_spec import QuantitySpec
@@ -51,6 +52,7 @@ class Surroundings:
     """A quantity ``name`` of ``component`` as written, with what the specification says elsewhere.
 
     ``carriers`` are the fields that carry its value as it is; ``is_compared``: something else looks at the value, too.
+    ``received`` are the tables that set it from a message, each with the key of the field.
 
     ``parts`` are the instances of the component, ``period_ms`` the time between two of its updates, or None.
     ``find_parameter`` looks one up by its name, for what stands at a place; None after a finding.
@@ -70,6 +72,7 @@ class Surroundings:
     dialect: Dialect
     carriers: tuple[WireField, ...]
     is_compared: bool
+    received: tuple[tuple[ReceiveSpec, str], ...]
     report: Report
     failed: bool = False
     found: tuple[tuple[Source, Output], ...] | None = None

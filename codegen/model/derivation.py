@@ -58,7 +58,12 @@ class Derivation(ABC):
     @property
     def ages_alone(self) -> bool:
         """Whether its age counts from when it was set itself, and not from the last reading of its component."""
-        return self.is_set_by_code
+        return self.is_set_by_code or self.is_received
+
+    @property
+    def is_received(self) -> bool:
+        """Whether a message that arrives sets it, and nothing else does."""
+        return False
 
     @property
     def conversion(self) -> "Conversion | None":

@@ -26,6 +26,19 @@ VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", 
 What cannot be armed has only the load to tell, and tells it where the state asks for it.
 """
 
+RECEIVED = (
+    "HEARTBEAT",
+    "PING",
+    "PARAM_REQUEST_READ",
+    "PARAM_REQUEST_LIST",
+    "PARAM_SET",
+    "REQUEST_DATA_STREAM",
+    "COMMAND_INT",
+    "COMMAND_LONG",
+    "FILE_TRANSFER_PROTOCOL",
+)
+"""The messages that the services receive, in the order in which links are given them."""
+
 
 @dataclass(frozen=True, slots=True)
 class BoardLink:

@@ -17,6 +17,7 @@ from codegen.model.board_spec import BoardSpec
 from codegen.model.described import Amount, Verbatim, described
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.state_spec import StateSpec
 from codegen.source import Written
@@ -301,6 +302,7 @@ class Spec:
     files: Mapping[str, str]
     receiver: ReceiverSpec | None = None
     refusals: tuple[Refusal, ...] = ()
+    receives: tuple[ReceiveSpec, ...] = ()
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

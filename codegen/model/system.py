@@ -14,6 +14,7 @@ from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
+from codegen.model.reception import Reception
 from codegen.model.source_kind import Source
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Conversion, Parameter, Quantity, Stream
@@ -127,6 +128,7 @@ class System:
 
     ``requirements`` has every document under its id and under each of its aliases. ``system_parameter`` sets the
     system id where the project says so; ``system_id`` is then its default. So it is with ``component_parameter``.
+    ``receptions`` are the messages that set quantities, in the same order as ``messages``.
     """
 
     spec: Spec
@@ -147,12 +149,14 @@ class System:
     generations: tuple[Generations, ...] = ()
     receiver: Receiver | None = None
     sources: Mapping[str, Source] = field(default_factory=dict)
+    receptions: tuple[Reception, ...] = ()
 
     @property
     def wires(self) -> tuple[WireMessage, ...]:
-        """The messages that the firmware knows, in the order of their ids: populated ones and those of the services."""
+        """The messages that the firmware knows, in the order of their ids: of the tables, and those of the services."""
         services = self.program.services if self.program else ()
-        known = {wire.id: wire for wire in (*services, *(message.wire for message in self.messages))}
+        received = (reception.wire for reception in self.receptions)
+        known = {wire.id: wire for wire in (*services, *received, *(message.wire for message in self.messages))}
         return tuple(known[number] for number in sorted(known))
 
     @property

@@ -3,6 +3,7 @@
 from codegen.diagnostics import Report, Rule, shortened_list
 from codegen.model.clock import SYSTEM_TIME
 from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.program import RECEIVED
 from codegen.model.program_spec import VehicleSpec
 
 NO_SERVICE_MESSAGE = Rule(
@@ -11,19 +12,10 @@ NO_SERVICE_MESSAGE = Rule(
     "dialect that includes common.xml, or add it with an overlay.",
 )
 
-RECEIVED = (
-    "HEARTBEAT",
-    "PING",
-    "PARAM_REQUEST_READ",
-    "PARAM_REQUEST_LIST",
-    "PARAM_SET",
-    "REQUEST_DATA_STREAM",
-    "COMMAND_INT",
-    "COMMAND_LONG",
-    "FILE_TRANSFER_PROTOCOL",
-)
+HEAD_ONLY = ("FILE_TRANSFER_PROTOCOL",)
+"""Those of which the services read a beginning only."""
 SENT = ("PING", "PARAM_VALUE", "COMMAND_ACK", "MESSAGE_INTERVAL", "STATUSTEXT", "PARAM_ERROR")
-"""The messages that the services receive and send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
+"""The messages that the services send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
 
 SERVICE_ENTRIES = {
     "MAV_CMD": (

@@ -69,6 +69,7 @@ def resolve_components(
                 dialect=dialect,
                 carriers=carriers.fields.get(path, ()),
                 is_compared=path in carriers.compared,
+                received=carriers.received.get(path, ()),
                 report=report,
             )
             quantity = resolve_quantity(around, index)

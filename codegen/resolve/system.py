@@ -19,6 +19,7 @@ from codegen.resolve.links import resolve_links
 from codegen.resolve.population import Parts, resolve_message
 from codegen.resolve.program import resolve_program
 from codegen.resolve.receiver import resolve_receiver
+from codegen.resolve.receives import resolve_reception
 from codegen.resolve.sources import resolve_sources
 from codegen.resolve.state import resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
@@ -46,6 +47,9 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         message
         for population in spec.populations
         if (message := resolve_message(population, parts, report)) is not None
+    ]
+    receptions = [
+        reception for table in spec.receives if (reception := resolve_reception(table, parts, report)) is not None
     ]
     generations = resolve_generations(spec, messages, components, parameters, index, report)
     _check_output(spec, report)
@@ -86,6 +90,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         generations=generations,
         receiver=receiver,
         sources=sources,
+        receptions=tuple(sorted(receptions, key=lambda reception: (reception.wire.id, reception.name))),
     )
 
 

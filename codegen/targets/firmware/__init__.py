@@ -12,11 +12,12 @@ from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.program import dialect_text, program_view
 from codegen.targets.firmware.reading_view import readings_view
+from codegen.targets.firmware.receiving import receiving_view
 from codegen.targets.firmware.sources import sources_view
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
-from codegen.targets.firmware.words import word_layout
+from codegen.targets.firmware.words import Layout, word_layout
 from codegen.targets.naming import prose
 from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text, specification_file
 from codegen.targets.rendered import rendered
@@ -86,16 +87,23 @@ def render_firmware(system: System) -> dict[str, str]:
     for name, (shown, paths, messages) in views.items():
         text = rendered(f"firmware/{name}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
-    return files | source_files(system, "firmware") | _program_files(system)
+    return files | source_files(system, "firmware") | _program_files(system, layout)
 
 
-def _program_files(system: System) -> dict[str, str]:
+def _program_files(system: System, layout: Layout) -> dict[str, str]:
     program = system.program
     if program is None:
         return {}
     files = {f"firmware/{name}": _program_file(system, program, name) for name in plain_files(_PROGRAM)}
-    if not program.takes_time:
-        del files["firmware/clock_service.py"]
+    used = {
+        "clock_service": program.takes_time,
+        "heard": program.takes_time or bool(system.receptions),
+        "reception": bool(system.receptions),
+    }
+    for name, is_used in used.items():
+        if not is_used:
+            del files[f"firmware/{name}.py"]
+    files |= _receiving_files(system, layout) if system.receptions else {}
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)
@@ -107,6 +115,20 @@ def _program_files(system: System) -> dict[str, str]:
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files
+
+
+def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
+    """What puts messages that arrive into the state."""
+    view = receiving_view(system, layout)
+    names = [
+        "receiving.py",
+        "receiving_plain.py",
+        *(["receiving_viper.py"] if system.spec.project.machine_code else []),
+    ]
+    tables = [table.spec.place.file for table in system.receptions]
+    wires = [table.wire for table in system.receptions]
+    origin = origin_of(system, [*tables, specification_file(system, "state.yaml")], wires)
+    return {f"firmware/{name}": headed(rendered(f"{_PROGRAM}/{name}.j2", view), origin) for name in names}
 
 
 def _program_file(system: System, program: Program, name: str) -> str:

@@ -1,14 +1,16 @@
 """View of vehicle.py, and of the modules around it: the program as a whole, the storage and what failsafes do."""
 
 from codegen.frozen import dataclass
+from codegen.model.clock import SYSTEM_TIME
 from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
+from codegen.targets.firmware.receiving import call_name, received_beside
 from codegen.targets.imports import import_lines
-from codegen.targets.naming import parameter_attribute, prose
+from codegen.targets.naming import class_names, parameter_attribute, prose
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,11 +26,22 @@ class ActionView:
 
 
 @dataclass(frozen=True, slots=True)
+class CallOnReceiving:
+    """What is called of the user's vehicle each time that a message has set quantities."""
+
+    name: str
+    message: str
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class ProgramView:
     """What the templates of the program need to know. Periods are in us or ms as their names say.
 
     ``force`` is None where nothing can be armed, ``measure_us`` where the user's code is not asked to measure.
-    ``order`` are the parts of a pass, ``calls`` those with a period of their own.
+    ``order`` are the parts of a pass, ``calls`` those with a period of their own. ``received`` are the classes of the
+    messages that are received beside those of the services, ``connecting`` the statements that make a connection and
+    let others take what it receives.
     """
 
     imports: tuple[str, ...]
@@ -57,7 +70,9 @@ class ProgramView:
     has_ports: bool
     has_usb: bool
     has_sources: bool
-    takes_time: bool
+    received: tuple[str, ...]
+    connecting: tuple[str, ...]
+    received_calls: tuple[CallOnReceiving, ...]
     cited: dict[str, str]
 
 
@@ -91,8 +106,14 @@ def program_view(system: System, program: Program) -> ProgramView:
         calls=call_views(system, program, jobs),
         jobs=jobs,
         has_ports=bool(system.links),
-        takes_time=program.takes_time,
         has_sources=bool(system.polled),
+        received=_received(system, program),
+        connecting=_connecting(system, program),
+        received_calls=tuple(
+            CallOnReceiving(call_name(table), table.title, str(table.citation))
+            for table in system.receptions
+            if table.spec.call
+        ),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
         cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
@@ -100,6 +121,7 @@ def program_view(system: System, program: Program) -> ProgramView:
 
 def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
     modules = ["asyncio", "gc", "machine", "time", *(["dialect"] if program.spec.arming else [])]
+    modules += ["messages"] if program.takes_time else []
     names = [
         ("board", "Board"),
         ("connection", "Connection"),
@@ -109,8 +131,10 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("parameters", "Parameters"),
         ("scheduler", "Scheduler"),
         *([("sources", "Sources")] if system.polled else []),
-        ("clock_service" if program.takes_time else "services", "receivable"),
+        ("services", "receivable"),
         *([("clock_service", "follow_time")] if program.takes_time else []),
+        *([("receiving", "receive_into")] if system.receptions else []),
+        *([("receiving", "KINDS")] if received_beside(system) else []),
         ("state", "SystemState"),
         ("storage", "Storage"),
         ("streams", "Streams"),
@@ -119,6 +143,20 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("texts", "Texts"),
     ]
     return import_lines(modules, names)
+
+
+def _received(system: System, program: Program) -> tuple[str, ...]:
+    """The classes of the messages that a link receives beside those that the services answer."""
+    classes = class_names(wire.name for wire in system.wires)
+    time = [f"messages.{classes[SYSTEM_TIME]}"] if program.takes_time else []
+    return (*time, *(["*KINDS"] if received_beside(system) else []))
+
+
+def _connecting(system: System, program: Program) -> tuple[str, ...]:
+    """How what makes a connection begins, and what goes on with it."""
+    taking = ["follow_time(connection, self.state.clock)"] if program.takes_time else []
+    taking += ["receive_into(connection, self)"] if system.receptions else []
+    return ("connection =", *taking, "return connection") if taking else ("return",)
 
 
 def _attribute(parameter: Parameter | None) -> str | None:
