@@ -16,6 +16,7 @@ FILES = {
     "streams.schema.json": "streams.yaml",
     "message.schema.json": "messages/*.yaml",
     "vehicle.schema.json": "vehicle.yaml",
+    "commands.schema.json": "commands.yaml",
     "receiver.schema.json": "receiver.yaml",
     "scenarios.schema.json": "scenarios.yaml",
     "corrections.schema.json": "dialects/*.yaml",

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 2485198977622b5e
+# Inputs: ee320dd89559a9bd
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -50,12 +50,12 @@ class Services:
 
     `ground_station` is (system, component) of the ground station that was heard last, None before the first, and
     `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all that are heard.
-    `for_all` are those who take messages that have no target, by id.
+    By the ids of messages, `for_all` take those without a target, `for_target` those that are for this vehicle.
     """
 
     def __init__(self, vehicle, connection):
         self._connection = connection
-        self._commands = Commands(vehicle, connection)
+        self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
         self.heard_ms = None
@@ -63,9 +63,9 @@ class Services:
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
         self.for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
-        self._for_target = {
-            messages.CommandLong.ID: self._commands.handle,
-            messages.CommandInt.ID: self._commands.handle,
+        self.for_target = {
+            messages.CommandLong.ID: self.commands.handle,
+            messages.CommandInt.ID: self.commands.handle,
             messages.ParamRequestList.ID: self.parameters.list,
             messages.ParamRequestRead.ID: self.parameters.read,
             messages.ParamSet.ID: self.parameters.set,
@@ -85,13 +85,13 @@ class Services:
             return
         handler = self.for_all.get(message.ID)
         if handler is None and self._is_addressed(message):
-            handler = self._for_target.get(message.ID)
+            handler = self.for_target.get(message.ID)
         if handler is not None:
             handler(message)
 
     def _is_addressed(self, message):
         # 0 addresses every system, or every component.
-        if message.ID not in self._for_target or message.raw("target_system") not in (0, self._connection.system_id):
+        if message.ID not in self.for_target or message.raw("target_system") not in (0, self._connection.system_id):
             return False
         return message.raw("target_component") in (0, self._connection.component_id)
 
