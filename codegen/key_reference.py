@@ -17,6 +17,7 @@ FILES = {
     "message.schema.json": "messages/*.yaml",
     "receive.schema.json": "receives/*.yaml",
     "vehicle.schema.json": "vehicle.yaml",
+    "commands.schema.json": "commands.yaml",
     "receiver.schema.json": "receiver.yaml",
     "scenarios.schema.json": "scenarios.yaml",
     "corrections.schema.json": "dialects/*.yaml",

@@ -10,6 +10,7 @@ from typing import Any, assert_never
 
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.command_spec import CommandsSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receive_spec import ReceiveSpec
@@ -53,6 +54,7 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "parameters.schema.json": ParametersSpec,
     "streams.schema.json": StreamsSpec,
     "vehicle.schema.json": VehicleSpec,
+    "commands.schema.json": CommandsSpec,
     "receiver.schema.json": ReceiverSpec,
     "message.schema.json": PopulationSpec,
     "receive.schema.json": ReceiveSpec,

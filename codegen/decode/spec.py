@@ -23,6 +23,7 @@ from codegen.load.trees import exists, file_names, is_file, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.command_spec import CommandsSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receive_spec import ReceiveSpec
@@ -79,8 +80,9 @@ FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
 PROGRAM_FILE = "vehicle.yaml"
 RECEIVER_FILE = "receiver.yaml"
-OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE)
-"""Files beside it that only a project with a whole program, or with a receiver for its messages, has."""
+COMMANDS_FILE = "commands.yaml"
+OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE, COMMANDS_FILE)
+"""Files beside it that only a project with a whole program, a receiver for its messages, or commands of its own has."""
 READ_BY_OTHERS = (SCENARIOS, WAIVERS, TRACE_LOCK)
 """Files beside the project file that are no part of the specification."""
 
@@ -141,6 +143,7 @@ class _SpecReader:
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
         vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
+        commands = self._optional(COMMANDS_FILE, CommandsSpec)
         populations = self._populations(project)
         if self._program is not None:
             populations = self._chosen(populations, self._program)
@@ -173,6 +176,7 @@ class _SpecReader:
             receiver=receiver,
             refusals=refusals,
             receives=receives,
+            commands=commands,
         )
 
     def _main_project(self) -> Project | None:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.board_spec import LinkSpec
 from codegen.model.clock import SYSTEM_TIME
+from codegen.model.command import BUILT_IN, BuiltInCommand, Command, Mode, Needs
 from codegen.model.dialect import WireMessage
 from codegen.model.program_spec import ActionSpec, FailsafeSpec, VehicleSpec
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity
@@ -38,6 +39,12 @@ RECEIVED = (
     "FILE_TRANSFER_PROTOCOL",
 )
 """The messages that the services receive, in the order in which links are given them."""
+
+
+COMMAND_CANCEL = "COMMAND_CANCEL"
+"""The message that ends a command that takes long."""
+SET_MODE = "SET_MODE"
+"""The message that MAV_CMD_DO_SET_MODE supersedes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +95,7 @@ class Program:
     rate in Hz of messages without a stream, ``silence_ms`` the time without a HEARTBEAT after which a ground station
     is gone. ``module`` and ``class_name`` are those of the user's code, which is asked to measure every ``measure_us``,
     or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
-    single aspects.
+    single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
     """
 
     control_us: int
@@ -108,6 +115,24 @@ class Program:
     cited: Mapping[str, Citation]
     aspects: Mapping[str, Mapping[str, Citation]]
     spec: VehicleSpec
+    commands: tuple[Command, ...] = ()
+    modes: tuple[Mode, ...] = ()
+
+    @property
+    def built_in(self) -> tuple[BuiltInCommand, ...]:
+        """The commands that it answers by itself."""
+        has = {Needs.NOTHING: True, Needs.ARMING: self.spec.arming is not None, Needs.MODES: bool(self.modes)}
+        return tuple(command for command in BUILT_IN if has[command.needs])
+
+    @property
+    def cancels(self) -> bool:
+        """Whether COMMAND_CANCEL ends what takes long: not every dialect has it."""
+        return any(message.name == COMMAND_CANCEL for message in self.services)
+
+    @property
+    def received_besides(self) -> tuple[str, ...]:
+        """The messages that the services of this program receive, and not those of every program."""
+        return tuple(each.name for each in self.services if each.name in (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL))
 
     @property
     def takes_time(self) -> bool:

@@ -101,6 +101,20 @@ class ActionSpec(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ModeSpec(Written):
+    """A mode of the vehicle, by the number that HEARTBEAT has as custom_mode."""
+
+    name: str = described("Name of the mode, for people: MANUAL.")
+    doc: str = described("What the vehicle does in it, for people.")
+    base: tuple[str, ...] = described(
+        "Booleans of the component vehicle that are true in this mode and false in those that do not list them: "
+        "conditions of flags of base_mode.",
+        default=(),
+    )
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ServicesSpec(Written):
     """What the vehicle answers to ground stations."""
 
@@ -155,3 +169,8 @@ class VehicleSpec(Written):
         default_factory=dict,
     )
     actions: tuple[ActionSpec, ...] = described("What failsafes can do.", default=())
+    modes: Mapping[str, ModeSpec] = described(
+        "The modes by their numbers: what SET_MODE and MAV_CMD_DO_SET_MODE change to. Without it the mode is what code "
+        "makes it.",
+        default_factory=dict,
+    )

@@ -14,6 +14,7 @@ from typing import ClassVar
 from codegen.frozen import dataclass
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.command_spec import CommandsSpec
 from codegen.model.described import Amount, Verbatim, described
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
@@ -303,6 +304,7 @@ class Spec:
     receiver: ReceiverSpec | None = None
     refusals: tuple[Refusal, ...] = ()
     receives: tuple[ReceiveSpec, ...] = ()
+    commands: CommandsSpec | None = None
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

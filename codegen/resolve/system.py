@@ -11,6 +11,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.resolve.board_model import resolve_board_model
 from codegen.resolve.citation import index_requirements
+from codegen.resolve.commands import NO_PROGRAM_FOR_COMMANDS
 from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.generations import resolve_generations
 from codegen.resolve.instances import resolve_instances
@@ -66,8 +67,11 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             dialect,
             index,
             report,
+            commands=spec.commands,
             takes_time=Clock.UNIX in tables,
         )
+    elif spec.commands is not None:
+        report.add(NO_PROGRAM_FOR_COMMANDS, spec.commands.place, "there is no program that could do commands")
     receiver = None
     if spec.receiver is not None:
         receiver = resolve_receiver(spec.receiver, components, messages, index, report)

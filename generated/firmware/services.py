@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: fc3d1410632c5aa2
+# Inputs: ec2da6b723da15d7
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -76,7 +76,7 @@ class Services:
 
     def __init__(self, vehicle, connection):
         self._connection = connection
-        self._commands = Commands(vehicle, connection)
+        self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
         self.heard_ms = None
@@ -87,8 +87,8 @@ class Services:
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
-            (messages.CommandLong, self._commands.handle),
-            (messages.CommandInt, self._commands.handle),
+            (messages.CommandLong, self.commands.handle),
+            (messages.CommandInt, self.commands.handle),
             (messages.ParamRequestList, self.parameters.list),
             (messages.ParamRequestRead, self.parameters.read),
             (messages.ParamSet, self.parameters.set),

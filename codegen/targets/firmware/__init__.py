@@ -7,6 +7,7 @@ from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
+from codegen.targets.firmware.commands import command_table_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
@@ -94,23 +95,35 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
     program = system.program
     if program is None:
         return {}
-    files = {f"firmware/{name}": _program_file(system, program, name) for name in plain_files(_PROGRAM)}
-    used = {
+    takes_long = any(command.spec.long for command in program.commands)
+    optional = {
         "clock_service": program.takes_time,
-        "heard": program.takes_time or bool(system.receptions),
+        "heard": program.takes_time or bool(system.receptions) or bool(program.commands),
         "reception": bool(system.receptions),
+        "own_commands": bool(program.commands),
+        "long_commands": takes_long,
+        "command_cancel": program.cancels,
+        "mode_service": bool(program.modes),
     }
-    for name, is_used in used.items():
-        if not is_used:
-            del files[f"firmware/{name}.py"]
+    plain = [name for name in plain_files(_PROGRAM) if optional.get(name.removesuffix(".py"), True)]
+    files = {f"firmware/{name}": _program_file(system, program, name) for name in plain}
     files |= _receiving_files(system, layout) if system.receptions else {}
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)
     vehicle = specification_file(system, "vehicle.yaml")
-    read = {"main.py": [vehicle], "vehicle.py": paths, **({"failsafe.py": paths} if program.failsafes else {})}
-    for name, sources in read.items():
-        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", view), program.constants)
+    commands = specification_file(system, "commands.yaml")
+    if program.commands:
+        paths.append(commands)
+    read = {
+        "main.py": (view, [vehicle]),
+        "vehicle.py": (view, paths),
+        "commands.py": (view, [vehicle]),
+        **({"failsafe.py": (view, paths)} if program.failsafes else {}),
+        **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
+    }
+    for name, (shown, sources) in read.items():
+        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), program.constants)
         files[f"firmware/{name}"] = headed(text, origin_of(system, sources, program.services))
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.clock import SYSTEM_TIME
 from codegen.model.dialect import WireField
 from codegen.model.halves import above, below, equal
 from codegen.model.payload_code import UNKNOWN, indented
@@ -98,7 +97,7 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
 def received_beside(system: System) -> tuple[str, ...]:
     """The messages of the tables that are received for nobody else, by name."""
     program = system.program
-    others = (*RECEIVED, *([SYSTEM_TIME] if program and program.takes_time else []))
+    others = (*RECEIVED, *(program.received_besides if program else ()))
     names = dict.fromkeys(table.wire.name for table in system.receptions)
     return tuple(name for name in names if name not in others)
 

@@ -69,7 +69,7 @@ class Services:
 
     def __init__(self, vehicle, connection):
         self._connection = connection
-        self._commands = Commands(vehicle, connection)
+        self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
         self.heard_ms = None
@@ -80,8 +80,8 @@ class Services:
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
-            (messages.CommandLong, self._commands.handle),
-            (messages.CommandInt, self._commands.handle),
+            (messages.CommandLong, self.commands.handle),
+            (messages.CommandInt, self.commands.handle),
             (messages.ParamRequestList, self.parameters.list),
             (messages.ParamRequestRead, self.parameters.read),
             (messages.ParamSet, self.parameters.set),
