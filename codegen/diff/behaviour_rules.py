@@ -56,6 +56,37 @@ UNKNOWN = _silent(
 )
 FLAGS = _silent("population-flags-changed", "Other bits of a field are set, or under other conditions.")
 
+TAKEN = _inside("message-taken", "The vehicle takes a message that it did not take before: it sets quantities.")
+NOT_TAKEN = _inside(
+    "message-no-longer-taken",
+    "The vehicle takes a message no more: who steers by it, or tells it something, is not heard, and gets no answer.",
+    Victim.OLD_STATION,
+)
+TAKEN_FROM = _inside(
+    "message-taken-otherwise",
+    "A message is taken from other senders, under other conditions, or calls something else of the vehicle.",
+)
+FIELD_TAKEN = _inside("field-taken", "A field of a message that arrives sets a quantity; before it was ignored.")
+FIELD_NOT_TAKEN = _inside(
+    "field-no-longer-taken",
+    "A field of a message that arrives is ignored, which set a quantity before: nothing tells who sends it.",
+    Victim.OLD_STATION,
+)
+TAKEN_INTO = _silent(
+    "field-taken-into-another",
+    "A field of a message that arrives sets another quantity: the vehicle takes what is sent for something else.",
+    Victim.OLD_STATION,
+)
+TAKEN_AS = _inside(
+    "field-taken-otherwise",
+    "The factor, the rounding or the unit has changed in which a quantity keeps what a field of a message sets.",
+)
+TAKEN_RANGE = _inside(
+    "field-taken-range-changed",
+    "Other numbers of a field count as plausible, or another one sets the quantity unknown. What is not plausible is "
+    "ignored.",
+)
+
 PARAMETER_ADDED = _inside(
     "parameter-added", "A parameter is new: ground stations list it, and stored parameters of before do not have it."
 )

@@ -14,6 +14,7 @@ from codegen.diff.heard_otherwise import heard_otherwise
 from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
+from codegen.diff.reception import reception_subjects
 from codegen.diff.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
 from codegen.diff.softening import softened
 from codegen.diff.state import parameter_subjects, state_subjects
@@ -108,6 +109,7 @@ def _subjects(system: System) -> tuple[Subject, ...]:
         *state_subjects(system),
         *board_subjects(system),
         *program_subjects(system),
+        *reception_subjects(system),
     )
 
 

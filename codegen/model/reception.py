@@ -71,11 +71,19 @@ class ReceivedField:
         return rounded(Fraction(number) * self.factor, self.spec.rounding)
 
     @property
+    def ends(self) -> tuple[Fraction, Fraction]:
+        """The smallest and the largest number that set a value: a sentinel at an end of an integer field does not."""
+        low, high = self.low, self.high
+        if self.field.type.is_integer and self.quantity.kind is not QuantityKind.BOOLEAN:
+            return low + (low == self.sentinel), high - (high == self.sentinel)
+        return low, high
+
+    @property
     def range_words(self) -> str:
         """``1000..2000 us``, what is taken, for people; nothing for a text."""
         if self.is_text:
             return ""
-        ends = [str(int(end)) if self.field.type.is_integer else f"{float(end):.7g}" for end in (self.low, self.high)]
+        ends = [str(int(end)) if self.field.type.is_integer else f"{float(end):.7g}" for end in self.ends]
         return f"{'..'.join(ends)} {self.field.unit_text}".rstrip()
 
     @property

@@ -23,6 +23,8 @@ class Kind(StrEnum):
 
     MESSAGE = "message"
     FIELD = "field"
+    RECEIVED = "received message"
+    RECEIVED_FIELD = "received field"
     PARAMETER = "parameter"
     STREAM = "stream"
     GENERATIONS = "generations"
@@ -66,7 +68,8 @@ class Row:
         """``BATTERY_STATUS.voltages[1..9]``, ``battery.voltage (stale_after)``."""
         if not self.part:
             return self.name
-        return f"{self.name}{self.part}" if self.kind is Kind.FIELD else f"{self.name} ({self.part})"
+        is_field = self.kind in (Kind.FIELD, Kind.RECEIVED_FIELD)
+        return f"{self.name}{self.part}" if is_field else f"{self.name} ({self.part})"
 
 
 @dataclass(frozen=True, slots=True)

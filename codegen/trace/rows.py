@@ -14,7 +14,8 @@ def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
     """The rows of a project and of its further programs in the order of their files.
 
     What several programs make of one record is one row, with the symbols of all of them. A record that cites nothing,
-    and of which no aspect does, is a row with an empty criterion; a quantity may leave that to its component.
+    and of which no aspect does, is a row with an empty criterion; a quantity may leave that to its component, or to
+    the table of the message that sets it.
     """
     united: dict[tuple[Kind, str, str, str, Place], dict[Symbol, None]] = {}
     for system in systems:
@@ -28,6 +29,7 @@ def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
 def _rows(system: System) -> Iterator[Row]:
     symbols = symbols_of(system)
     yield from _messages(system, symbols)
+    yield from _receptions(system, symbols)
     yield from _state(system, symbols)
     yield from _board(system, symbols)
     for name, parameter in system.parameters.items():
@@ -60,6 +62,16 @@ def _messages(system: System, symbols: Symbols) -> Iterator[Row]:
             yield Row(Kind.FIELD, name, part, str(covers.citation), place, symbols.field(message, answer))
 
 
+def _receptions(system: System, symbols: Symbols) -> Iterator[Row]:
+    for table in system.receptions:
+        yield from _cited(Kind.RECEIVED, table.name, table, table.spec, symbols.reception(table))
+        for taken in table.fields:
+            name = f"{table.name}.{taken.field.name}"
+            part = taken.label.removeprefix(taken.field.name)
+            found = symbols.received(table, taken)
+            yield Row(Kind.RECEIVED_FIELD, name, part, str(taken.citation), taken.spec.place, found)
+
+
 def _state(system: System, symbols: Symbols) -> Iterator[Row]:
     for component in system.components.values():
         if component.name == CLOCK:
@@ -67,7 +79,8 @@ def _state(system: System, symbols: Symbols) -> Iterator[Row]:
         found = symbols.component(component)
         yield from _cited(Kind.COMPONENT, component.name, component, component.spec, found)
         for quantity in component.quantities.values():
-            if quantity.citation is None and not quantity.aspects and component.citation is not None:
+            is_asked_elsewhere = component.citation is not None or quantity.derivation.is_received
+            if quantity.citation is None and not quantity.aspects and is_asked_elsewhere:
                 continue
             yield from _cited(Kind.QUANTITY, quantity.path, quantity, quantity.spec, symbols.quantity(quantity))
 

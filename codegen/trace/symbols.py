@@ -9,8 +9,10 @@ from collections.abc import Iterable, Iterator
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.program import BoardLink, LinkKind
+from codegen.model.reception import ReceivedField, Reception
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Parameter, Quantity, Stream
+from codegen.targets.firmware.receiving import call_name
 from codegen.targets.naming import (
     builder_name,
     class_names,
@@ -29,6 +31,7 @@ MESSAGES = "firmware/messages.py"
 PARAMETERS = "firmware/parameters.py"
 STATE = "firmware/state.py"
 STREAMS = "firmware/streams.py"
+RECEIVING = "firmware/receiving_plain.py"
 PAYLOADS = "firmware/telemetry_plain.py"
 TELEMETRY = "firmware/telemetry.py"
 VEHICLE = "firmware/vehicle.py"
@@ -74,6 +77,15 @@ class Symbols:
         for parameter in answer.parameters:
             found += self._parameter(parameter)
         return self._all([*found, *self._read_by_receiver(message)])
+
+    def reception(self, table: Reception) -> tuple[Symbol, ...]:
+        """Its class, what takes it, and what is called then."""
+        found = [(MESSAGES, self.classes[table.wire.name]), (RECEIVING, f"take_{table.name.lower()}")]
+        return self._all([*found, *([(VEHICLE, f"Vehicle.{call_name(table)}")] if table.spec.call else [])])
+
+    def received(self, table: Reception, taken: ReceivedField) -> tuple[Symbol, ...]:
+        """What takes it, and the quantity."""
+        return self._all([(RECEIVING, f"take_{table.name.lower()}"), *self._quantity(taken.quantity)])
 
     def parameter(self, parameter: Parameter) -> tuple[Symbol, ...]:
         """Its attribute, and those of its family."""

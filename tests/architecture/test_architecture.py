@@ -78,7 +78,12 @@ MAY_IMPORT: dict[str, set[str]] = {
     "stamp": {"emit", "output_files", "tool"},
     "sim": {"render", "model", *GROUND},
     "explained_corrections": {"load", "model", *GROUND},
-    "explain": {"catalogue", "explained_corrections", "targets", "model", *GROUND},
+    "explained_text": {"model", *GROUND},
+    "explained_receptions": {"explained_corrections", "explained_text", "targets", "model", *GROUND},
+    "explain": {
+        *("catalogue", "explained_corrections", "explained_receptions", "explained_text"),
+        *("targets", "model", *GROUND),
+    },
     "cli": {
         *("pipeline", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
         *("project_files", "trace", "findings", "waivers", "start", "schemas"),
