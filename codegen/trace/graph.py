@@ -32,6 +32,8 @@ class Kind(StrEnum):
     QUANTITY = "quantity"
     FAILSAFE = "failsafe"
     PROGRAM = "program"
+    COMMAND = "command"
+    MODE = "mode"
     RECEIVER = "receiver"
 
 

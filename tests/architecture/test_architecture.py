@@ -77,7 +77,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "stamp": {"emit", "output_files", "tool"},
     "sim": {"render", "model", *GROUND},
     "explained_corrections": {"load", "model", *GROUND},
-    "explain": {"catalogue", "explained_corrections", "targets", "model", *GROUND},
+    "explained_commands": {"model", *GROUND},
+    "explain": {"catalogue", "explained_commands", "explained_corrections", "targets", "model", *GROUND},
     "cli": {
         *("pipeline", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
         *("project_files", "trace", "findings", "waivers", "start", "schemas"),
