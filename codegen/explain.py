@@ -1,4 +1,4 @@
-"""The whole story of one thing: a message, a field, a parameter, a quantity or a rule, as text for a terminal."""
+"""The whole story of one thing: a message, a field, a parameter, a command or a rule, as text for a terminal."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -6,6 +6,7 @@ from textwrap import fill
 
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.explained_commands import command_story, command_topics
 from codegen.explained_corrections import correction_facts
 from codegen.explained_receptions import explained_received_field, explained_reception
 from codegen.explained_text import cited, columns, facts
@@ -82,7 +83,10 @@ def _explain_part(topic: str, system: System) -> str | None:
     if topic in system.parameters:
         return _parameter(system.parameters[topic], system)
     quantity = system.quantity(topic)
-    return None if quantity is None else _quantity(quantity, system)
+    if quantity is not None:
+        return _quantity(quantity, system)
+    story = command_story(topic, system)
+    return None if story is None else "\n".join([story[0], story[1].strip(), "", *facts(story[2])]) + "\n"
 
 
 def _topics(system: System) -> list[str]:
@@ -92,7 +96,7 @@ def _topics(system: System) -> list[str]:
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
     known += [*system.components, *system.streams, *system.requirements]
-    return [*known, *system.parameters, *rule_catalogue(), *system.dialect.messages]
+    return [*known, *system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
 
 
 def _message(message: PopulatedMessage, system: System) -> str:

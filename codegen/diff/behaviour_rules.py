@@ -167,6 +167,24 @@ IDENTITY = _inside(
     "another vehicle, or cannot read it.",
     *BOTH,
 )
+COMMAND_ADDED = _inside("command-added", "The vehicle answers a command that it did not know before.")
+COMMAND_REMOVED = _inside(
+    "command-removed", "The vehicle knows a command no more: who asks for it is told so.", Victim.OLD_STATION
+)
+COMMAND_RANGE = _inside(
+    "command-range-changed", "Other values of a parameter of a command are accepted, or NaN stands for another one."
+)
+COMMAND_UNIT = _silent(
+    "command-unit-changed",
+    "The number that a command carries is taken in another unit. Who sends it goes on with the old numbers.",
+    *BOTH,
+)
+COMMAND = _inside(
+    "command-changed", "A command is done at other times, for others, in another way, or by another method of the code."
+)
+MODE_ADDED = _inside("mode-added", "The vehicle has a mode more, to which a ground station can change it.")
+MODE_REMOVED = _inside("mode-removed", "The vehicle has a mode less: who asks for it is refused.", Victim.OLD_STATION)
+MODE = _inside("mode-changed", "A mode has another name, or other flags of HEARTBEAT are set in it.")
 FAILSAFE = _inside("failsafe-changed", "A failsafe watches, waits or acts otherwise, is new or gone.")
 PROGRAM = _inside("program-changed", "The program on the board runs at other rates, stores or answers otherwise.")
 RECEIVER = _inside("receiver-changed", "The generated receiver reads other messages, or trusts them otherwise.")

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.diff import behaviour_rules as rules
+from codegen.diff.commands import command_subjects
 from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.program import Failsafe, Program
@@ -25,6 +26,7 @@ def program_subjects(system: System) -> Iterator[Subject]:
             )
             name = f"failsafe action {action.value}"
             yield Subject(name, action.call, rules.FAILSAFE, rules.FAILSAFE, action.place, facts)
+        yield from command_subjects(system.program)
     if system.receiver is not None:
         yield _receiver(system.receiver)
 

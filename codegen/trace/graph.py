@@ -34,6 +34,8 @@ class Kind(StrEnum):
     QUANTITY = "quantity"
     FAILSAFE = "failsafe"
     PROGRAM = "program"
+    COMMAND = "command"
+    MODE = "mode"
     RECEIVER = "receiver"
 
 

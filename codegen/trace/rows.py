@@ -121,6 +121,12 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
             if level.citation is not None:
                 used = [*found, *_attributes((level.below, level.action), symbols)]
                 yield Row(Kind.FAILSAFE, name, part, str(level.citation), spec.place, tuple(used))
+    for command in program.commands:
+        found = symbols.command(command)
+        yield from _whole(Kind.COMMAND, command.name, command.citation, command.spec, found)
+        yield from _aspects(Kind.COMMAND, command.name, command.aspects, command.spec, found)
+    for mode in program.modes:
+        yield from _whole(Kind.MODE, mode.name, mode.citation, mode.spec, symbols.mode())
 
 
 def _attributes(parameters: Iterable[Parameter], symbols: Symbols) -> Iterator[Symbol]:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer
+from codegen.model.command import Command
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.system import PopulatedMessage, System
@@ -126,6 +127,18 @@ class Symbols:
     def part_of_program(self, name: str) -> tuple[Symbol, ...]:
         """The modules of one part of the program, by its key in vehicle.yaml."""
         return self._all(PROGRAM.get(name, ()))
+
+    def command(self, command: Command) -> tuple[Symbol, ...]:
+        """The method that does it, and what looks at its parameters."""
+        method = command.spec.method
+        ends = ("_progress", "_cancel") if command.spec.long else ()
+        found = [(VEHICLE, f"Vehicle.{method}{end}") for end in ("", *ends)]
+        found += [("firmware/command_table.py", "COMMANDS"), ("firmware/own_commands.py", "OwnCommands")]
+        return self._all([*found, *([("firmware/long_commands.py", "LongCommands")] if command.spec.long else [])])
+
+    def mode(self) -> tuple[Symbol, ...]:
+        """What changes modes."""
+        return self._all([(VEHICLE, "Vehicle.MODES"), (VEHICLE, "Vehicle.set_mode")])
 
     def whole_receiver(self) -> tuple[Symbol, ...]:
         """The class of the receiver."""

@@ -80,8 +80,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "explained_corrections": {"load", "model", *GROUND},
     "explained_text": {"model", *GROUND},
     "explained_receptions": {"explained_corrections", "explained_text", "targets", "model", *GROUND},
+    "explained_commands": {"model", *GROUND},
     "explain": {
-        *("catalogue", "explained_corrections", "explained_receptions", "explained_text"),
+        *("catalogue", "explained_commands", "explained_corrections", "explained_receptions", "explained_text"),
         *("targets", "model", *GROUND),
     },
     "cli": {
