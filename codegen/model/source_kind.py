@@ -121,8 +121,21 @@ class Source(ABC):
 
     @property
     def sets_clock(self) -> bool:
-        """Whether it knows the time since 1970."""
+        """Whether it knows the time since 1970: its microseconds stand behind the outputs, in four halves."""
         return False
+
+    @property
+    def tells_new(self) -> bool:
+        """Whether a turn may bring some of its numbers and not others.
+
+        The last of the driver's values has a bit for each output that is new then, and one for the time.
+        """
+        return False
+
+    @property
+    def clock_modules(self) -> tuple[str, ...]:
+        """Further files of the firmware, where it sets the clock; the first has set_clock(words, at, values, place)."""
+        return ()
 
     @property
     def silence_ms(self) -> int | None:
@@ -138,6 +151,11 @@ class Source(ABC):
     @property
     def port(self) -> str:
         """What it takes as a whole, such as ``UART 1``; else empty."""
+        return ""
+
+    @property
+    def place(self) -> str:
+        """Where it alone is on something that is shared, such as an address of a bus; else empty."""
         return ""
 
     # words

@@ -23,7 +23,8 @@ UNKNOWN_DRIVER = Rule(
     "folder drivers of the specification.",
 )
 _RETRY_MS = 1000
-_RESERVED = {"add", "state", "watch", "every", "self", "time", "machine", "board", "log"}
+_RESERVED = {"every", "watch"}
+"""Names that the class of all sensors uses itself."""
 
 
 def resolve_sources(

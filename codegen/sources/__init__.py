@@ -7,10 +7,14 @@
 from collections.abc import Mapping
 
 from codegen.model.source_spec import SourceSpec
+from codegen.sources.ina219.kind import INA219
+from codegen.sources.ina226.kind import INA226
 from codegen.sources.kind import KindOfSource
+from codegen.sources.nmea.kind import NMEA
+from codegen.sources.pulse.kind import PULSE
 from codegen.sources.user.kind import USER
 
-KINDS: Mapping[str, KindOfSource] = {kind.name: kind for kind in (USER,)}
+KINDS: Mapping[str, KindOfSource] = {kind.name: kind for kind in (INA219, INA226, NMEA, PULSE, USER)}
 """The kinds by the word that stands behind ``driver``."""
 
 SPECS: Mapping[str, type[SourceSpec]] = {name: kind.spec for name, kind in KINDS.items()}

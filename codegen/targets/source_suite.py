@@ -41,11 +41,16 @@ class QuantityFacts:
 
 @dataclass(frozen=True, slots=True)
 class SourceFacts:
-    """A sensor: how many ``values`` its driver has, and what the specification says of its turns."""
+    """A sensor: how many ``values`` its driver has, and what the specification says of its turns.
+
+    ``mask`` is the place of the bits of what is new, which are ``new`` where all is, or None.
+    """
 
     name: str
     listens: bool
     values: int
+    mask: int | None
+    new: int
     limit_us: int | None
     retry_ms: int
     cause: str
@@ -67,11 +72,14 @@ def render_source_suite(system: System) -> dict[str, str]:
 
 def _facts(source: Source, system: System) -> SourceFacts:
     polling = source.polling
+    values = sum(output.storage.words for output in source.outputs) + (4 if source.sets_clock else 0)
     cited = {aspect: polling.cited(aspect) for aspect in SourceSpec.ASPECTS}
     return SourceFacts(
         name=source.name,
         listens=source.silence_ms is not None,
-        values=sum(output.storage.words for output in source.outputs),
+        values=values + source.tells_new,
+        mask=values if source.tells_new else None,
+        new=(1 << len(source.outputs)) - 1,
         limit_us=polling.limit_us,
         retry_ms=polling.retry_ms,
         cause=source.cause,

@@ -1,9 +1,10 @@
 """View of sources.py: how each sensor is opened, and how what it gives gets into the words of the state."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.clock import CLOCK
 from codegen.model.payload_code import indented
 from codegen.model.source_kind import Output, Source
 from codegen.model.storage import SMALL_INT_MAX, Storage
@@ -13,7 +14,9 @@ from codegen.targets.firmware.reading import CLOCK_MASK
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import LINE_LENGTH, import_lines
 from codegen.targets.naming import prose, quoted
+from codegen.targets.source_files import module_name
 
+_CLOCK = "_CLOCK"
 WATCH_US = 1000000
 """How often it is looked whether sensors that speak by themselves are silent."""
 
@@ -63,12 +66,16 @@ class SourcesView:
 def sources_view(system: System, layout: Layout) -> SourcesView:
     """The view of the whole module."""
     constants: dict[str, int] = {}
-    sources = tuple(_source(source, given_by(source, system, layout, constants)) for source in system.polled)
+    sources = tuple(_source(source, given_by(source, system, layout, constants), system) for source in system.polled)
+    clocked = [source for source in system.polled if clock_is_set(source, system)]
+    if clocked:
+        constants[_CLOCK] = layout.blocks[CLOCK].base
     listeners = tuple(source.name for source in system.polled if source.silence_ms is not None)
     names = {("micropython", "const")}
     names |= {(source.module, source.opened.partition("(")[0]) for source in system.polled}
     names |= {("listening", "Listener")} if listeners else set()
     names |= {("polling", "Poller")} if len(listeners) < len(sources) else set()
+    names |= {(module_name(source.clock_modules[0]), "set_clock") for source in clocked}
     modules = ["machine"] if any("machine." in source.opened for source in system.polled) else []
     modules += ["time"] if listeners else []
     return SourcesView(
@@ -77,6 +84,11 @@ def sources_view(system: System, layout: Layout) -> SourcesView:
         sources=sources,
         listeners=listeners,
     )
+
+
+def clock_is_set(source: Source, system: System) -> bool:
+    """Whether a sensor sets the clock of the state."""
+    return source.sets_clock and CLOCK in system.components
 
 
 def given_by(source: Source, system: System, layout: Layout, constants: dict[str, int]) -> list[GivenView]:
@@ -101,10 +113,11 @@ def given_by(source: Source, system: System, layout: Layout, constants: dict[str
     return found
 
 
-def _source(source: Source, given: list[GivenView]) -> SourceView:
+def _source(source: Source, given: list[GivenView], system: System) -> SourceView:
     polling = source.polling
+    keep = list(_keep(source, given, sets_clock=clock_is_set(source, system)))
     lose = [line for each in given for line in _losing(each)]
-    after = ", ".join(
+    after = _listed(
         dict.fromkeys(
             f"{each.quantity.path} after {each.quantity.trust.invalid_after}"
             for each in given
@@ -122,8 +135,8 @@ def _source(source: Source, given: list[GivenView]) -> SourceView:
         name=source.name,
         attribute=f"self.{source.name}",
         about=prose(polling.spec.doc or source.words()).rstrip(".") + cited,
-        gives=", ".join(dict.fromkeys(each.quantity.path for each in given)) or "nothing",
-        keep=tuple(line for each in given for line in _keeping(each)) or ("pass",),
+        gives=_listed(dict.fromkeys(each.quantity.path for each in given)),
+        keep=tuple(keep) or ("pass",),
         lost=f"Forget what failures in a row make unknown: {after}." if lose else "Failures make nothing unknown.",
         lose=tuple(lose) or ("pass",),
         made=_call(maker, arguments),
@@ -132,12 +145,35 @@ def _source(source: Source, given: list[GivenView]) -> SourceView:
     )
 
 
+def _listed(paths: Iterable[str]) -> str:
+    """The quantities, or how many they are where one line has no room."""
+    text = ", ".join(paths) or "nothing"
+    return text if len(text) < 70 else f"{len(text.split(', '))} quantities"
+
+
 def _call(maker: str, arguments: list[str]) -> str:
     """A call as the formatter prints it in a method."""
     inside = ", ".join(arguments)
     if len(inside) + len(maker) + 30 <= LINE_LENGTH:
         return f"{maker}({inside})"
     return f"{maker}(\n            " + ",\n            ".join(arguments) + ",\n        )"
+
+
+def _keep(source: Source, given: list[GivenView], *, sets_clock: bool) -> Iterator[str]:
+    """Put all values into their words; where not all of them are new at once, those that are."""
+    behind = sum(output.storage.words for output in source.outputs)
+    if not source.tells_new:
+        for each in given:
+            yield from _keeping(each)
+        return
+    mask = behind + (4 if source.sets_clock else 0)
+    yield f"new = values[{mask}]"
+    for each in given:
+        yield f"if new & {1 << source.outputs.index(each.output)}:"
+        yield from indented(list(_keeping(each)))
+    if sets_clock:
+        yield f"if new & {1 << len(source.outputs)}:"
+        yield f"    set_clock(words, {_CLOCK}, values, {behind})"
 
 
 def _keeping(given: GivenView) -> Iterator[str]:

@@ -66,6 +66,8 @@ class Bench:
         self.sources = Sources(self.state, self._log)
         self.poller = getattr(self.sources, facts["name"])
         self.driver = self.poller.driver = Driver(facts["values"])
+        if facts["mask"] is not None:
+            self.driver.values[facts["mask"]] = facts["new"]
 
     def _log(self, *words):
         self.texts.append(" ".join(str(word) for word in words))
@@ -73,10 +75,12 @@ class Bench:
     def give(self, quantity, handed):
         """Let the sensor hand over a number for a quantity."""
         for at in range(max(1, quantity["halves"])):
-            half = handed if not quantity["halves"] else (handed >> 16 * at) & 0xFFFF
+            value = handed
             if handed is None:
-                half = UNKNOWN
-            self.driver.values[quantity["place"] + at] = half
+                value = UNKNOWN
+            elif quantity["halves"]:
+                value = (handed >> 16 * at) & 0xFFFF
+            self.driver.values[quantity["place"] + at] = value
 
     def give_all(self):
         """Let it hand over a plausible number for each quantity."""
