@@ -132,6 +132,8 @@ class Simulation:
         import serial_port  # noqa: PLC0415
         import udp_port  # noqa: PLC0415
 
+        hear = self.records.hear
+
         def open_serial(name, *_, **__):
             """Open nothing, or UDP in place of the first UART or USB of a board that has no UDP."""
             import board  # noqa: PLC0415
@@ -139,13 +141,14 @@ class Simulation:
             if hasattr(board, "UdpPort") or self._is_bridged:
                 return SilentPort(name)
             self._is_bridged = True
-            return udp_port.UdpPort(name, None, 0, 0, "wifi.json", 1000, log=print)
+            return udp_port.UdpPort(
+                name, None, 0, 0, "wifi.json", 1000, log=lambda *words: hear(" ".join(map(str, words)))
+            )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         self._wire.listen(udp_port.UdpPort)
         import texts  # noqa: PLC0415
 
-        hear = self.records.hear
         plain = texts.Texts
 
         class HeardTexts(plain):
