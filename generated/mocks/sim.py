@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 44b405dff8a56f03
+# Inputs: 9b8bfbb41c2fd245
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -37,10 +37,13 @@ import mock_asyncio  # noqa: E402  the clock has to be in place before anything 
 mock_asyncio.install()
 
 import machine  # noqa: E402
+import sim_machine  # noqa: E402
 from sim_course import Course  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
 from sim_wire import SilentPort, Wire  # noqa: E402
+
+sim_machine.install()
 
 EXIT_RESET = 3
 SAMPLE_MS = 100

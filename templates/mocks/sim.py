@@ -35,10 +35,13 @@ import mock_asyncio  # noqa: E402  the clock has to be in place before anything 
 mock_asyncio.install()
 
 import machine  # noqa: E402
+import sim_machine  # noqa: E402
 from sim_course import Course  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
 from sim_wire import SilentPort, Wire  # noqa: E402
+
+sim_machine.install()
 
 EXIT_RESET = 3
 SAMPLE_MS = 100
