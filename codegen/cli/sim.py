@@ -73,7 +73,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="your code, whose class extends the generated vehicle, whatever the file is called (default: the module "
         "that code in vehicle.yaml names, in the folder of the project, if it is there)",
     )
-    parser.add_argument("--no-code", action="store_true", help="run the generated vehicle without your code")
     parser.add_argument("--rover", dest="code", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--quiet", action="store_true", help="print only the result")
     parser.set_defaults(run=run)
@@ -138,7 +137,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     except AddressError as problem:
         raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
-    code = None if arguments.no_code else arguments.code or _own_code(systems[0])
+    code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
     _warn_of_stale([module for system in cast for module in pipeline.stale_firmware(system)])
     return Simulation(
         scenario=scenario,

@@ -1,6 +1,6 @@
 """What a sensor gives: its output in the steps of the quantity, by an exact factor."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -10,6 +10,7 @@ from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import SourcedSpec
+from codegen.model.simulated import SimulatedInput
 from codegen.model.source_kind import Output, Source
 from codegen.model.step import Step
 from codegen.model.storage import Storage
@@ -55,6 +56,12 @@ class Sourced(Derivation):
     @property
     def gives(self) -> tuple[tuple[str, Output, Fraction], ...]:
         return tuple((each.source, each.output, each.factor) for each in self.given)
+
+    def simulated(
+        self, quantity: Quantity, instance: int, system: "System", parameters: Mapping[str, float]
+    ) -> SimulatedInput:
+        given = self.given[instance]
+        return system.sources[given.source].simulated(given.output, quantity.steps / given.factor)
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         for number, each in enumerate(self.given, 1):

@@ -141,7 +141,7 @@ class Beside:
 class Scenario:
     """One scenario in plain numbers: ``parameters`` are stored before the first start.
 
-    ``beside`` are the other programs that run.
+    ``beside`` are the other programs that run. Without ``has_code`` the user's code is left out.
     """
 
     name: str
@@ -153,6 +153,7 @@ class Scenario:
     parameters: Mapping[str, float] = field(default_factory=dict)
     beside: tuple[Beside, ...] = ()
     expected: tuple[Expectation, ...] = ()
+    has_code: bool = True
 
     def stretches(self, program: str | None = None) -> tuple[Stretch, ...]:
         """The boards that run a program, one after the other; None is the vehicle's own, which is never swapped."""

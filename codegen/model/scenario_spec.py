@@ -119,6 +119,9 @@ class ScenarioSpec(Written):
     parameters: Mapping[str, Fraction] = described(
         "Parameters that were stored on the board before it starts.", default_factory=dict
     )
+    code: bool = described(
+        "false runs the generated vehicle without your code: where courses say what your code would set.", default=True
+    )
     with_: Mapping[str, BesideSpec] = described(
         "Other programs of the project, by name, that run at the same time.", key="with", default_factory=dict
     )

@@ -6,10 +6,19 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from codegen.frozen import dataclass
+from codegen.model.simulated import SimulatedInput
 from codegen.model.source_spec import SourceSpec
 from codegen.model.storage import Storage, storage_of
 from codegen.model.unit import Unit
 from codegen.model.vehicle import Cited
+
+FAULTS = {
+    "fail": "the sensor fails",
+    "absent": "the sensor is absent",
+    "slow": "the sensor takes longer",
+    "stuck": "the sensor gives what it gave",
+}
+"""What can be wrong with a sensor in a simulation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,6 +166,18 @@ class Source(ABC):
     def place(self) -> str:
         """Where it alone is on something that is shared, such as an address of a bus; else empty."""
         return ""
+
+    # the simulation
+
+    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput:
+        """How a true value of an output reaches the firmware on a host; ``steps`` of the output make one of its unit.
+
+        It is given in place of the driver, unless a kind has a mock of its device: then that is driven.
+        """
+        places = [each.storage.words for each in self.outputs]
+        number = self.outputs.index(output)
+        settings = {"source": self.name, "place": sum(places[:number]), "words": places[number], "size": sum(places)}
+        return SimulatedInput("source", {**settings, "steps": float(steps)}, FAULTS)
 
     # words
 

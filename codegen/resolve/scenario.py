@@ -83,6 +83,7 @@ class _Resolver:
             parameters=parameters,
             beside=tuple(beside.values()),
             expected=expected,
+            has_code=spec.code,
         )
 
     def _beside(self, name: str) -> Beside:

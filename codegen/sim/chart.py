@@ -100,10 +100,10 @@ class Chart:
 
 
 def is_marked(happening: Happening) -> bool:
-    """Whether a happening stands in the chart: all but the chatter."""
+    """Whether a happening stands in the chart: all but the chatter, and what follows from a failsafe at once."""
     if happening.kind is Kind.TEXT:
         return happening.severity is not None and happening.severity <= 4
-    return happening.kind is not Kind.CONSOLE
+    return happening.kind not in (Kind.CONSOLE, Kind.ACTION, Kind.MODE)
 
 
 def concerns(happening: Happening, recording: Recording, label: str) -> bool:

@@ -9,7 +9,8 @@ from typing import Any
 from codegen.frozen import dataclass
 from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
-from codegen.sim.line import Guard, Line, Watched, guards, lines_of, watched
+from codegen.sim.guards import Guard, guards
+from codegen.sim.line import Line, Watched, lines_of, watched
 from codegen.sim.told import Telling
 
 MODULE = "app"

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 57e54692b420e098
+# Inputs: 9b8bfbb41c2fd245
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -37,10 +37,13 @@ import mock_asyncio  # noqa: E402  the clock has to be in place before anything 
 mock_asyncio.install()
 
 import machine  # noqa: E402
+import sim_machine  # noqa: E402
 from sim_course import Course  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
 from sim_wire import SilentPort, Wire  # noqa: E402
+
+sim_machine.install()
 
 EXIT_RESET = 3
 SAMPLE_MS = 100
@@ -134,6 +137,8 @@ class Simulation:
         import serial_port  # noqa: PLC0415
         import udp_port  # noqa: PLC0415
 
+        hear = self.records.hear
+
         def open_serial(name, *_, **__):
             """Open nothing, or UDP in place of the first UART or USB of a board that has no UDP."""
             import board  # noqa: PLC0415
@@ -141,13 +146,14 @@ class Simulation:
             if hasattr(board, "UdpPort") or self._is_bridged:
                 return SilentPort(name)
             self._is_bridged = True
-            return udp_port.UdpPort(name, None, 0, 0, "wifi.json", 1000, log=print)
+            return udp_port.UdpPort(
+                name, None, 0, 0, "wifi.json", 1000, log=lambda *words: hear(" ".join(map(str, words)))
+            )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         self._wire.listen(udp_port.UdpPort)
         import texts  # noqa: PLC0415
 
-        hear = self.records.hear
         plain = texts.Texts
 
         class HeardTexts(plain):

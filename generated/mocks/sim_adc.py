@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_adc.py: do not edit.
-# Inputs: bc330e582c3f2556
+# Inputs: c1fab4f6f3cbad4d
 """True values that the firmware measures with an ADC: each becomes counts at its pin.
 
 Every kind of input in a simulation has a module `sim_<kind>` with such a connect(): it gets the courses of that kind,
@@ -31,7 +31,9 @@ def _reader(course, now_ms):
         elif course.fault("fail", at_ms) is not None or course.fault("absent", at_ms) is not None:
             return None
         value = course.seen(at_ms)
-        return None if value is None else count((value - zero) / span)
+        if value is None:
+            return None
+        return count((value - zero) / span) if span else 0  # a multiplier of 0 shows nothing
 
     return read
 

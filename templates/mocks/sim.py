@@ -35,10 +35,13 @@ import mock_asyncio  # noqa: E402  the clock has to be in place before anything 
 mock_asyncio.install()
 
 import machine  # noqa: E402
+import sim_machine  # noqa: E402
 from sim_course import Course  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
 from sim_wire import SilentPort, Wire  # noqa: E402
+
+sim_machine.install()
 
 EXIT_RESET = 3
 SAMPLE_MS = 100
@@ -132,6 +135,8 @@ class Simulation:
         import serial_port  # noqa: PLC0415
         import udp_port  # noqa: PLC0415
 
+        hear = self.records.hear
+
         def open_serial(name, *_, **__):
             """Open nothing, or UDP in place of the first UART or USB of a board that has no UDP."""
             import board  # noqa: PLC0415
@@ -139,13 +144,14 @@ class Simulation:
             if hasattr(board, "UdpPort") or self._is_bridged:
                 return SilentPort(name)
             self._is_bridged = True
-            return udp_port.UdpPort(name, None, 0, 0, "wifi.json", 1000, log=print)
+            return udp_port.UdpPort(
+                name, None, 0, 0, "wifi.json", 1000, log=lambda *words: hear(" ".join(map(str, words)))
+            )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         self._wire.listen(udp_port.UdpPort)
         import texts  # noqa: PLC0415
 
-        hear = self.records.hear
         plain = texts.Texts
 
         class HeardTexts(plain):

@@ -29,7 +29,9 @@ def _reader(course, now_ms):
         elif course.fault("fail", at_ms) is not None or course.fault("absent", at_ms) is not None:
             return None
         value = course.seen(at_ms)
-        return None if value is None else count((value - zero) / span)
+        if value is None:
+            return None
+        return count((value - zero) / span) if span else 0  # a multiplier of 0 shows nothing
 
     return read
 

@@ -7,7 +7,8 @@ from codegen.diagnostics import Report
 from codegen.model.scenario import Course, Point, Scenario
 from codegen.model.simulated import SimulatedInput
 from codegen.pipeline import read_system
-from codegen.sim.line import guards, lines_of, watched
+from codegen.sim.guards import guards
+from codegen.sim.line import lines_of, watched
 from codegen.sim.program import SimulatedProgram
 from codegen.sim.told import Telling, Told
 

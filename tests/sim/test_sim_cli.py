@@ -145,5 +145,5 @@ def test_a_status_line_changes_on_a_terminal(station: Any) -> None:
 def test_help_says_what_there_is(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sim", "--help"]) == 0
     out = capsys.readouterr().out
-    options = "--runtime --out --speed --duration --report --flash --code --no-code --record --list --quiet"
+    options = "--runtime --out --speed --duration --report --flash --code --record --list --quiet"
     assert [option for option in options.split() if option not in out] == []

@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 from packs import FULL, pack
 
-from codegen.model.scenario import Course, Fault, course_data, event_data
+from codegen.model.scenario import Course, Fault, Point, course_data, event_data
+from codegen.model.simulated import SimulatedInput
 from codegen.sim.process import Runtime, find_interpreter
 
 MOCKS = Path(__file__).resolve().parents[2] / "templates" / "mocks"
@@ -33,18 +34,24 @@ print(json.dumps(found))
 
 
 def readings(
-    tmp_path: Path, runtime: str, course: Course, times: list[int], *faults: Fault, seed: int = 1
-) -> list[list[Any]]:
+    tmp_path: Path,
+    runtime: str,
+    course: Course,
+    times: list[int],
+    *faults: Fault,
+    seed: int = 1,
+    script: str = SCRIPT,
+) -> list[Any]:
     """What is true, what one look finds and the count of an ADC, at each time."""
     interpreter = find_interpreter(Runtime(runtime))
     assert interpreter is not None
-    script, data = tmp_path / "script.py", tmp_path / "data.json"
-    script.write_text(SCRIPT)
+    file, data = tmp_path / "script.py", tmp_path / "data.json"
+    file.write_text(script)
     data.write_text(json.dumps([course_data(course, seed), [event_data(fault) for fault in faults], times]))
     environment = {**os.environ, "MICROPYPATH": str(MOCKS), "PYTHONPATH": str(MOCKS), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [interpreter, str(script), str(data)]
+    command = [interpreter, str(file), str(data)]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=60, check=True)
-    found: list[list[Any]] = json.loads(done.stdout)
+    found: list[Any] = json.loads(done.stdout)
     return found
 
 
@@ -103,3 +110,33 @@ def test_what_is_stuck_stays_as_it_was(tmp_path: Path) -> None:
     seen = [round(value, 1) for _, value, _ in found]
     assert seen == [11.0, 12.0, 12.0, 12.0, 16.0, 18.0]
     assert found[1][1] == found[3][1]
+
+
+INPUT = """
+import json, sys
+import machine
+import sim_adc
+from sim_course import Course
+with open(sys.argv[1]) as file:
+    data, faults, times = json.load(file)
+now = [0]
+sim_adc.connect([Course(data, faults)], lambda: now[0], 0)
+found = []
+for now[0] in times:
+    try:
+        found.append(machine.analog(27).read_count())
+    except OSError:
+        found.append(None)
+print(json.dumps(found))
+"""
+
+
+@pytest.mark.parametrize("runtime", Runtime)
+def test_an_adc_counts_from_what_zero_volts_stand_for(tmp_path: Path, runtime: str) -> None:
+    """A sensor of -50 to 50 A: 0 A are half of full scale; beyond it the end; no count in a fault."""
+    through = SimulatedInput("adc", {"gpio": 27, "zero": -50.0, "full": 50.0})
+    points = (Point(0, 0.0), Point(1_000, 50.0), Point(2_000, -25.0), Point(3_000, 80.0), Point(4_000, None))
+    course = Course("power.current", points, through)
+    fault = Fault(500, "fail", course.label, 600, "fails")
+    found = readings(tmp_path, runtime, course, [0, 500, 600, 1_000, 2_000, 2_999, 4_000], fault, script=INPUT)
+    assert found == [2048, None, 3276, 4095, 1024, 4095, None]

@@ -150,6 +150,24 @@ def test_a_program_that_does_not_even_start(project: Path, run: Any, program: st
     assert "Traceback" not in out + err
 
 
+@RUNTIMES
+def test_code_of_the_user_finds_pwm_and_spi(project: Path, run: Any, runtime: str) -> None:
+    """Whatever the file is called: a servo at 1.5 ms of 20 ms, and a bus on which nobody answers."""
+    (project / "anything.py").write_text(
+        "from machine import PWM, SPI, Pin\nimport main\n"
+        "class Rover(main.Vehicle):\n"
+        "    def __init__(self):\n"
+        "        main.Vehicle.__init__(self)\n"
+        "        servo, bus, buffer = PWM(Pin(5), freq=50), SPI(0, 1000000, sck=Pin(2)), bytearray(b'xx')\n"
+        "        servo.duty_ns(1500000)\n"
+        "        bus.write_readinto(b'\\x01\\x02', buffer)\n"
+        "        print(servo.freq(), servo.duty_u16(), servo.duty_ns(), bytes(bus.sent), bytes(buffer), bus.read(1))\n"
+    )
+    code, out, err = run("nominal", "--duration", "1 s", "--code", "anything.py", "--runtime", runtime)
+    assert code == 0, err
+    assert r"console   50 4915 1499961 b'\x01\x02' b'\x00\x00' b'\x00'" in out
+
+
 def test_what_the_program_prints_is_shown(project: Path, run: Any) -> None:
     (project / "rover.py").write_text("from main import Vehicle as Rover\nprint('hello <there>')\n")
     code, out, _ = run("nominal", "--code", "rover.py", "--duration", "1", "--report", "r.html")

@@ -1,5 +1,6 @@
 """Scenario files: what is right becomes plain numbers, what is wrong is reported at its place."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from codegen.model.scenario import (
     event_data,
 )
 from codegen.model.simulated import SimulatedInput
+from codegen.pipeline import read_scenarios, read_systems
 from codegen.resolve.scenario import resolve_scenarios
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -247,3 +249,16 @@ def test_the_shipped_scenarios() -> None:
         events = scenarios[name].events
         assert events[0] == Arming(5_000, True), name
         assert float(scenarios[name].courses[0].value(5_000) or 0) >= 11, name
+
+
+def test_the_example_of_the_documentation_is_a_scenario_of_the_boat_to_begin_with() -> None:
+    folder = ROOT / "templates" / "start" / "boat" / "specs"
+    example = re.search(r"```yaml\nscenarios:\n(.*?)```", (ROOT / "docs" / "simulation.md").read_text(), re.DOTALL)
+    assert example is not None
+    assert example[1] in (folder / "scenarios.yaml").read_text()
+    report = Report()
+    systems = read_systems(str(folder / "codegen.yaml"), report)
+    scenarios = read_scenarios(str(folder / "scenarios.yaml"), systems, report)
+    assert list(report) == []
+    assert scenarios is not None
+    assert [len(scenarios["around_the_buoy"].courses), scenarios["around_the_buoy"].has_code] == [8, False]

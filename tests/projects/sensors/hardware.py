@@ -10,7 +10,6 @@ import mock_time
 mock_time.install()
 
 import machine
-import mock_board
 import mock_i2c
 import mock_pulse
 from sources import Sources
@@ -246,7 +245,9 @@ found["nmea allocates"] = [mem_total() - before, sources.receiver.driver.wrong]
 
 
 def ina226():
-    device = mock_i2c.Device({0: 0x4127, 1: 0, 2: 0, 3: 0, 4: 0, 5: 0, 6: 8, 0xFE: 0x5449, 0xFF: 0x2260}, (1, 2, 0xFE, 0xFF))
+    device = mock_i2c.Device(
+        {0: 0x4127, 1: 0, 2: 0, 3: 0, 4: 0, 5: 0, 6: 8, 0xFE: 0x5449, 0xFF: 0x2260}, (1, 2, 0xFE, 0xFF)
+    )
     return mock_i2c.attach(0, 0x40, device)
 
 
