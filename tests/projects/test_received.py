@@ -29,7 +29,7 @@ sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
 from program_bench import Port, Rover, mock_time, run, run_passes
 
 results = {}
-paths, cases = json.load(open("frames.json"))
+paths, cases = json.loads(open("frames.json").read())
 for name in cases:
     rover = Rover(ports=[Port(), Port()])
     state, calls, said = rover.state, [], []

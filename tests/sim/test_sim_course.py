@@ -22,7 +22,7 @@ import json, sys
 import sim_adc
 from sim_course import Course
 with open(sys.argv[1]) as file:
-    data, faults, times = json.load(file)
+    data, faults, times = json.loads(file.read())
 course = Course(data, faults)
 full = data["settings"]["full"]
 found = []
@@ -118,7 +118,7 @@ import machine
 import sim_adc
 from sim_course import Course
 with open(sys.argv[1]) as file:
-    data, faults, times = json.load(file)
+    data, faults, times = json.loads(file.read())
 now = [0]
 sim_adc.connect([Course(data, faults)], lambda: now[0], 0)
 found = []

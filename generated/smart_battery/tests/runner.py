@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: 5a35fd8c73aefc8d
+# Inputs: 5f20634072a2aa8b
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -115,7 +115,7 @@ def run(cases):
 
 def main(path):
     with open(path, encoding="utf-8") as file:
-        cases = json.load(file)
+        cases = json.loads(file.read())  # load() asks the system for every single byte
     print(json.dumps(run(cases)))
 
 

@@ -56,5 +56,5 @@ def counting(called, table):
 
 
 with open(sys.argv[1]) as file:
-    about = json.load(file)
+    about = json.loads(file.read())
 print(json.dumps([outcome(steps, about["paths"], about["calls"]) for steps in about["cases"]]))
