@@ -23,9 +23,11 @@ from codegen.load.trees import exists, file_names, is_file, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.driver_spec import DriverSpec, OwnDriver
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
+from codegen.model.source_spec import OwnSourceSpec
 from codegen.model.spec import (
     Correction,
     CorrectionsSpec,
@@ -77,6 +79,8 @@ FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
 PROGRAM_FILE = "vehicle.yaml"
 RECEIVER_FILE = "receiver.yaml"
+DRIVERS = "drivers"
+"""The folder beside it with drivers of the project's own."""
 OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE)
 """Files beside it that only a project with a whole program, or with a receiver for its messages, has."""
 READ_BY_OTHERS = (SCENARIOS, WAIVERS, TRACE_LOCK)
@@ -136,6 +140,7 @@ class _SpecReader:
         state = self._fixed("state.yaml", StateSpec)
         board = self._fixed("board.yaml", BoardSpec)
         board_model = None if board is None else self._board_model(board)
+        drivers, broken_drivers = self._drivers(board)
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
         vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
@@ -169,6 +174,8 @@ class _SpecReader:
             files=dict(sorted(self._hashes.items())),
             receiver=receiver,
             refusals=refusals,
+            drivers=drivers,
+            broken_drivers=broken_drivers,
         )
 
     def _main_project(self) -> Project | None:
@@ -220,6 +227,20 @@ class _SpecReader:
         if os.path.dirname(path) == FOLDER:  # codegen itself, and no file of the specification
             return decode_record_file(path, BoardModelSpec, self._report, place)
         return self._record(path, BoardModelSpec, place)
+
+    def _drivers(self, board: BoardSpec | None) -> tuple[dict[str, OwnDriver], frozenset[str]]:
+        """The project's own drivers that sensors name, and those of them that could not be read."""
+        sources = board.sources.values() if board else ()
+        names = {source.driver for source in sources if isinstance(source, OwnSourceSpec)}
+        drivers = {}
+        found = {os.path.basename(path).removesuffix(".yaml"): path for path in self._united(DRIVERS, (".yaml",))}
+        for name in sorted(names & found.keys()):
+            path = found[name]
+            module = path.removesuffix(".yaml") + ".py"
+            spec, text = self._record(path, DriverSpec, Place(path)), self._text(module, Place(path))
+            if spec is not None and text is not None:
+                drivers[name] = OwnDriver(spec, module, text)
+        return drivers, frozenset((names & found.keys()) - drivers.keys())
 
     def _receiver(self) -> ReceiverSpec | None:
         """The receiver of the messages of this program; a further one does not repeat that of its base."""
@@ -322,7 +343,7 @@ class _SpecReader:
                 self._hashes[self._path(name)] = _hash(data)
 
     def _report_unread(self) -> None:
-        for folder in ("", "messages", "dialects", "requirements", OWN):
+        for folder in ("", "messages", "dialects", "requirements", OWN, DRIVERS):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
                 by_others = () if self._program else READ_BY_OTHERS
@@ -339,6 +360,8 @@ class _SpecReader:
             return "the program does not list its message" if is_unused else "population tables end in .yaml"
         if folder == "dialects":
             return "name it under corrections in codegen.yaml"
+        if folder == DRIVERS:
+            return f"name it in board.yaml: driver: {os.path.splitext(name)[0]}"
         if folder == OWN:
             return f"name it in board.yaml: board: {os.path.splitext(name)[0]}"
         if not folder and name in READ_BY_OTHERS:

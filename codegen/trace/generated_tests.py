@@ -9,6 +9,7 @@ from codegen.targets.behaviour_checks import checks_of_behaviour
 from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
 from codegen.targets.receiver.suite import shown_by_receiver_tests
+from codegen.targets.source_suite import source_checks
 from codegen.targets.suite import suite_origin
 from codegen.trace.graph import Test
 
@@ -49,6 +50,7 @@ def _tests(system: System) -> Iterator[Test]:
     )
     checks = ((check.criterion, check.identifier) for check in checks_of_behaviour(system))
     yield from _grouped(f"{folder}/test_behaviour.py", "test_behaviour", checks)
+    yield from _grouped(f"{folder}/test_sources.py", "test_source", source_checks(system))
     yield from _of_program(system, folder)
     yield from _of_receiver(system, folder)
 

@@ -10,7 +10,6 @@ import mock_time
 mock_time.install()
 
 import machine
-import mock_board
 import mock_i2c
 import mock_pulse
 from sources import Sources
@@ -246,7 +245,9 @@ found["nmea allocates"] = [mem_total() - before, sources.receiver.driver.wrong]
 
 
 def ina226():
-    device = mock_i2c.Device({0: 0x4127, 1: 0, 2: 0, 3: 0, 4: 0, 5: 0, 6: 8, 0xFE: 0x5449, 0xFF: 0x2260}, (1, 2, 0xFE, 0xFF))
+    device = mock_i2c.Device(
+        {0: 0x4127, 1: 0, 2: 0, 3: 0, 4: 0, 5: 0, 6: 8, 0xFE: 0x5449, 0xFF: 0x2260}, (1, 2, 0xFE, 0xFF)
+    )
     return mock_i2c.attach(0, 0x40, device)
 
 
@@ -271,7 +272,7 @@ device.registers[1], device.registers[2] = 4000, 9600  # 10 mV across 2 mOhm, 12
 panel.registers[1], panel.registers[2] = 1234, 4321 << 3 | 2
 sources.power.turn()
 sources.solar.turn()
-found["monitors"] = pack(state) + [state.panel.voltage_steps if hasattr(state.panel, "voltage_steps") else None]
+found["monitors"] = pack(state) + [state.panel.voltage_steps]
 found["panel"] = [state.panel.voltage, state.panel.current]
 found["settings"] = [device.registers[0], panel.registers[0], sources.power.driver._registers._bus.settings["freq"]]
 readings = {}
@@ -356,6 +357,15 @@ before = mem_total()
 for _ in range(20):
     sources.power.turn()
 found["ina226 allocates"] = mem_total() - before
+
+# A driver of the project's own.
+state, sources = fresh()
+compass = mock_i2c.attach(0, 0x1E, mock_i2c.Device({0: 3590, 1: 48}))
+sources.needle.turn()
+found["compass"] = [state.compass.heading, state.compass.field]
+compass.registers[1] = 1001
+sources.needle.turn()
+found["strong field"] = [state.compass.heading_cdeg, state.compass.field]
 
 # Pulses.
 state, sources = fresh()
