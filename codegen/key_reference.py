@@ -12,6 +12,7 @@ FILES = {
     "state.schema.json": "state.yaml",
     "board.schema.json": "board.yaml",
     "board_model.schema.json": "boards/*.yaml",
+    "driver.schema.json": "drivers/*.yaml",
     "parameters.schema.json": "parameters.yaml",
     "streams.schema.json": "streams.yaml",
     "message.schema.json": "messages/*.yaml",

@@ -11,6 +11,7 @@ from typing import Any, assert_never
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.command_spec import CommandsSpec
+from codegen.model.driver_spec import DriverSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receive_spec import ReceiveSpec
@@ -51,6 +52,7 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "state.schema.json": StateSpec,
     "board.schema.json": BoardSpec,
     "board_model.schema.json": BoardModelSpec,
+    "driver.schema.json": DriverSpec,
     "parameters.schema.json": ParametersSpec,
     "streams.schema.json": StreamsSpec,
     "vehicle.schema.json": VehicleSpec,

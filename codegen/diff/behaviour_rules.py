@@ -160,6 +160,9 @@ GENERATIONS = _inside("generations-changed", "Another generation of messages is 
 CHANNEL = _inside(
     "adc-channel-changed", "An ADC channel has another pin, reference, resolution or number of samples, is new or gone."
 )
+SENSOR = _inside(
+    "sensor-changed", "A sensor is read otherwise, is connected elsewhere, gives other numbers, is new or gone."
+)
 LINK = _inside("link-changed", "A link to ground stations is configured otherwise, is new or gone.")
 IDENTITY = _inside(
     "identity-changed",

@@ -1,7 +1,7 @@
 """Sensors: what the stages ask each of them, whatever its kind is (``codegen/sources/``)."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -117,6 +117,11 @@ class Source(ABC):
     def modules(self) -> tuple[str, ...]:
         """The files of the firmware that its driver takes beside its own, by their paths below codegen/sources."""
         return ()
+
+    @property
+    def own_modules(self) -> Mapping[str, str]:
+        """The same of the project's own: the texts by the paths of their files."""
+        return {}
 
     @property
     def mocks(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ their own.
 
 import os
 from collections.abc import Mapping
+from dataclasses import field
 from enum import StrEnum
 from fractions import Fraction
 from typing import ClassVar
@@ -16,6 +17,7 @@ from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
 from codegen.model.command_spec import CommandsSpec
 from codegen.model.described import Amount, Verbatim, described
+from codegen.model.driver_spec import OwnDriver
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receive_spec import ReceiveSpec
@@ -305,6 +307,8 @@ class Spec:
     refusals: tuple[Refusal, ...] = ()
     receives: tuple[ReceiveSpec, ...] = ()
     commands: CommandsSpec | None = None
+    drivers: Mapping[str, OwnDriver] = field(default_factory=dict)
+    broken_drivers: frozenset[str] = frozenset()
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

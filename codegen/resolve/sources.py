@@ -6,7 +6,7 @@ from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import read_rate, read_time
 from codegen.model.board_model import BoardModel
 from codegen.model.source_kind import Polling, Source
-from codegen.model.source_spec import SourceSpec
+from codegen.model.source_spec import OwnSourceSpec, SourceSpec
 from codegen.model.spec import Requirement, Spec
 from codegen.model.unit import unit_named
 from codegen.model.vehicle import Parameter
@@ -16,6 +16,7 @@ from codegen.resolve.vehicle import find_parameter
 from codegen.source import Place
 from codegen.sources import KINDS
 from codegen.sources.kind import BAD_SOURCE, Around
+from codegen.sources.own.kind import resolve_own
 
 UNKNOWN_DRIVER = Rule(
     "unknown-driver",
@@ -44,16 +45,22 @@ def resolve_sources(
         if not is_name(name) or name in _RESERVED:
             report.add(BAD_SOURCE, written.place, f"{name} cannot be the name of a sensor", "choose another name")
             continue
-        kind = KINDS.get(written.driver)
-        if kind is None:
-            hint = did_you_mean(written.driver, KINDS)
-            report.add(UNKNOWN_DRIVER, written.at("driver"), f"there is no driver {written.driver}", hint)
+        kind, own = KINDS.get(written.driver), spec.drivers.get(written.driver)
+        if kind is None and own is None:
+            if written.driver not in spec.broken_drivers:
+                hint = did_you_mean(written.driver, (*KINDS, *spec.drivers))
+                report.add(UNKNOWN_DRIVER, written.at("driver"), f"there is no driver {written.driver}", hint)
             continue
         around = Around(written, board, spec, find, report)
-        polling = _polling(name, written, kind.rate, index, report)
+        usual = kind.rate if kind else (own.spec.rate if own else None) or "10 Hz"
+        polling = _polling(name, written, usual, index, report)
         if polling is None:
             continue
-        source = kind.resolve(written, polling, around)
+        source = None
+        if kind is not None:
+            source = kind.resolve(written, polling, around)
+        elif own is not None and isinstance(written, OwnSourceSpec):
+            source = resolve_own(written, polling, around, own)
         if source is not None and not around.failed:
             sources[name] = source
     return sources

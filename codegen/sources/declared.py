@@ -4,27 +4,14 @@ import re
 from collections.abc import Iterable
 from fractions import Fraction
 
-from codegen.frozen import dataclass
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
-from codegen.model.described import described
+from codegen.model.driver_spec import OutputSpec
 from codegen.model.source_kind import Output
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.unit import ratio
-from codegen.source import Written
 from codegen.sources.kind import BAD_SOURCE, Around
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class OutputSpec(Written):
-    """One number that a sensor gives."""
-
-    doc: str | None = described("What it is, for people.", default=None)
-    unit: str | None = described("Unit that the code gives it in, such as m; absent for pure numbers.", default=None)
-    stored: str | None = described("Unit of one step that it is rounded to, such as mm. Default: unit.", default=None)
-    min: Fraction | None = described("Smallest plausible value, in unit; what is less is unknown.", default=None)
-    max: Fraction | None = described("Largest plausible value, in unit; what is more is unknown.", default=None)
 
 
 def in_tuple(items: Iterable[str]) -> str:

@@ -24,7 +24,7 @@ class Around:
     """A sensor as written, with what the specification says elsewhere. ``board`` is what is known about the board.
 
     ``find_parameter`` looks one up by its name, for what stands at a place; None after a finding. ``failed`` once
-    something was found in the sensor itself.
+    something was found in the sensor itself. ``prefix`` stands before the keys of what it is connected to.
     """
 
     spec: SourceSpec
@@ -33,6 +33,7 @@ class Around:
     find_parameter: Callable[[str, Place], Parameter | None]
     report: Report
     failed: bool = False
+    prefix: str = ""
 
     def bad(
         self,
@@ -43,7 +44,7 @@ class Around:
         related: Iterable[tuple[Place, str]] = (),
     ) -> None:
         """Report something at a key of the sensor."""
-        self.report.add(rule, self.spec.at(key), message, hint, related)
+        self.report.add(rule, self.spec.at(f"{self.prefix}{key}"), message, hint, related)
         self.failed = True
 
     def known_board(self, what: str) -> BoardModel | None:

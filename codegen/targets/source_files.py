@@ -4,7 +4,7 @@ import os
 
 from codegen.model.clock import CLOCK
 from codegen.model.system import System
-from codegen.targets.origin import headed, origin_of_text
+from codegen.targets.origin import headed, origin_of, origin_of_text
 from codegen.template_files import driver_text
 
 
@@ -26,4 +26,6 @@ def source_files(system: System, folder: str) -> dict[str, str]:
         for path in (*source.modules, *clock) if folder == "firmware" else source.mocks:
             text = driver_text(path)
             files[f"{folder}/{os.path.basename(path)}"] = headed(text, origin_of_text(f"codegen/sources/{path}", text))
+        for path, text in source.own_modules.items() if folder == "firmware" else ():
+            files[f"{folder}/{os.path.basename(path)}"] = headed(text, origin_of(system, [path]))
     return files

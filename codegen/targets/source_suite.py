@@ -1,6 +1,9 @@
 """The generated tests of the sensors: facts of the specification in one module, and checks that read them."""
 
+import re
+from collections.abc import Iterator
 from fractions import Fraction
+from functools import cache
 
 from codegen.frozen import dataclass
 from codegen.model.population_spec import Rounding
@@ -13,6 +16,7 @@ from codegen.targets.firmware.sources import GivenView, given_by
 from codegen.targets.firmware.words import word_layout
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 from codegen.targets.rendered import rendered
+from codegen.template_files import copied
 
 _FOLDER = "tests/sources"
 
@@ -68,6 +72,21 @@ def render_source_suite(system: System) -> dict[str, str]:
     text = rendered(f"{_FOLDER}/source_facts.py.j2", view)
     files["tests/source_facts.py"] = headed(text, origin_of(system, paths))
     return files
+
+
+def source_checks(system: System) -> Iterator[tuple[str, str]]:
+    """The tests of the sensors: the criterion that each shows, or nothing, and what the suite calls it."""
+    for source in system.polled:
+        for aspect, check in _checks():
+            yield source.polling.cited(aspect), f"{source.name}-{check}"
+
+
+@cache
+def _checks() -> tuple[tuple[str, str], ...]:
+    """Aspect and name of each check, which are the same for all sensors."""
+    listed = copied(f"{_FOLDER}/sources_behaviour.py").partition("\nCHECKS = (\n")[2].partition("\n)\n")[0]
+    found = re.findall(r'\("(\w+)", (\w+)\),', listed)
+    return tuple((aspect, check) for aspect, check in found)
 
 
 def _facts(source: Source, system: System) -> SourceFacts:

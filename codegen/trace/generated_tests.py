@@ -10,6 +10,7 @@ from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
 from codegen.targets.receiver.suite import shown_by_receiver_tests
 from codegen.targets.reception_cases import reception_cases
+from codegen.targets.source_suite import source_checks
 from codegen.targets.suite import suite_origin
 from codegen.trace.graph import Test
 
@@ -52,6 +53,7 @@ def _tests(system: System) -> Iterator[Test]:
     yield from _grouped(f"{folder}/test_behaviour.py", "test_behaviour", checks)
     received = ((case.requirement, case.identifier) for case in reception_cases(system))
     yield from _grouped(f"{folder}/test_receives.py", "test_receives", received)
+    yield from _grouped(f"{folder}/test_sources.py", "test_source", source_checks(system))
     yield from _of_program(system, folder)
     yield from _of_receiver(system, folder)
 

@@ -30,6 +30,7 @@ class Kind(StrEnum):
     GENERATIONS = "generations"
     LINK = "link"
     ADC = "ADC channel"
+    SENSOR = "sensor"
     COMPONENT = "component"
     QUANTITY = "quantity"
     FAILSAFE = "failsafe"

@@ -89,6 +89,9 @@ def _board(system: System, symbols: Symbols) -> Iterator[Row]:
     for channel in system.channels.values():
         read = [system.components[name] for name, _, conversion in system.measured() if conversion.channel is channel]
         yield from _cited(Kind.ADC, channel.name, channel, channel.spec, symbols.readings(read))
+    for source in system.sources.values():
+        polling = source.polling
+        yield from _cited(Kind.SENSOR, source.name, polling, polling.spec, symbols.sensor(source))
     for link in system.links:
         yield from _whole(Kind.LINK, link.name, link.citation, link.spec, symbols.link(link))
 

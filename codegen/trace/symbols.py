@@ -11,6 +11,7 @@ from codegen.model.answer import Answer
 from codegen.model.command import Command
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.reception import ReceivedField, Reception
+from codegen.model.source_kind import Source
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Parameter, Quantity, Stream
 from codegen.targets.firmware.receiving import call_name
@@ -31,6 +32,7 @@ FAILSAFE = "firmware/failsafe.py"
 MESSAGES = "firmware/messages.py"
 PARAMETERS = "firmware/parameters.py"
 STATE = "firmware/state.py"
+SOURCES = "firmware/sources.py"
 STREAMS = "firmware/streams.py"
 RECEIVING = "firmware/receiving_plain.py"
 PAYLOADS = "firmware/telemetry_plain.py"
@@ -108,6 +110,11 @@ class Symbols:
     def readings(self, components: Iterable[Component]) -> tuple[Symbol, ...]:
         """What reads components from the ADC."""
         return self._all((BOARD, f"Board.read_{component.name}_adc") for component in components)
+
+    def sensor(self, source: Source) -> tuple[Symbol, ...]:
+        """What keeps and loses what it gives."""
+        name = source.name
+        return self._all([(SOURCES, f"_keep_{name}"), (SOURCES, f"_lose_{name}"), (SOURCES, "Sources")])
 
     def component(self, component: Component) -> tuple[Symbol, ...]:
         """Its class, and its update where it is measured."""

@@ -16,6 +16,11 @@ GOOD = {
         "sources:\n  sonar: {driver: user, class: a.B, unit: m, stored: mm, rate: 5 Hz, outputs: {}}\n"
         "  own: {driver: mine, address: 0x40, gain: 2, on: true, limit: 2 ms}\n"
     ),
+    "driver": (
+        "doc: d\nclass: C\nbus: i2c\nrate: 5 Hz\nkeys:\n  a: {doc: d, kind: pin, default: 3}\n"
+        "  b: {doc: d, min: 0, max: 1.5}\n"
+        "outputs:\n  x: {doc: d, unit: m, stored: mm, min: 0, max: 5}\n  y: {}\n"
+    ),
     "parameters": "parameters:\n  MULT: {doc: d, default: 3.95, min: 1, max: 0x0a, step: 0.0001}\n"
     "  PIN: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int8, reboot: true, values: {0: Off, 1: On}}\n",
     "streams": "streams:\n  A: {doc: d, rate: 2 Hz}\n  B: {doc: d, parameter: P, data_stream: D, fastest: 50 Hz}\n",

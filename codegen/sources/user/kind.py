@@ -6,9 +6,10 @@ from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.described import described
+from codegen.model.driver_spec import OutputSpec
 from codegen.model.source_kind import Output, Polling, Source, SourceFact
 from codegen.model.source_spec import SourceSpec
-from codegen.sources.declared import OutputSpec, declared_output, in_tuple
+from codegen.sources.declared import declared_output, in_tuple
 from codegen.sources.kind import Around, KindOfSource
 
 _CLASS = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)

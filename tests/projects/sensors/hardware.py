@@ -272,7 +272,7 @@ device.registers[1], device.registers[2] = 4000, 9600  # 10 mV across 2 mOhm, 12
 panel.registers[1], panel.registers[2] = 1234, 4321 << 3 | 2
 sources.power.turn()
 sources.solar.turn()
-found["monitors"] = pack(state) + [state.panel.voltage_steps if hasattr(state.panel, "voltage_steps") else None]
+found["monitors"] = pack(state) + [state.panel.voltage_steps]
 found["panel"] = [state.panel.voltage, state.panel.current]
 found["settings"] = [device.registers[0], panel.registers[0], sources.power.driver._registers._bus.settings["freq"]]
 readings = {}
@@ -357,6 +357,15 @@ before = mem_total()
 for _ in range(20):
     sources.power.turn()
 found["ina226 allocates"] = mem_total() - before
+
+# A driver of the project's own.
+state, sources = fresh()
+compass = mock_i2c.attach(0, 0x1E, mock_i2c.Device({0: 3590, 1: 48}))
+sources.needle.turn()
+found["compass"] = [state.compass.heading, state.compass.field]
+compass.registers[1] = 1001
+sources.needle.turn()
+found["strong field"] = [state.compass.heading_cdeg, state.compass.field]
 
 # Pulses.
 state, sources = fresh()
