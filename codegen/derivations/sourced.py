@@ -59,7 +59,7 @@ class Sourced(Derivation):
 
     def simulated(
         self, quantity: Quantity, instance: int, system: "System", parameters: Mapping[str, float]
-    ) -> SimulatedInput:
+    ) -> SimulatedInput | None:
         given = self.given[instance]
         return system.sources[given.source].simulated(given.output, quantity.steps / given.factor)
 

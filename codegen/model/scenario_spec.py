@@ -50,7 +50,7 @@ class EventSpec(Written):
     fault: str | None = described(
         "Fault of what a quantity is measured with, or of the code that sets it: fail (no readings), absent (not there "
         "when the board starts; only at 0 s), slow (readings take the time that delay gives), stuck (the value that it "
-        "had stays).",
+        "had stays); what else a kind of sensor can have, such as garbled lines.",
         default=None,
     )
     of: str | None = described("The quantity, one of courses: battery.voltage, battery[1].voltage.", default=None)

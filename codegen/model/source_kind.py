@@ -174,10 +174,11 @@ class Source(ABC):
 
     # the simulation
 
-    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput:
+    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput | None:
         """How a true value of an output reaches the firmware on a host; ``steps`` of the output make one of its unit.
 
-        It is given in place of the driver, unless a kind has a mock of its device: then that is driven.
+        It is given in place of the driver, unless a kind has a mock of its device: then that is driven. None: it
+        follows from other outputs.
         """
         places = [each.storage.words for each in self.outputs]
         number = self.outputs.index(output)

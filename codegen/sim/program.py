@@ -2,7 +2,7 @@
 
 import hashlib
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
@@ -25,6 +25,7 @@ class SimulatedProgram:
     its boards, one after the other. ``code`` is the file with the user's code, which the program imports as ``module``.
     ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
+    ``mocked`` are the modules that stand in for what its sensors are connected to.
     """
 
     name: str
@@ -45,6 +46,7 @@ class SimulatedProgram:
     watched: tuple[Watched, ...] = ()
     actions: tuple[str, ...] = ()
     guards: tuple[Guard, ...] = ()
+    mocked: tuple[str, ...] = ()
 
     @property
     def folder(self) -> str:
@@ -65,6 +67,7 @@ class SimulatedProgram:
             "told": self.telling.ids,
             "watched": [[each.label, each.component, each.instance, each.name] for each in self.watched],
             "actions": self.actions,
+            "mocked": self.mocked,
             "store": store,
         }
 
@@ -114,7 +117,15 @@ def _program(
         watched=watched(system, scenario.expected if key is None else ()),
         actions=tuple(dict.fromkeys(action.call for action in program.actions)) if program else (),
         guards=guards(system),
+        mocked=tuple(_mocked(system)),
     )
+
+
+def _mocked(system: System) -> Iterator[str]:
+    """The modules among the mocks of its sensors that are not about courses, each once."""
+    paths = dict.fromkeys(path for source in system.polled for path in source.mocks)
+    names = (os.path.basename(path).removesuffix(".py") for path in paths)
+    return (name for name in names if not name.startswith("sim_"))
 
 
 def unique_id(key: str, number: int) -> str:

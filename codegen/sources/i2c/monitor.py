@@ -7,7 +7,8 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.measure import read_amount
 from codegen.model.described import Amount, described
-from codegen.model.source_kind import Output, PinUse, Polling, Source, SourceFact
+from codegen.model.simulated import SimulatedInput
+from codegen.model.source_kind import FAULTS, Output, PinUse, Polling, Source, SourceFact
 from codegen.model.source_spec import SourceSpec
 from codegen.model.unit import Unit, decimal, unit_named
 from codegen.sources.kind import Around
@@ -75,7 +76,13 @@ class Monitor(Source):
 
     @property
     def mocks(self) -> tuple[str, ...]:
-        return ("i2c/mocks/mock_i2c.py",)
+        return ("i2c/mocks/mock_i2c.py", "i2c/mocks/sim_monitor.py")
+
+    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput | None:
+        if output.name not in ("voltage", "current"):
+            return None  # it follows from these
+        place = {"chip": self.chip.kind, "bus": self.bus.number, "address": self.address}
+        return SimulatedInput("monitor", {**place, "output": output.name, "steps": float(steps)}, FAULTS)
 
     @property
     def opened(self) -> str:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.measure import read_time
 from codegen.model.described import Amount, described
+from codegen.model.simulated import SimulatedInput
 from codegen.model.source_kind import Output, PinUse, Polling, Source, SourceFact
 from codegen.model.source_spec import SourceSpec
 from codegen.model.unit import NUMBER, unit_named
@@ -27,6 +28,15 @@ OUTPUTS = (
     Output("vdop", _HUNDREDTHS, 0, 9998, "Dilution of precision in height."),
 )
 """What it gives, in the order of the driver's values."""
+
+
+SAID = {
+    "fail": "the receiver says nothing",
+    "absent": "the UART is absent",
+    "garbled": "lines arrive garbled",
+    "stuck": "the receiver says what it said",
+}
+"""What can be wrong with it in a simulation."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,6 +101,14 @@ class NmeaReceiver(Source):
     @property
     def port(self) -> str:
         return self.line.port
+
+    @property
+    def mocks(self) -> tuple[str, ...]:
+        return ("nmea/mocks/sim_nmea.py",)
+
+    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput:
+        settings = {"uart": self.line.number, "output": output.name, "steps": float(steps)}
+        return SimulatedInput("nmea", settings, SAID)
 
     def facts(self) -> Iterator[SourceFact]:
         yield SourceFact("UART", self.line.opened, "uart")

@@ -1,11 +1,12 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 9b8bfbb41c2fd245
+# Inputs: 42f0178411c097af
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
 `events`, `start_ms` and `duration_ms` in the time of the scenario (duration null: for ever), `speed` (1 real time, 0 as
 fast as it can), `unique_id` of the board in hex, `names` of messages by number, `told`: the numbers of those whose
-frames are recorded, `watched`: quantities of the state, see sim_watch, `actions`: methods of the vehicle, `store`:
+frames are recorded, `watched`: quantities of the state, see sim_watch, `actions`: methods of the vehicle, `mocked`:
+modules that stand in for what sensors are connected to, `store`:
 parameters to be stored before the start, with `files` and `chunk` of the storage, or null, `turns`: the file that says
 how far time may go and `until_ms` where the first turn ends (null: the program is alone), and `records`: the file that
 gets a line of JSON for whatever happens, with the scenario's time in ms:
@@ -73,6 +74,8 @@ class Simulation:
         self._sample_ms = self._messages_ms = self._start_ms
         unique_id = bytes([int(settings["unique_id"][at : at + 2], 16) for at in range(0, 16, 2)])
         machine.unique_id = lambda: unique_id
+        for name in settings["mocked"]:
+            __import__(name)
         faults = [event for event in settings["events"] if "fault" in event]
         self._inputs = self._connect([(data["kind"], Course(data, faults)) for data in settings["courses"]])
 
