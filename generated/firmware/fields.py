@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: e8c0bea11c4d8f33
+# Inputs: af0b838f24acb016
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -26,9 +26,7 @@ _NUMBERS.update({code.upper(): ("<" + code.upper(), bits // 8, 0, (1 << bits) - 
 _NUMBERS["f"] = ("<f", 4, -3.4028234e38, 3.4028234e38)
 _NUMBERS["d"] = ("<d", 8, -1.7976931e308, 1.7976931e308)
 _NUMBERS["s"] = (None, 1, None, None)
-# What image says of live values, as size of a place and code; a uint32 is read as an int32.
-_KINDS = ((4, "<i"), (2, "<H"), (2, "<h"), (1, None))
-_OTHERS = {1: "<B", 2: "<H", 4: "<i", 9: "<b", 10: "<h", 12: "<i"}
+_live_fields = None  # the module
 
 
 def layout(cls):
@@ -40,7 +38,7 @@ def layout(cls):
     carried for sure; of text they are None.
     """
     if cls not in _LAYOUTS:
-        _LAYOUTS[cls] = _laid_out(cls.FIELDS)
+        _LAYOUTS[cls] = layout_of(cls.FIELDS)
     return _LAYOUTS[cls]
 
 
@@ -51,7 +49,8 @@ def lay_out(message):
     return found
 
 
-def _laid_out(fields):
+def layout_of(fields):
+    """Return the layout of the fields that a class states as words."""
     found = {}
     offset = 0
     for word in fields.split():
@@ -90,7 +89,7 @@ def get(message, name):
         raise missing(message, name)
     field = field[name]
     if message.live:
-        _each_live(message, field, _put)
+        put_live(message, field)
     if field[2]:
         return known(message.wire, field)
     value = unpack_from(field[0], message.wire, field[1])[0]
@@ -130,7 +129,7 @@ def raw(message, name):
         raise missing(message, name)
     field = field[name]
     if message.live:
-        _each_live(message, field, _put)
+        put_live(message, field)
     return read(message.wire, field)
 
 
@@ -297,67 +296,23 @@ def _demand(field, value):
         raise ValueError(f"cannot carry {value!r}")
 
 
-def places(message, names):
-    """Return what a message's image has to hold about its live fields, `name` or `name[index]`; see frames_plain.
-
-    All from byte 9 to the start of the payload, and how many values there are.
-    """
-    fields = _laid_out(message.FIELDS)  # not kept: most messages with live fields never need it again
-    kinds = [[], [], [], []]
-    count = 0
-    for part in (names,) if _type(names) is str else names:
-        name, _, element = part.partition("[")
-        if name not in fields:
-            raise missing(message, name)
-        form, offset, elements = fields[name][:3]
-        code = form[-1]
-        if code not in "BHIbhi":
-            raise ValueError(f"{message.NAME}.{name} is no whole number of up to 32 bits")
-        size = struct.calcsize("<" + code)
-        if "[" in part and not (element[-1:] == "]" and element[:-1].isdigit() and int(element[:-1]) < elements):
-            index = element.rstrip("]")
-            raise ValueError(f"{message.NAME}.{name} has no element {index}")
-        for index in [int(element[:-1])] if element else range(elements or 1):
-            at = offset + index * size
-            if size > 1 and at % size == 0:
-                kind = 0 if size == 4 else 2 if code == "h" else 1
-                kinds[kind] += [at // size, count]
-            else:
-                kinds[3] += [at, count, size | (8 if code.islower() else 0)]
-            count += 1
-    counts = [len(kind) // (3 if kind is kinds[3] else 2) for kind in kinds]
-    entries = kinds[0] + kinds[1] + kinds[2] + kinds[3]
-    start = (14 + len(entries) + 4) & -4
-    gap = [0] * (start - 15 - len(entries))
-    counts.append(start >> 2)
-    return bytes(counts + entries + gap) + b"\1", count
-
-
 def take_live(message, field):
     """Read the live values of a field from the payload, as a frame that is received does."""
-    _each_live(message, field, _take)
+    _live().take(message, field)
 
 
-def _each_live(message, field, do):
-    """Call do(message, code, offset, index) for each live value that stands in a field."""
-    image = message._image
-    end = field[1] + struct.calcsize(field[0])
-    at = 14
-    for kind in range(4):
-        size, code = _KINDS[kind]
-        for _ in range(image[9 + kind]):
-            if field[1] <= image[at] * size < end:
-                do(message, code or _OTHERS[image[at + 2]], image[at] * size, image[at + 1])
-            at += 2 if code else 3
+def put_live(message, field):
+    """Write the live values of a field into the payload, as a frame that is encoded has them."""
+    _live().put(message, field)
 
 
-def _put(message, code, offset, index):
-    bits = 8 * struct.calcsize(code)
-    pack_into(code.upper(), message.wire, offset, message.live[index] & ((1 << bits) - 1))
+def _live():
+    global _live_fields  # noqa: PLW0603  as in message
+    if _live_fields is None:
+        import live_fields  # noqa: PLC0415  it takes heap only where there are any
 
-
-def _take(message, code, offset, index):
-    message.live[index] = unpack_from(code, message.wire, offset)[0]
+        _live_fields = live_fields
+    return _live_fields
 
 
 def _sentinels(text, form, count):

@@ -55,7 +55,17 @@ def lib(run: Any, tmp_path: Path) -> Path:
 @pytest.mark.parametrize("interpreter", ["python", "micropython"])
 def test_package_is_imported_from_where_it_is(lib: Path, tmp_path: Path, interpreter: str) -> None:
     """Modules of the user with the names of the codec's are in nobody's way."""
-    for name in ("messages", "message", "receiver", "frames", "fields", "nearest", "checksum", "signing"):
+    for name in (
+        "messages",
+        "message",
+        "receiver",
+        "frames",
+        "fields",
+        "live_fields",
+        "nearest",
+        "checksum",
+        "signing",
+    ):
         (tmp_path / f"{name}.py").write_text("raise ImportError('not this one')\n")
     (tmp_path / "example.py").write_text(EXAMPLE)
     environment = {**os.environ, "PYTHONPATH": str(lib), "MICROPYPATH": f".:{lib}"}

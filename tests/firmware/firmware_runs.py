@@ -20,6 +20,7 @@ MODULES = (
     "checksum",
     "conversion",
     "fields",
+    "live_fields",
     "frames",
     "frames_plain",
     "machine",

@@ -6,7 +6,10 @@ from codegen.model.dialect import WireMessage
 from codegen.targets.origin import headed, origin_of_text
 from codegen.template_files import copied
 
-MODULES = ("checksum", "fields", "frames", "frames_plain", "mavlink", "message", "nearest", "receiver", "sender")
+MODULES = (
+    *("checksum", "fields", "frames", "frames_plain", "live_fields", "mavlink", "message", "nearest", "receiver"),
+    "sender",
+)
 """Modules that a link needs; signing.py comes with those that sign, frames_viper.py where machine code is wanted."""
 
 MACHINE_CODE = "frames_viper"

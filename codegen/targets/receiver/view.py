@@ -40,6 +40,7 @@ MODULES = frozenset(
         "consumption",
         "enum_names",
         "fields",
+        "live_fields",
         "frames",
         "mavlink",
         "message",
