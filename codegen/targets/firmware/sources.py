@@ -184,7 +184,23 @@ def _call(maker: str, arguments: list[str]) -> str:
     inside = ", ".join(arguments)
     if len(inside) + len(maker) + 30 <= LINE_LENGTH:
         return f"{maker}({inside})"
-    return f"{maker}(\n            " + ",\n            ".join(arguments) + ",\n        )"
+    lines = [_broken(argument) for argument in arguments]
+    return f"{maker}(\n            " + ",\n            ".join(lines) + ",\n        )"
+
+
+def _broken(argument: str) -> str:
+    """One argument of such a call; one that has arguments itself has a line for each where one has no room."""
+    if len(argument) + 13 <= LINE_LENGTH or not argument.endswith(")"):
+        return argument
+    maker, _, inside = argument.removesuffix(")").partition("(")
+    parts, depth, start = [], 0, 0
+    for at, letter in enumerate(inside):
+        depth += (letter in "([") - (letter in ")]")
+        if letter == "," and not depth:
+            parts.append(inside[start:at].strip())
+            start = at + 1
+    parts.append(inside[start:].strip())
+    return f"{maker}(\n                " + ",\n                ".join(parts) + ",\n            )"
 
 
 def _keep(source: Source, given: list[GivenView], *, sets_clock: bool) -> Iterator[str]:
