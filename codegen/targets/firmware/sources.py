@@ -233,7 +233,7 @@ def _keeping(given: GivenView) -> Iterator[str]:
         put += [f"words[{given.word} + {half}] = values[{given.place + half}]" for half in more]
     else:
         known = [f"if {_plausible(output)}:"]
-        put = [f"words[{given.word}] = {_scaled(given.factor, output)}"]
+        put = list(_scaled(given, output))
     yield from known
     yield from indented(put)
     if quantity.ages:
@@ -249,18 +249,24 @@ def _plausible(output: Output) -> str:
     return f"{output.low} <= value <= {output.high}"
 
 
-def _scaled(factor: Fraction, output: Output) -> str:
-    """``value`` times a factor, to the nearest, a half away from zero, without a product beyond 30 bits."""
-    numerator, denominator = factor.numerator, factor.denominator
-    if denominator == 1:
-        return "value" if numerator == 1 else f"value * {numerator}"
+def _scaled(given: GivenView, output: Output) -> Iterator[str]:
+    """Put ``value`` times a factor, to the nearest, a half away from zero, without a product beyond 30 bits."""
+    numerator, denominator = given.factor.numerator, given.factor.denominator
+    word = f"words[{given.word}]"
     times = "" if numerator == 1 else f" * {numerator}"
+    if denominator == 1:
+        yield f"{word} = value{times}"
+        return
     half = denominator // 2
-    up = f"value // {denominator}{times} + (value % {denominator}{times} + {half}) // {denominator}"
+    product = f"value // {denominator}{times} + (value % {denominator}{times} + {half}) // {denominator}"
     if output.low >= 0:
-        return up
-    down = f"-(-value // {denominator}{times} + (-value % {denominator}{times} + {half}) // {denominator})"
-    return f"{up} if value >= 0 else {down}"
+        yield f"{word} = {product}"
+        return
+    yield "if value < 0:"
+    yield "    value = -value"
+    yield f"    {word} = -({product})"
+    yield "else:"
+    yield f"    {word} = {product}"
 
 
 def _unknown(given: GivenView) -> Iterator[str]:
