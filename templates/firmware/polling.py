@@ -1,4 +1,4 @@
-"""Sensors that are asked in slots of the main loop: what they give is kept, what fails is told and set up again.
+"""Sensors that are asked in the main loop: what they give is kept, what fails is told and set up again.
 
 A driver has `values`, an array of the whole numbers that it gives; begin(), which sets its hardware up; and
 poll(now_ms), which returns whether something new stands in `values`. Both raise where they fail: Fault has the reason

@@ -1,8 +1,45 @@
-"""The turn of a sensor for which nothing waits, most of the time; turns_viper is the same in machine code."""
+"""Which sensor has its turn, in plain Python; turns_viper is the same in machine code."""
+
+import time
+
+_MASK = 0x3FFFFFFF  # ticks are counted in 30 bits
+
+
+def next_due(times, now_us):
+    """Return the number of the first sensor that is due, whose next time is then a period later; -1 where none is.
+
+    `times` has how many there are, and of each when it is due and its period, in us.
+    """
+    at = 0
+    while at < times[0]:
+        late_us = now_us - times[2 * at + 1] & _MASK
+        period_us = times[2 * at + 2]
+        # Further ahead than it can be: nobody asked for so long that the ticks went half round.
+        if late_us < 0x20000000 or late_us < 0x40000000 - period_us:
+            times[2 * at + 1] = now_us - late_us % period_us + period_us & _MASK
+            return at
+        at += 1
+    return -1
+
+
+def asking(times, turns, most):
+    """Return what asks the sensors that are due, so many of them at most; `turns` are what to call for each."""
+    ticks = time.ticks_us
+
+    def ask():
+        left = most
+        while left:
+            at = next_due(times, ticks())
+            if at < 0:
+                return
+            turns[at]()
+            left -= 1
+
+    return ask
 
 
 def turning(poll):
-    """Return what is called in each slot, and what tells it which function says whether something waits."""
+    """Return the turn of a sensor for which nothing waits most of the time, and what tells it how to find out."""
 
     def waiting():
         return True

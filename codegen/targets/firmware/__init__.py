@@ -73,8 +73,9 @@ def render_firmware(system: System) -> dict[str, str]:
         **{name: name in view.modules for name in VIEWS.values()},
         "clock_viper": plain.ticks and machine_code,
         "polling": bool(system.polled),
-        **dict.fromkeys(("listening", "turns_plain"), listens),
-        "turns_viper": listens and machine_code,
+        "listening": listens,
+        "turns_plain": bool(system.polled),
+        "turns_viper": bool(system.polled) and machine_code,
     }
     for name, is_used in optional.items():
         if not is_used:

@@ -4,22 +4,17 @@ from codegen.frozen import dataclass
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.firmware.failsafe import FailsafeView
-from codegen.targets.firmware.phases import spread
-from codegen.targets.firmware.sources import WATCH_US
+from codegen.targets.firmware.sources import WATCH_US, turns_of
 
 
 @dataclass(frozen=True, slots=True)
 class CallView:
-    """A method that the main loop calls every ``period_us``, under which name, and what asks for it.
-
-    ``phase_us`` is when it is called first.
-    """
+    """A method that the main loop calls every ``period_us``, under which name, and what asks for it."""
 
     period_us: int
     method: str
     name: str
     citation: str
-    phase_us: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,25 +71,16 @@ def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> t
         )
         for job in jobs
     ]
-    return (*([measure] if program.measure_us else []), *_sensors(system, program, jobs), *readings)
+    return (*([measure] if program.measure_us else []), *_sensors(system, program), *readings)
 
 
-def _sensors(system: System, program: Program, jobs: tuple[JobView, ...]) -> list[CallView]:
-    """The turns of the sensors, each in passes in which as little else as possible is done."""
-    busy = [(job.period_us, 0) for job in jobs]
-    phases = spread(system.polled, program.control_us, busy)
-    calls = [
-        CallView(
-            source.polling.period_us,
-            f"sources.{source.name}.turn",
-            source.name,
-            str(source.polling.citation or ""),
-            phases[source.name],
-        )
-        for source in system.polled
-    ]
+def _sensors(system: System, program: Program) -> list[CallView]:
+    """What asks the sensors, and what notices that one is silent."""
+    if not system.polled:
+        return []
+    calls = [CallView(turns_of(system, program.control_us).every_us, "sources.turn", "sensors", "")]
     if any(source.silence_ms is not None for source in system.polled):
-        calls.append(CallView(WATCH_US, "sources.watch", "sources", ""))
+        calls.append(CallView(WATCH_US, "sources.watch", "silence", ""))
     return calls
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.model.clock import CLOCK
@@ -12,7 +13,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.reading import CLOCK_MASK
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
-from codegen.targets.imports import LINE_LENGTH, import_lines
+from codegen.targets.imports import LINE_LENGTH, either_import, import_lines
 from codegen.targets.naming import prose, quoted
 from codegen.targets.source_files import module_name
 
@@ -49,15 +50,25 @@ class SourceView:
     lost: str
     lose: tuple[str, ...]
     made: str
+    period_us: int
     uses_time: bool
     loses: bool
 
 
+class Turns(NamedTuple):
+    """How often it is looked which sensor is due, and how many may have their turn then."""
+
+    every_us: int
+    most: int
+
+
 @dataclass(frozen=True, slots=True)
 class SourcesView:
-    """The module; ``listeners`` are the sensors that speak by themselves."""
+    """The module; ``listeners`` are the sensors that speak by themselves, ``turns`` as the main loop asks for them."""
 
     imports: tuple[str, ...]
+    machine_imports: tuple[str, ...]
+    turns: Turns
     constants: tuple[ConstantView, ...]
     sources: tuple[SourceView, ...]
     listeners: tuple[str, ...]
@@ -71,19 +82,35 @@ def sources_view(system: System, layout: Layout) -> SourcesView:
     if clocked:
         constants[_CLOCK] = layout.blocks[CLOCK].base
     listeners = tuple(source.name for source in system.polled if source.silence_ms is not None)
-    names = {("micropython", "const")}
+    names = {("array", "array"), ("micropython", "const")}
     names |= {(source.module, source.opened.partition("(")[0]) for source in system.polled}
     names |= {("listening", "Listener")} if listeners else set()
     names |= {("polling", "Poller")} if len(listeners) < len(sources) else set()
     names |= {(module_name(source.clock_modules[0]), "set_clock") for source in clocked}
     modules = ["machine"] if any("machine." in source.opened for source in system.polled) else []
-    modules += ["time"] if listeners else []
+    modules.append("time")
+    program = system.program
     return SourcesView(
         imports=import_lines(modules, names),
+        machine_imports=either_import("turns", ["asking"], machine_code=system.spec.project.machine_code),
+        turns=turns_of(system, program.control_us if program else 1000),
         constants=tuple(ConstantView(name, value) for name, value in constants.items()),
         sources=sources,
         listeners=listeners,
     )
+
+
+def turns_of(system: System, pass_us: int) -> Turns:
+    """The longest time between two looks, in whole passes of the main loop, in which no sensor is kept waiting.
+
+    One sensor has its turn at a time, so that no pass takes two; but for more turns than there are passes.
+    """
+    rate = sum(Fraction(1000000, source.polling.period_us) for source in system.polled)
+    shortest = min(source.polling.period_us for source in system.polled)
+    passes = int(min(Fraction(3, 4) * 1000000 / rate, Fraction(shortest, 2)) / pass_us)
+    if passes:
+        return Turns(passes * pass_us, 1)
+    return Turns(pass_us, int(rate * pass_us * 4 / 3000000) + 1)
 
 
 def clock_is_set(source: Source, system: System) -> bool:
@@ -140,6 +167,7 @@ def _source(source: Source, given: list[GivenView], system: System) -> SourceVie
         lost=f"Forget what failures in a row make unknown: {after}." if lose else "Failures make nothing unknown.",
         lose=tuple(lose) or ("pass",),
         made=_call(maker, arguments),
+        period_us=polling.period_us,
         uses_time=any(each.quantity.ages for each in given),
         loses=bool(lose),
     )
@@ -156,7 +184,23 @@ def _call(maker: str, arguments: list[str]) -> str:
     inside = ", ".join(arguments)
     if len(inside) + len(maker) + 30 <= LINE_LENGTH:
         return f"{maker}({inside})"
-    return f"{maker}(\n            " + ",\n            ".join(arguments) + ",\n        )"
+    lines = [_broken(argument) for argument in arguments]
+    return f"{maker}(\n            " + ",\n            ".join(lines) + ",\n        )"
+
+
+def _broken(argument: str) -> str:
+    """One argument of such a call; one that has arguments itself has a line for each where one has no room."""
+    if len(argument) + 13 <= LINE_LENGTH or not argument.endswith(")"):
+        return argument
+    maker, _, inside = argument.removesuffix(")").partition("(")
+    parts, depth, start = [], 0, 0
+    for at, letter in enumerate(inside):
+        depth += (letter in "([") - (letter in ")]")
+        if letter == "," and not depth:
+            parts.append(inside[start:at].strip())
+            start = at + 1
+    parts.append(inside[start:].strip())
+    return f"{maker}(\n                " + ",\n                ".join(parts) + ",\n            )"
 
 
 def _keep(source: Source, given: list[GivenView], *, sets_clock: bool) -> Iterator[str]:
@@ -189,7 +233,7 @@ def _keeping(given: GivenView) -> Iterator[str]:
         put += [f"words[{given.word} + {half}] = values[{given.place + half}]" for half in more]
     else:
         known = [f"if {_plausible(output)}:"]
-        put = [f"words[{given.word}] = {_scaled(given.factor, output)}"]
+        put = list(_scaled(given, output))
     yield from known
     yield from indented(put)
     if quantity.ages:
@@ -205,18 +249,24 @@ def _plausible(output: Output) -> str:
     return f"{output.low} <= value <= {output.high}"
 
 
-def _scaled(factor: Fraction, output: Output) -> str:
-    """``value`` times a factor, to the nearest, a half away from zero, without a product beyond 30 bits."""
-    numerator, denominator = factor.numerator, factor.denominator
-    if denominator == 1:
-        return "value" if numerator == 1 else f"value * {numerator}"
+def _scaled(given: GivenView, output: Output) -> Iterator[str]:
+    """Put ``value`` times a factor, to the nearest, a half away from zero, without a product beyond 30 bits."""
+    numerator, denominator = given.factor.numerator, given.factor.denominator
+    word = f"words[{given.word}]"
     times = "" if numerator == 1 else f" * {numerator}"
+    if denominator == 1:
+        yield f"{word} = value{times}"
+        return
     half = denominator // 2
-    up = f"value // {denominator}{times} + (value % {denominator}{times} + {half}) // {denominator}"
+    product = f"value // {denominator}{times} + (value % {denominator}{times} + {half}) // {denominator}"
     if output.low >= 0:
-        return up
-    down = f"-(-value // {denominator}{times} + (-value % {denominator}{times} + {half}) // {denominator})"
-    return f"{up} if value >= 0 else {down}"
+        yield f"{word} = {product}"
+        return
+    yield "if value < 0:"
+    yield "    value = -value"
+    yield f"    {word} = -({product})"
+    yield "else:"
+    yield f"    {word} = {product}"
 
 
 def _unknown(given: GivenView) -> Iterator[str]:

@@ -393,4 +393,41 @@ found["no pulses"] = count(0, 0, 0)
 found["pulses again"] = [count(500, 500, 1), count(500, 500, 4)]
 found["pin"] = [mock_pulse._pins[15].pull, mock_pulse._pins[15].mode]
 
+# Whose turn it is: sensors that only count, asked in each pass of the main loop.
+
+
+class Counted:
+    values = ()
+
+    def __init__(self):
+        self.turns = 0
+
+    def begin(self):
+        pass
+
+    def waiting(self):
+        return 1
+
+    def poll(self, _now_ms):
+        self.turns += 1
+        return False
+
+
+state, sources = fresh()
+for poller in sources.every:
+    poller.driver = Counted()
+most = last = 0
+for _ in range(200):
+    sources.turn()
+    total = sum([poller.driver.turns for poller in sources.every])
+    most = max(most, total - last)
+    last = total
+    mock_time.advance_us(20000)
+found["turns"] = {poller.name: poller.driver.turns for poller in sources.every}
+found["at once"] = most
+mock_time.advance_us(700000000)
+for _ in range(4):
+    sources.turn()
+found["after half a turn of the ticks"] = sum([poller.driver.turns for poller in sources.every]) - last
+
 print(json.dumps(found))
