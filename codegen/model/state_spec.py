@@ -50,7 +50,7 @@ class QuantitySpec(Written):
     )
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
     stale_after: Amount | None = described(
-        "Age after which the last reading, or what code has set, is unknown, such as 1 s.", default=None
+        "Age after which the last reading, or what code or a message has set, is unknown, such as 1 s.", default=None
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(

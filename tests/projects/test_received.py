@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from generated_suite import run_suite, suite_is_green
 from pymavlink.dialects.v10 import common as v1
 from pymavlink.dialects.v20 import common
 
@@ -337,3 +338,85 @@ def test_what_is_not_plausible_is_told_once_in_ten_seconds(found):
     assert found["wheels beyond"][3] == ["warning: WHEEL_DISTANCE.count not plausible: 17"]
     assert found["no ASCII"][3][0].startswith("warning: PLAY_TUNE.tune not plausible: ")
     assert found["taken"][3] == []
+
+
+STEADY = """
+import sys
+sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
+import gc, json, micropython
+from program_bench import Rover, run_passes
+if sys.argv[1] == "plain":
+    sys.modules["receiving_viper"] = None
+
+rover = Rover()
+connection = rover.connections[0]
+frames = [bytes.fromhex(frame) for frame in json.load(open("steady.json"))]
+link, handle = connection.link, connection.services.handle
+
+def receive(rounds):
+    for _ in range(rounds):
+        for frame in frames:
+            link.put(frame)
+            handle(link.receive())
+
+receive(2)
+frames.pop(0)  # a HEARTBEAT is for the services, too, which name the ground station anew
+
+def allocated(rounds):
+    before = micropython.mem_total()
+    receive(rounds)
+    return micropython.mem_total() - before
+
+gc.collect()
+found = [allocated(20), allocated(200)]
+print(json.dumps([found, sorted([reception.taken for reception in connection.receptions.values()])]))
+"""
+
+
+@pytest.mark.parametrize(
+    ("interpreter", "plain"), [("micropython", "no"), ("micropython", "plain"), ("micropython32", "plain")]
+)
+def test_taking_a_message_allocates_nothing(built, interpreter, plain):
+    """In machine code and in plain Python, with words of 32 bits: numbers of more than 30 bits, floats, texts."""
+    steps = [GCS, override(1500, 1600, 1700), joystick(-7, 3, 1), fix(time=2**63, lat=-1, lon=-(2**30) - 5, alt=1.5)]
+    steps += [fix(1, satellites=9), wheels(1.5, -2.5), tune("cdefgab")]
+    (built / "steady.json").write_text(json.dumps([hexadecimal for _, hexadecimal in steps]))
+    (built / "steady.py").write_text(STEADY)
+    command = [str(BIN / interpreter), "steady.py", plain]
+    done = subprocess.run(command, cwd=built, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    allocated, taken = json.loads(done.stdout)
+    assert taken == [2] + [222] * 6
+    assert allocated[0] == allocated[1]  # the loop itself takes some
+
+
+# A change of a generated function, and what its suite says about it.
+BITES = {
+    "value > 2000": ("value > 2001", "chan2_raw-above"),
+    "if value == 65535:  # unknown\n        words[_RC_RUDDER_US]": (
+        "if value == 65534:\n        words[_RC_RUDDER_US]",
+        "chan1_raw-sentinel",
+    ),
+    "0x7F80 == 0x7F80": ("0x7F80 == 0x7F00", "alt-nan"),
+    "wire[60] != 0": ("wire[60] != 1", "fix-other-gps_id"),
+    "now_ms - 1073741324": ("now_ms - 1073741323", "chan1_raw-too-old"),
+    "(value + 50) // 100": ("(value + 49) // 100", "yaw-half"),
+    "counts[2] != 0": ("counts[2] > 1", "MAVLink-1"),
+}
+
+
+def test_the_generated_suite_is_green_and_bites(built):
+    """It passes; a wrong limit, sentinel, condition, age, rounding or extension is noticed where it is."""
+    suite_is_green(built, "generated/tests/test_receives.py")
+    plain = built / "generated" / "firmware" / "receiving_plain.py"
+    text = plain.read_text()
+    broken = text
+    for old, (new, _) in BITES.items():
+        assert old in text, old
+        broken = broken.replace(old, new, 1)
+    plain.write_text(broken)
+    done = run_suite(built, "generated/tests/test_receives.py", options=("-k", "cpython", "--tb=no"))
+    plain.write_text(text)
+    failed = "\n".join(line for line in done.stdout.splitlines() if line.startswith("FAILED"))
+    for _, noticed in BITES.values():
+        assert noticed in failed, (noticed, failed)
