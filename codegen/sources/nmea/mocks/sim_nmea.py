@@ -1,4 +1,4 @@
-"""True values that a receiver of satellites says on a UART, in a simulation: lines of NMEA 0183, which the driver reads."""
+"""True values that a receiver of satellites says on a UART, in a simulation: lines of NMEA 0183 for the driver."""
 
 import machine
 
@@ -7,7 +7,7 @@ DAY = (1, 1, 26)  # on which the simulation begins, at midnight
 _QUALITY = (0, 0, 1, 1, 2, 5, 4)  # of a fix as GPS_FIX_TYPE
 
 
-def connect(courses, now_ms, start_ms):
+def connect(courses, now_ms, start_ms):  # noqa: ARG001 - as other inputs, see sim_adc
     """Return what lets the lines of each receiver arrive when they are due."""
     found = {}
     for course in courses:
