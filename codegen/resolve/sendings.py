@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import find_unit, read_real
 from codegen.model.dialect import Kind, WireField, WireMessage
+from codegen.model.reception import SYSTEM_FIELDS
 from codegen.model.scenario import Sending
 from codegen.model.scenario_spec import EventSpec
 from codegen.model.system import System
@@ -31,9 +32,10 @@ def sending(event: EventSpec, at_ms: int, system: System, values: ScenarioValues
         values.say(SCENARIO_SEND, event.at("send"), f"{system.dialect.name} has no message {name}", hint)
         return None
     payload = bytearray(wire.length)
-    for target, number in (("target_system", system.system_id), ("target_component", system.component_id)):
+    own = {**dict.fromkeys(SYSTEM_FIELDS, system.system_id), "target_component": system.component_id}
+    for target, number in own.items():
         field = wire.field(target)
-        if field is not None:
+        if field is not None and field.type.size == 1:
             payload[field.offset] = number
     for written, text in event.fields.items():
         _put(payload, wire, written, text, event.at(f"fields.{written}"), values)
