@@ -91,7 +91,20 @@ class Swap:
     courses: tuple[Course, ...] | None = None
 
 
-Event = Arming | Reboot | Fault | Swap
+@dataclass(frozen=True, slots=True)
+class Sending:
+    """A ground station sends a message, once, or ``every_ms`` to ``until_ms`` (None: to the end)."""
+
+    at_ms: int
+    message: str
+    id: int
+    crc_extra: int
+    payload: bytes
+    every_ms: int | None = None
+    until_ms: int | None = None
+
+
+Event = Arming | Reboot | Fault | Swap | Sending
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,6 +215,16 @@ def event_data(event: Event) -> dict[str, Any] | None:
                 "of": event.of,
                 "until_ms": event.until_ms,
                 "delay_us": event.delay_us,
+            }
+        case Sending():
+            return {
+                "at_ms": event.at_ms,
+                "send": event.message,
+                "id": event.id,
+                "crc_extra": event.crc_extra,
+                "payload": event.payload.hex(),
+                "every_ms": event.every_ms,
+                "until_ms": event.until_ms,
             }
         case Swap():
             return None

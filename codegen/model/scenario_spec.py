@@ -43,7 +43,7 @@ class CourseSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EventSpec(Written):
-    """Something that happens at a time: exactly one of arm, fault, reboot and swap."""
+    """Something that happens at a time: exactly one of arm, fault, reboot, swap and send."""
 
     at_: Amount = described("Time since the start, such as 5 s.", key="at")
     arm: bool | None = described("true arms the vehicle, false disarms it.", default=None)
@@ -59,8 +59,19 @@ class EventSpec(Written):
         "Name of a program under with: its board is taken out, and a new one is in after the time that for gives.",
         default=None,
     )
+    send: str | None = described(
+        "Name of a message of the dialect that a ground station sends, such as RC_CHANNELS_OVERRIDE.", default=None
+    )
+    fields: Mapping[str, Verbatim] = described(
+        "What its fields carry: numbers, amounts, entries of enums, texts; field[1] is an element. Others are 0, and "
+        "the target is the vehicle.",
+        default_factory=dict,
+    )
+    every: Amount | None = described("How often it is sent again, such as 100 ms. Default: never.", default=None)
     for_: Amount | None = described(
-        "How long the fault lasts, to the end without it; or how long the board is out.", key="for", default=None
+        "How long the fault lasts, or the message is sent again, to the end without it; or how long the board is out.",
+        key="for",
+        default=None,
     )
     delay: Amount | None = described("How long one reading takes while it is slow, such as 3 ms.", default=None)
     courses: Mapping[str, CourseSpec] = described(
@@ -69,7 +80,7 @@ class EventSpec(Written):
         default_factory=dict,
     )
 
-    ONE_OF: ClassVar[tuple[str, ...]] = ("arm", "fault", "reboot", "swap")
+    ONE_OF: ClassVar[tuple[str, ...]] = ("arm", "fault", "reboot", "swap", "send")
     INSTEAD: ClassVar[str] = "a fault is written {at: 20 s, fault: fail, of: component.quantity, for: 15 s}"
 
 

@@ -76,11 +76,12 @@ class Courses:
         label, quantity, instance = subject
         assert self._system is not None
         through = quantity.derivation.simulated(quantity, instance, self._system, {**parameters, **wired})
-        who = _own(quantity, self._system) or ("" if through else "the firmware makes it of others")
+        who = _own(quantity, self._system) or ("" if through else quantity.derivation.words(quantity))
         if quantity.elements is not None:
             who = "it is a list"
         if who or through is None:
-            self._values.say(SCENARIO_COURSE, spec.place, f"{label} has no course of its own: {who}")
+            hint = "an event sends the message: send, fields" if quantity.derivation.is_received else None
+            self._values.say(SCENARIO_COURSE, spec.place, f"{label} has no course of its own: {who}", hint)
             return None
         points = self._points(spec, quantity)
         noise = self._noise(spec, quantity)

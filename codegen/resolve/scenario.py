@@ -10,6 +10,7 @@ from codegen.resolve.courses import Courses
 from codegen.resolve.expectations import Expectations
 from codegen.resolve.scenario_board import stored_parameters
 from codegen.resolve.scenario_values import SCENARIO_TIME, ScenarioValues
+from codegen.resolve.sendings import sending
 
 SCENARIO_EVENT = Rule(
     "scenario-event",
@@ -56,7 +57,7 @@ class _Resolver:
         # One that is listed but could not be read has errors of its own.
         self._known = None if system is None else {*programs, *system.spec.project.programs}
         self._system = system
-        self._values = ScenarioValues(report)
+        self._values = ScenarioValues(report, {} if system is None else system.dialect.enums)
         self._duration_ms: int | None = None
         self._courses: tuple[Course, ...] = ()
 
@@ -112,6 +113,8 @@ class _Resolver:
             return None if for_ms is None else Swap(at_ms, event.swap, at_ms + for_ms, courses)
         if event.arm is not None:
             return Arming(at_ms, event.arm)
+        if event.send is not None:
+            return None if self._system is None else sending(event, at_ms, self._system, values)
         return Reboot(at_ms) if event.fault is None else fault
 
     def _fault(self, event: EventSpec, at_ms: int | None, for_ms: int | None) -> Fault | None:
@@ -155,8 +158,12 @@ class _Resolver:
 
     def _check_keys(self, event: EventSpec) -> None:
         say = self._values.say
-        if event.for_ is not None and event.fault is None and event.swap is None:
-            say(SCENARIO_EVENT, event.at("for"), "for belongs to a fault, or to a swap")
+        repeats = event.fault is not None or event.every is not None
+        if event.for_ is not None and not repeats and event.swap is None:
+            say(SCENARIO_EVENT, event.at("for"), "for belongs to a fault, to a swap, or to what is sent every so often")
+        for key in ("fields", "every"):
+            if key in event.places and event.send is None:
+                say(SCENARIO_EVENT, event.at(key), f"{key} belongs to send")
         if event.for_ is None and event.swap is not None:
             say(SCENARIO_EVENT, event.at("swap"), "a swap needs the time that it takes", "add for: 5 s")
         if event.delay is not None and event.fault != SLOW:

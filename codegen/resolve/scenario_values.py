@@ -1,9 +1,11 @@
 """The amounts of a scenario: times in whole milliseconds, and what is true of a quantity in its unit."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.measure import DAY_S, read_amount, read_real
+from codegen.model.dialect import EnumDefinition
 from codegen.model.scenario import Truth
 from codegen.model.unit import unit_named
 from codegen.model.vehicle import Quantity, QuantityKind
@@ -26,9 +28,10 @@ UNKNOWN = "unknown"
 class ScenarioValues:
     """Reads what one scenario states; ``is_good`` falls with the first error."""
 
-    def __init__(self, report: Report) -> None:
-        """Report to ``report``."""
+    def __init__(self, report: Report, enums: Mapping[str, EnumDefinition]) -> None:
+        """Report to ``report``; ``enums`` are those of the dialect."""
         self.report = report
+        self.enums = enums
         self.is_good = True
 
     def milliseconds(self, text: str, place: Place, least: int) -> int | None:

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from codegen.model.scenario import Course, Fault, Scenario, is_number
+from codegen.model.scenario import Course, Event, Fault, Scenario, Sending, is_number
 from codegen.sim.line import Line
 from codegen.sim.program import SimulatedProgram
 from codegen.sim.sample import Happening, Kind, Reading, Sample, Traffic
@@ -70,16 +70,16 @@ class Recording:
 
     @property
     def happenings(self) -> list[Happening]:
-        """What happened, in the order of time, faults of the scenario included; of the console the last lines.
+        """What happened, in the order of time, with faults and what was sent; of the console the last lines.
 
         It is what happened in all programs, where there are others beside this one.
         """
-        faults = [
-            Happening(event.at_ms, Kind.FAULT, fault_text(event), program=self.name, of=event.of)
+        stated = [
+            happening
             for event in self.scenario.events
-            if self.is_main and isinstance(event, Fault) and event.at_ms <= self.at_ms
+            if self.is_main and event.at_ms <= self.at_ms and (happening := _stated(event, self.name)) is not None
         ]
-        found = [*faults, *self._happenings, *self._console]
+        found = [*stated, *self._happenings, *self._console]
         for other in self.beside:
             found += other.happenings
         return sorted(found, key=lambda happening: happening.at_ms)
@@ -316,6 +316,16 @@ class Recording:
             gaps=record["gaps"],
         )
         self.parameters = record["parameters"] or self.parameters
+
+
+def _stated(event: Event, program: str) -> Happening | None:
+    """What an event of the scenario is, where the firmware does not tell of it."""
+    if isinstance(event, Fault):
+        return Happening(event.at_ms, Kind.FAULT, fault_text(event), program=program, of=event.of)
+    if isinstance(event, Sending):
+        again = "" if event.every_ms is None else f" every {event.every_ms / 1000:g} s"
+        return Happening(event.at_ms, Kind.SENT, event.message + again, program=program)
+    return None
 
 
 def fault_text(fault: Fault) -> str:

@@ -20,6 +20,7 @@ _PREFIXES = {
     Kind.FAILSAFE: "Failsafe",
     Kind.ACTION: "Action",
     Kind.MODE: "Mode",
+    Kind.SENT: "Sent",
 }
 """What stands in front of the texts of some happenings."""
 

@@ -24,6 +24,7 @@ class Kind(StrEnum):
     DISARMED = "disarmed"
     REFUSED = "refused"
     FAULT = "fault"
+    SENT = "sent"
     SWAP = "swap"
     REBOOT = "reboot"
     STOPPED = "stopped"

@@ -19,7 +19,7 @@ CASES = [
     ("unknown-key", "    §battery: {voltage: 12 V}\n", "courses: {component.quantity: {points"),
     ("scenario-course", "    courses: {§batery.voltage: {value: 12 V}}\n", "did you mean battery.voltage"),
     ("scenario-course", "    courses: {§\"battery[17].voltage\": {value: 12 V}}\n", "there is battery[0] to battery[1]"),
-    ("scenario-course", "    courses: {§battery.over_voltage: {value: true}}\n", "makes it of others"),
+    ("scenario-course", "    courses: {§battery.over_voltage: {value: true}}\n", "has no course of its own"),
     ("scenario-course", "    courses: {§vehicle.mode: {value: 3}}\n", "the program sets it"),
     ("scenario-course", "    courses: {§battery.health: {value: 0}}\n", "the failsafe sets it"),
     ("scenario-points", "    courses: {battery.voltage: {points: §[]}}\n", "there is no point"),

@@ -482,7 +482,7 @@ CASES = [
     ),
     Case("scenario-event", "scenarios.yaml", "at: 5 s, arm: true", "at: 5 s, arm: true, for: §1 s"),
     Case("scenario-points", "scenarios.yaml", "noise: 10 mV", "noise: §-1 mV"),
-    Case("scenario-course", "scenarios.yaml", "battery.voltage:", "§battery.charging:", "makes it of others"),
+    Case("scenario-course", "scenarios.yaml", "battery.voltage:", "§battery.charging:", "has no course of its own"),
     Case("unit-mismatch", "scenarios.yaml", "noise: 10 mV", "noise: §10 ms"),
     Case("unknown-key", "scenarios.yaml", "noise: 10 mV", "§nois: 10 mV", "did you mean noise"),
     Case("scenario-event", "scenarios.yaml", "fault: fail, of", "fault: §fial, of", "did you mean fail"),

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: 42f0178411c097af
+# Inputs: db22ba01dd460429
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -40,6 +40,7 @@ mock_asyncio.install()
 import machine  # noqa: E402
 import sim_machine  # noqa: E402
 from sim_course import Course  # noqa: E402
+from sim_ground import Ground  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
 from sim_watch import Watch  # noqa: E402
 from sim_wire import SilentPort, Wire  # noqa: E402
@@ -61,7 +62,10 @@ class Simulation:
     def __init__(self, settings):
         self._start_ms = settings["start_ms"]
         self._duration_ms = settings["duration_ms"]
-        self._events = [event for event in settings["events"] if "fault" not in event and self._is_ahead(event)]
+        events = settings["events"]
+        happening = [event for event in events if "arm" in event or "reboot" in event]
+        self._events = [event for event in happening if self._is_ahead(event)]
+        self._ground = Ground([event for event in events if "send" in event], self._start_ms)
         self.records = Records(settings["records"], self.now_ms)
         self._turns = sim_pace.Turns(settings["turns"], settings["until_ms"], self.records)
         self._store = settings["store"]
@@ -76,7 +80,7 @@ class Simulation:
         machine.unique_id = lambda: unique_id
         for name in settings["mocked"]:
             __import__(name)
-        faults = [event for event in settings["events"] if "fault" in event]
+        faults = [event for event in events if "fault" in event]
         self._inputs = self._connect([(data["kind"], Course(data, faults)) for data in settings["courses"]])
 
     def run(self):
@@ -155,6 +159,7 @@ class Simulation:
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         self._wire.listen(udp_port.UdpPort)
+        self._ground.speak_to(udp_port.UdpPort)
         import texts  # noqa: PLC0415
 
         plain = texts.Texts
@@ -177,6 +182,7 @@ class Simulation:
             self._look(vehicle, now_ms)
         while vehicle is not None and self._events and self._events[0]["at_ms"] <= now_ms:
             self._happen(self._events.pop(0), vehicle)
+        self._ground.turn(now_ms)
         if now_ms >= self._sample_ms:
             self._sample(vehicle, now_ms)
         if now_ms >= self._messages_ms:

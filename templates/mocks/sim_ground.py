@@ -1,0 +1,71 @@
+"""A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
+
+SYSTEM, COMPONENT = 255, 190  # as ground stations are
+
+
+class Ground:
+    """Sends messages: each of `sendings` has `at_ms`, `id`, `crc_extra` and `payload` in hex.
+
+    One with `every_ms` is sent again and again, to `until_ms` or to the end.
+    """
+
+    def __init__(self, sendings, start_ms):
+        self._sendings = [[_first(sending, start_ms), sending] for sending in sendings]
+        self._sequence = 0
+        self._waiting = bytearray()
+
+    def speak_to(self, port_class):
+        """Let what is sent arrive at ports of this class, before what really arrives."""
+        readinto = port_class.readinto
+
+        def heard(port, buffer):
+            waiting = self._waiting
+            if not waiting:
+                return readinto(port, buffer)
+            count = min(len(buffer), len(waiting))
+            buffer[:count] = waiting[:count]
+            self._waiting = waiting[count:]
+            port.received += count
+            return count
+
+        port_class.readinto = heard
+
+    def turn(self, now_ms):
+        """Send what is due."""
+        for entry in self._sendings:
+            due_ms, sending = entry
+            if due_ms is None or due_ms > now_ms:
+                continue
+            self._waiting.extend(self._frame(sending))
+            entry[0] = _next(sending, due_ms)
+
+    def _frame(self, sending):
+        text = sending["payload"]
+        payload = bytes([int(text[at : at + 2], 16) for at in range(0, len(text), 2)])
+        number = sending["id"]
+        head = bytes((len(payload), 0, 0, self._sequence, SYSTEM, COMPONENT))
+        covered = head + bytes((number & 0xFF, number >> 8 & 0xFF, number >> 16)) + payload
+        self._sequence = self._sequence + 1 & 0xFF
+        crc = 0xFFFF
+        for byte in covered + bytes((sending["crc_extra"],)):
+            mixed = (byte ^ crc) & 0xFF
+            mixed = (mixed ^ mixed << 4) & 0xFF
+            crc = crc >> 8 ^ mixed << 8 ^ mixed << 3 ^ mixed >> 4
+        return b"\xfd" + covered + bytes((crc & 0xFF, crc >> 8))
+
+
+def _first(sending, start_ms):
+    """Return when it is sent first after a start, None for never again."""
+    due_ms = sending["at_ms"]
+    while due_ms is not None and due_ms < start_ms:
+        due_ms = _next(sending, due_ms)
+    return due_ms
+
+
+def _next(sending, due_ms):
+    """Return when it is sent after a time, None for never."""
+    if sending["every_ms"] is None:
+        return None
+    due_ms += sending["every_ms"]
+    until_ms = sending["until_ms"]
+    return due_ms if until_ms is None or due_ms < until_ms else None
