@@ -24,6 +24,7 @@ def check_criteria(system: System, program: Program) -> dict[str, tuple[str, ...
 def _cited(system: System, program: Program) -> Iterator[_Cited]:
     for section, aspects in program.aspects.items():
         yield from _named(section, aspects)
+    yield from _of_commands(program)
     for failsafe in program.failsafes:
         yield from _of_failsafe(failsafe)
     for name, _, conversion in system.measured():
@@ -39,6 +40,16 @@ def _cited(system: System, program: Program) -> Iterator[_Cited]:
         yield from _named("generations", generations.aspects)
     for message in system.messages:
         yield from _named("message", message.aspects)
+
+
+def _of_commands(program: Program) -> Iterator[_Cited]:
+    for command in program.commands:
+        if command.citation is not None:
+            yield "command.done", command.citation
+        yield from _named("command", command.aspects)
+    for mode in program.modes:
+        if mode.citation is not None:
+            yield "mode.change", mode.citation
 
 
 def _of_failsafe(failsafe: Failsafe) -> Iterator[_Cited]:

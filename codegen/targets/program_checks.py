@@ -9,7 +9,7 @@ from typing import NamedTuple
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.check_criteria import check_criteria
-from codegen.targets.program_suite import LEFT_TO_THE_PROJECT
+from codegen.targets.program_suite import left_out
 from codegen.template_files import copied, plain_files
 
 ONLY_MICROPYTHON = ("heap", "steady")
@@ -39,9 +39,9 @@ class ProgramCheck(NamedTuple):
 def program_checks(system: System, program: Program) -> Iterator[ProgramCheck]:
     """Every check of the scripts that the suite of a system has."""
     named = check_criteria(system, program)
-    left_out = LEFT_TO_THE_PROJECT if system.spec.program else ()
+    absent = left_out(system, program)
     for file in plain_files(_FOLDER):
-        if file.endswith(_ENDING) and f"tests/{file}" not in left_out:
+        if file.endswith(_ENDING) and f"tests/{file}" not in absent:
             for name, aspects in _listed(file):
                 criteria = dict.fromkeys(each for aspect in aspects for each in named.get(aspect, ()))
                 yield ProgramCheck(file.removesuffix(_ENDING), name, tuple(criteria))

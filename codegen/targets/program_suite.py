@@ -1,10 +1,12 @@
 """The generated tests of the program: facts of the specification in one module, checks that read them, and a runner."""
 
 from codegen.frozen import dataclass
+from codegen.model.command import Needs
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
 from codegen.targets.check_criteria import check_criteria
+from codegen.targets.command_facts import CommandFacts, command_facts
 from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import ReaderView, board_view
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
@@ -23,6 +25,9 @@ from codegen.targets.rendered import rendered
 from codegen.targets.withheld import KnownWord, known_words, withheld_messages
 
 _PROGRAM = "tests/program"
+
+COMMAND_CHECKS = "tests/command_checks.py"
+"""What there is to check about commands and modes of the project's own."""
 
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
 """What a further program's suite does without: it takes long, and is about modules that all programs share."""
@@ -65,13 +70,36 @@ class ProgramSuiteView:
     known: tuple[KnownWord, ...]
     withheld: dict[int, tuple[tuple[str, str], ...]]
     criteria: dict[str, tuple[str, ...]]
+    answered: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ModeFacts:
+    """A mode, and the attributes of the vehicle that are true in it."""
+
+    number: int
+    base: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CommandSuiteView:
+    """What the checks of commands and modes compare with."""
+
+    commands: tuple[CommandFacts, ...]
+    modes: tuple[ModeFacts, ...]
+    mode_flags: tuple[str, ...]
+
+
+def left_out(system: System, program: Program) -> tuple[str, ...]:
+    """The files of the suite that are about nothing here."""
+    has_commands = program.commands or program.modes
+    return (*(LEFT_TO_THE_PROJECT if system.spec.program else ()), *(() if has_commands else (COMMAND_CHECKS,)))
 
 
 def render_program_suite(system: System, program: Program) -> dict[str, str]:
     """The files below ``tests/`` that are about the program."""
     files = {path.replace(_PROGRAM, "tests"): text for path, text in copied_files(_PROGRAM).items()}
-    if system.spec.program:
-        files = {path: text for path, text in files.items() if path not in LEFT_TO_THE_PROJECT}
+    files = {path: text for path, text in files.items() if path not in left_out(system, program)}
     streams = streams_view(system)
     alone = [message for message in streams.messages if message.is_alone]
     streamed = {message.id for stream in streams.streams for message in stream.messages}
@@ -92,11 +120,32 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         known=known_words(system),
         withheld={each.id: each.quantities for each in withheld_messages(system) if each.is_alone and each.is_on},
         criteria=check_criteria(system, program),
+        answered=_answered(program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)
     files["tests/program_facts.py"] = headed(text, origin)
+    if program.commands or program.modes:
+        text = rendered(f"{_PROGRAM}/command_facts.py.j2", _command_view(program))
+        files["tests/command_facts.py"] = headed(text, origin)
     return files
+
+
+def _answered(program: Program) -> tuple[int, ...]:
+    """The numbers of the commands that not every program answers, beside arming."""
+    modes = [program.constants[each.name] for each in program.built_in if each.needs is Needs.MODES]
+    return (*(command.number for command in program.commands), *modes)
+
+
+def _command_view(program: Program) -> CommandSuiteView:
+    base = [quantity.attribute for mode in program.modes for quantity in mode.base]
+    return CommandSuiteView(
+        commands=command_facts(program),
+        modes=tuple(
+            ModeFacts(mode.number, tuple(quantity.attribute for quantity in mode.base)) for mode in program.modes
+        ),
+        mode_flags=tuple(dict.fromkeys(base)),
+    )
 
 
 def _families(component: Component, conversion: Conversion) -> MeasuredFamilies:

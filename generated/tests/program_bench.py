@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 76afbb70e80b01f8
+# Inputs: bc8409631c556526
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -199,8 +199,9 @@ class GroundStation:
     def send(self, message, **values):
         """Send a message to the vehicle, unless `values` say to whom; fields that are not given are 0."""
         message = message(unknown=False)
-        if "target_system" in message.names():
-            message.update(target_system=SYSTEM_ID, target_component=COMPONENT_ID)
+        for name, target in (("target_system", SYSTEM_ID), ("target_component", COMPONENT_ID)):
+            if name in message.names():
+                message.update(**{name: target})
         self.link.send(message.update(**values))
 
     def command(self, number, *params, **values):

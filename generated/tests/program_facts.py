@@ -24,6 +24,9 @@ SYSTEM_ID = 1
 COMPONENT_ID = 1
 VERSION = 2
 
+# Numbers of the commands that not every program answers.
+ANSWERED = ()
+
 # The criteria that the specification names for each aspect of the program; a check of another one is no evidence.
 CRITERIA = {
     "arming.command": ("FR-00070.5",),

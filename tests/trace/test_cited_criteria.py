@@ -14,6 +14,7 @@ import pytest
 from codegen import pipeline
 from codegen.diagnostics import Report
 from codegen.model.board_spec import AdcSpec
+from codegen.model.command_spec import CommandSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import ArmingSpec, ControlSpec, FailsafeSpec, ServicesSpec, StorageSpec
 from codegen.model.receiver_spec import ReceiverSpec
@@ -25,7 +26,10 @@ from codegen.targets.receiver.suite import shown_by_receiver_tests
 from codegen.trace import generated_tests
 
 ROOT = Path(__file__).resolve().parents[2]
-PROJECTS = [ROOT, *(ROOT / "tests" / "projects" / name for name in ("boat", "radio_rover", "two_batteries"))]
+PROJECTS = [
+    ROOT,
+    *(ROOT / "tests" / "projects" / name for name in ("boat", "radio_rover", "two_batteries", "commanded")),
+]
 SECTIONS = {
     "control": ControlSpec,
     "storage": StorageSpec,
@@ -38,6 +42,7 @@ SECTIONS = {
     "quantity": QuantitySpec,
     "reading": AdcSpec,
     "receiver": ReceiverSpec,
+    "command": CommandSpec,
 }
 OF_THE_BEHAVIOUR = {
     "component": {"robustness", "scenarios", "steady"},
@@ -45,8 +50,8 @@ OF_THE_BEHAVIOUR = {
     "reading": {"reference", "samples", "read_limit", "failure", "absence"},
 }
 """Aspects that test_frames.py and test_behaviour.py cite."""
-OF_THEIR_OWN = {"failsafe.first", "failsafe.second", "streams.rate", "streams.fixed"}
-"""What the ``requirement`` of a level, or of a stream, asks for."""
+OF_THEIR_OWN = {"failsafe.first", "failsafe.second", "streams.rate", "streams.fixed", "command.done", "mode.change"}
+"""What the ``requirement`` of a level, a stream, a command or a mode asks for."""
 
 
 def _systems(folder: Path) -> tuple[System, ...]:

@@ -26,6 +26,9 @@ SYSTEM_ID = 1
 COMPONENT_ID = 180
 VERSION = 2
 
+# Numbers of the commands that not every program answers.
+ANSWERED = ()
+
 # The criteria that the specification names for each aspect of the program; a check of another one is no evidence.
 CRITERIA = {
     "component.allocation": ("FR-00067.4",),

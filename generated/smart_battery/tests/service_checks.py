@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 2a1acff870a8934d
+# Inputs: cf6404ec9aa7aa9e
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -15,7 +15,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import COMPONENT_ID, FORCE_ARM, ON_REQUEST, SENT, SYSTEM_ID
+from program_facts import ANSWERED, COMPONENT_ID, FORCE_ARM, ON_REQUEST, SENT, SYSTEM_ID
 
 import dialect
 
@@ -32,7 +32,7 @@ KNOWN = (
     dialect.MAV_CMD_REQUEST_PROTOCOL_VERSION,
     dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN,
 )
-UNKNOWN = (0, 16, 22, 176, 410, 521, 2000, 31010, 65535)
+UNKNOWN = tuple(number for number in (0, 16, 22, 176, 410, 521, 2000, 31010, 65535) if number not in ANSWERED)
 ARMING = (dialect.MAV_CMD_COMPONENT_ARM_DISARM,)
 if FORCE_ARM is None:
     UNKNOWN += ARMING

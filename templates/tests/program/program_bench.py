@@ -197,8 +197,9 @@ class GroundStation:
     def send(self, message, **values):
         """Send a message to the vehicle, unless `values` say to whom; fields that are not given are 0."""
         message = message(unknown=False)
-        if "target_system" in message.names():
-            message.update(target_system=SYSTEM_ID, target_component=COMPONENT_ID)
+        for name, target in (("target_system", SYSTEM_ID), ("target_component", COMPONENT_ID)):
+            if name in message.names():
+                message.update(**{name: target})
         self.link.send(message.update(**values))
 
     def command(self, number, *params, **values):

@@ -1,0 +1,95 @@
+"""The checks of commands and modes in a generated suite: they pass, each notices what it is about, and they are evidence."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).resolve().parent
+BIN = Path(sys.executable).parent
+
+# A change of the firmware, and the checks that have to notice it.
+CHANGES = [
+    ("own_commands.py", "if not param[_LEAST] <= value <= param[_MOST]:", "if not value <= param[_MOST]:", {"beyond_is_denied"}),
+    ("own_commands.py", "if not param[_LEAST] <= value <= param[_MOST]:", "if not param[_LEAST] < value < param[_MOST]:", {"ends_are_done"}),
+    ("own_commands.py", "value * param[_MULTIPLIER] / param[_DIVISOR]", "value * param[_MULTIPLIER]", {"ends_are_done"}),
+    ("own_commands.py", "return param[_DEFAULT]", "return param[_LEAST]", {"ends_are_done", "beyond_is_denied"}),
+    ("own_commands.py", "(is_int and row[INT_PARAMS]) or row[PARAMS]", "row[PARAMS]", {"command_int_is_the_same"}),
+    ("own_commands.py", "return whole if _is_among(param[_AMONG], whole) else None", "return whole", {"beyond_is_denied"}),
+    ("own_commands.py", "if whole != value and", "if whole is None and", {"beyond_is_denied"}),
+    ("own_commands.py", "row[ARMED] is not None and row[ARMED] != ", "row[ARMED] is not None and row[ARMED] == ", {"only_when_it_is_allowed"}),
+    ("own_commands.py", "if row[STATIONS] and not", "if False and not", {"only_who_is_heard"}),
+    ("own_commands.py", "if said is False:", "if said is None:", {"refusals_have_failed"}),
+    ("own_commands.py", "if said is NotImplemented:", "if said is Ellipsis:", {"unwritten_is_unsupported"}),
+    ("own_commands.py", "    with guard:\n        return judged(method(*values))\n", "    return judged(method(*values))\n", {"exceptions_have_failed"}),
+    ("services.py", "if at >= 0 and sent[at] != 0 and sent[at] != own:", "if False:", {"others_are_left_alone"}),
+    ("long_commands.py", "_TELL_MS = const(1000)", "_TELL_MS = const(2000)", {"progress_is_told"}),
+    ("long_commands.py", "self._running.remove(running)", "pass", {"progress_is_told", "cancelled_ends"}),
+    ("long_commands.py", "progress=running.progress,", "progress=0,", {"progress_is_told"}),
+    ("long_commands.py", 'raw("confirmation") > 0', 'raw("confirmation") >= 0', {"repeated_is_begun_once"}),
+    ("command_cancel.py", "if result == _MAV_RESULT_ACCEPTED:", "if True:", {"cancelled_ends"}),
+    ("mode_service.py", "not in self._vehicle.MODES", "in ()", {"modes_are_entered"}),
+    ("mode_service.py", "raw(\"base_mode\")", "raw(\"custom_mode\")", {"modes_are_entered"}),
+    ("vehicle.py", "vehicle.guided = mode in (11, 15,)", "vehicle.guided = mode in (11,)", {"modes_are_entered"}),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder in which the boat is built."""
+    folder = tmp_path_factory.mktemp("commanded")
+    shutil.copytree(HERE / "commanded" / "specs", folder / "specs")
+    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    return folder
+
+
+def checked(boat: Path, interpreter: str, firmware: Path) -> dict[str, str | None]:
+    """What is wrong in each check, or None, with a firmware."""
+    generated = boat / "generated"
+    path = os.pathsep.join(map(str, (firmware, generated / "mocks", generated / "tests")))
+    command = [str(BIN / interpreter), *(["-B"] if interpreter == "python" else ["-X", "heapsize=2m"])]
+    environment = {**os.environ, "PYTHONPATH": path, "MICROPYPATH": f"{path}{os.pathsep}.frozen"}
+    script = str(generated / "tests" / "command_checks.py")
+    done = subprocess.run([*command, script], env=environment, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 0, done.stderr
+    found: dict[str, str | None] = json.loads(done.stdout)
+    return found
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_they_pass(boat: Path, interpreter: str) -> None:
+    """None is left out: the boat has all that they are about."""
+    found = checked(boat, interpreter, boat / "generated" / "firmware")
+    assert len(found) == 14
+    assert not any(found.values()), found
+
+
+@pytest.mark.parametrize(("file", "old", "new", "noticed"), CHANGES)
+def test_a_change_is_noticed(boat: Path, tmp_path: Path, file: str, old: str, new: str, noticed: set[str]) -> None:
+    """A check that cannot fail protects nothing."""
+    firmware = tmp_path / "firmware"
+    shutil.copytree(boat / "generated" / "firmware", firmware)
+    text = (firmware / file).read_text()
+    assert text.count(old) == 1, (file, old)
+    (firmware / file).write_text(text.replace(old, new))
+    found = checked(boat, "python", firmware)
+    assert noticed <= {name for name, wrong in found.items() if wrong}, found
+
+
+def test_they_are_evidence_for_what_the_commands_cite(boat: Path) -> None:
+    """Every criterion about commands and modes has tests, by the names that pytest gives them."""
+    command = [str(BIN / "codegen"), "trace", "--fail-on", "uncovered,orphaned,unspecified,uncited"]
+    done = subprocess.run(command, cwd=boat, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+    listed = subprocess.run(
+        [sys.executable, "-m", "pytest", "--collect-only", "-q", "-p", "no:cacheprovider", "-n0", "generated/tests/test_program.py"],
+        cwd=boat, capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    for interpreter in ("cpython", "micropython"):
+        assert f"[{interpreter}-command-cancelled_ends-FR-301.6]" in listed
+        assert f"[{interpreter}-command-modes_are_entered-FR-301.9]" in listed
+        assert f"[{interpreter}-command-ends_are_done-FR-301.2-FR-301.3]" in listed
