@@ -3,20 +3,13 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from codegen.derivations.surroundings import Surroundings
-from codegen.diagnostics import Rule
+from codegen.derivations.surroundings import SET_TWICE, Surroundings
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
     from codegen.model.system import System
-
-SET_TWICE = Rule(
-    "received-elsewhere",
-    "A table of a received message sets a quantity that something else sets, too: another table, a reading, the clock, "
-    "or another quantity from which it follows. Each quantity has one source.",
-)
 
 
 @dataclass(frozen=True, slots=True)

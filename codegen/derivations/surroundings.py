@@ -182,3 +182,10 @@ class Surroundings:
                 return None
             counts.append(int(count))
         return tuple(counts)
+
+
+SET_TWICE = Rule(
+    "received-elsewhere",
+    "A table of a received message sets a quantity that something else sets, too: another table, a reading, the clock, "
+    "or another quantity from which it follows. Each quantity has one source.",
+)

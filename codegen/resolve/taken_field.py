@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.answers.fitting import NOT_AN_ENUM_FIELD, field_unit
 from codegen.answers.halves import float_within
 from codegen.answers.limits import EMPTY_LIMITS, LIMIT_BEYOND_FIELD, Bounds, dialect_bounds
-from codegen.derivations.received import SET_TWICE, Received
+from codegen.derivations.surroundings import SET_TWICE
 from codegen.diagnostics import Report, Rule
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle, read_number
 from codegen.model.dialect import Kind, WireField
@@ -46,7 +46,7 @@ def resolve_taken(
     quantity = find_quantity(written.state, parts.components, parts.spec.state, place, report)
     if quantity is None:
         return None
-    if not isinstance(quantity.derivation, Received):
+    if not quantity.derivation.is_received:
         message = f"{quantity.path} is not for a message to set: {quantity.derivation.words(quantity)}"
         related = [(quantity.spec.place, f"{quantity.path} is declared here")]
         report.add(SET_TWICE, place, message, "give the message a quantity of its own", related)

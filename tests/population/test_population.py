@@ -124,7 +124,7 @@ FAULTS: dict[str, Callable[[pytest.MonkeyPatch], None]] = {
     "a limit of the dialect": code("codegen.answers.source.dialect_bounds", lambda _: Bounds(None, None)),
     "a value that is the sentinel": code("codegen.answers.live.kept_apart", lambda *_: None),
     "an entry that is the sentinel": code("codegen.answers.live.kept_apart", lambda _, sentinel: sentinel),
-    "a rounding": code("codegen.answers.filling._scaled", rounded_down),
+    "a rounding": code("codegen.answers.filling.scaled", rounded_down),
     "a sentinel": text("telemetry_plain.py", "65535 if value", "65534 if value"),
     "what is withheld": text("telemetry_plain.py", "        return None\n", "        pass\n"),
     "what is too old": text("telemetry_plain.py", "if age > 0 and", "if age < 0 and"),

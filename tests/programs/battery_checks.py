@@ -270,19 +270,19 @@ def two_batteries_share_a_vehicle():
 
 
 CHECKS = (
-    ("", 1, heartbeat_is_that_of_a_battery),
-    ("", 2, component_id_counts_from_the_next_start),
-    ("", 2, two_batteries_share_a_vehicle),
-    ("", 3, status_comes_every_two_seconds),
-    ("", 4, info_comes_when_it_is_wanted),
-    ("", 6, serial_number_is_that_of_the_chip),
-    ("", 7, battery_has_an_id_of_its_own),
-    ("", 0, nothing_can_be_armed),
-    ("", 0, parameters_are_saved_within_a_second),
-    ("", 9, measure_comes_before_the_reading),
-    ("", 9, measure_that_raises_stops_nothing),
-    ("", 9, what_the_gauge_says_goes_out),
-    ("", 9, what_no_gauge_says_is_unknown),
+    (heartbeat_is_that_of_a_battery,),
+    (component_id_counts_from_the_next_start,),
+    (two_batteries_share_a_vehicle,),
+    (status_comes_every_two_seconds,),
+    (info_comes_when_it_is_wanted,),
+    (serial_number_is_that_of_the_chip,),
+    (battery_has_an_id_of_its_own,),
+    (nothing_can_be_armed,),
+    (parameters_are_saved_within_a_second,),
+    (measure_comes_before_the_reading,),
+    (measure_that_raises_stops_nothing,),
+    (what_the_gauge_says_goes_out,),
+    (what_no_gauge_says_is_unknown,),
 )
 
 if __name__ == "__main__":

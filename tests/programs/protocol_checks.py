@@ -149,14 +149,14 @@ def a_power_monitor_supposes_nothing():
 
 
 CHECKS = (
-    ("", 0, batteries_are_part_of_the_autopilot),
-    ("", 0, cells_come_on_request_only),
-    ("", 0, cells_that_are_not_there_are_not_sent),
-    ("", 0, one_battery_is_told_alike),
-    ("", 0, large_amounts_need_the_new_generation),
-    ("", 0, new_status_is_shorter),
-    ("", 0, cells_come_in_an_interval),
-    ("", 0, a_power_monitor_supposes_nothing),
+    (batteries_are_part_of_the_autopilot,),
+    (cells_come_on_request_only,),
+    (cells_that_are_not_there_are_not_sent,),
+    (one_battery_is_told_alike,),
+    (large_amounts_need_the_new_generation,),
+    (new_status_is_shorter,),
+    (cells_come_in_an_interval,),
+    (a_power_monitor_supposes_nothing,),
 )
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 """View of vehicle.py, and of the modules around it: the program as a whole, the storage and what failsafes do."""
 
 from codegen.frozen import dataclass
-from codegen.model.command import BuiltInCommand
 from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
@@ -42,6 +41,14 @@ class CallOnReceiving:
 
 
 @dataclass(frozen=True, slots=True)
+class AnsweredView:
+    """A command that every program answers, and the method of commands.py that does."""
+
+    name: str
+    method: str
+
+
+@dataclass(frozen=True, slots=True)
 class ProgramView:
     """What the templates of the program need to know. Periods are in us or ms as their names say.
 
@@ -77,7 +84,7 @@ class ProgramView:
     has_sources: bool
     connecting: tuple[str, ...]
     received_calls: tuple[CallOnReceiving, ...]
-    commands: tuple[BuiltInCommand, ...]
+    commands: tuple[AnsweredView, ...]
     methods: tuple[MethodView, ...]
     takes_long: bool
     modes: tuple[ModeView, ...]
@@ -121,7 +128,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         ),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
         connecting=_connecting(system, program),
-        commands=tuple(command for command in program.built_in if command.method),
+        commands=tuple(AnsweredView(each.name, each.method) for each in program.built_in if each.method),
         methods=method_views(program),
         takes_long=_takes_long(program),
         modes=mode_views(program.modes),
