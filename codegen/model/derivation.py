@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from codegen.model.step import Step
 
 if TYPE_CHECKING:
+    from codegen.model.conversion import Conversion
     from codegen.model.known import Known, Stored
     from codegen.model.system import System
-    from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold
+    from codegen.model.vehicle import Parameter, Quantity, Threshold
 
 
 class DerivationFact(NamedTuple):

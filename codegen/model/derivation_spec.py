@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from codegen.frozen import dataclass
-from codegen.model.described import Amount, described
+from codegen.model.described import Amount, Verbatim, described
 from codegen.source import Written
 
 
@@ -126,14 +126,20 @@ class MeasuredSpec(DerivationSpec):
     KEY = "adc"
 
     adc: str | None = described("ADC channel of the board that measures it.", default=None)
-    multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
+    multiplier: Verbatim | None = described(
+        "What the voltage at the ADC pin is multiplied with: a parameter, or an amount such as 17 A/V.", default=None
+    )
+    offset: str | None = described(
+        "What is taken from the voltage at the ADC pin before that: a parameter in V, or an amount such as 0.5 V.",
+        default=None,
+    )
     warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
     warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
 
     @property
     def has_readings(self) -> bool:
         """Whether something is said of the ADC."""
-        return self.adc is not None or self.multiplier is not None
+        return self.adc is not None or self.multiplier is not None or self.offset is not None
 
     @property
     def has_limit(self) -> bool:

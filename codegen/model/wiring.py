@@ -4,8 +4,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.conversion import Conversion, Factor, factors_by_instance
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
+from codegen.model.vehicle import Component, Parameter, by_instance
 
 FIRST_PREFIX = "BATT_"
 """What the names of the first battery's parameters begin with, where no instances are listed."""
@@ -20,7 +21,7 @@ class AdcInput:
 
     gpio: int
     pin: Parameter | None
-    multiplier: Parameter
+    multiplier: Factor
     reference: Fraction
 
     def gpio_with(self, parameters: Mapping[str, float]) -> int:
@@ -79,7 +80,7 @@ def _conversion(component: Component, kind: str) -> Conversion | None:
 def _inputs(conversion: Conversion, component: Component, system: System) -> tuple[AdcInput, ...]:
     """The input of each instance."""
     channel, count = conversion.channel, component.instances
-    multipliers = by_instance(conversion.multiplier, system.parameters, count)
+    multipliers = factors_by_instance(conversion.multiplier, system.parameters, count)
     if channel.pin is None:
         return tuple(AdcInput(channel.gpio, None, multiplier, channel.reference) for multiplier in multipliers)
     pins = by_instance(channel.pin, system.parameters, count)

@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answer import Answer
+from codegen.model.conversion import Conversion
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.system import System
-from codegen.model.vehicle import Conversion, Quantity
+from codegen.model.vehicle import Parameter, Quantity
 
 RULE = Rule(
     "allocating-arithmetic",
@@ -26,17 +27,29 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _conversion(quantity: Quantity, conversion: Conversion) -> Iterator[Diagnostic]:
-    largest = conversion.multiplier.maximum
-    both = conversion.channel.full_scale * largest
-    numerator, denominator = conversion.numerator, conversion.denominator
-    worst = max(both, denominator * numerator + denominator // 2, both // denominator * numerator + numerator)
+    multiplier, denominator = conversion.multiplier, conversion.denominator
+    largest = max(abs(multiplier.minimum), abs(multiplier.maximum))
+    products = [(conversion.channel.full_scale * largest, conversion.numerator)]
+    if conversion.offset is not None:
+        most = max(abs(conversion.offset.minimum), abs(conversion.offset.maximum))
+        products.append((most * largest, conversion.offset_numerator))
+    # A remainder is less than the denominator, and than the product itself where that is never negative.
+    rest = sum(
+        (denominator if multiplier.minimum < 0 or conversion.offset else min(denominator, both + 1)) * abs(numerator)
+        for both, numerator in products
+    )
+    whole = sum((both // denominator + 1) * abs(numerator) for both, numerator in products)
+    worst = max(*(both for both, _ in products), rest + denominator // 2, whole)
     if worst > SMALL_INT_MAX:
+        related = []
+        if isinstance(multiplier, Parameter):
+            related.append((multiplier.spec.at("step"), f"{multiplier.name} is declared here"))
         yield Diagnostic(
             quantity.spec.at("multiplier"),
             RULE,
             f"{quantity.path}: the conversion from counts reaches {worst}",
-            f"make the step of {conversion.multiplier.name} coarser, or its max smaller",
-            ((conversion.multiplier.spec.at("step"), f"{conversion.multiplier.name} is declared here"),),
+            f"make the step of {multiplier.name} coarser, or its max smaller",
+            tuple(related),
         )
 
 

@@ -10,7 +10,7 @@ from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Component, Parameter, Quantity, Stream
+from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Stream
 from codegen.targets.naming import (
     builder_name,
     class_names,
@@ -92,9 +92,9 @@ class Symbols:
         """What opens it."""
         return self._all([(BOARD, "Board.open_ports"), _PORTS[link.kind]])
 
-    def readings(self, components: Iterable[Component]) -> tuple[Symbol, ...]:
-        """What reads components from the ADC."""
-        return self._all((BOARD, f"Board.read_{component.name}_adc") for component in components)
+    def readings(self, readings: Iterable[Reading]) -> tuple[Symbol, ...]:
+        """What reads the ADC."""
+        return self._all((BOARD, f"Board.read_{reading.name}_adc") for reading in readings)
 
     def component(self, component: Component) -> tuple[Symbol, ...]:
         """Its class, and its update where it is measured."""
@@ -134,7 +134,9 @@ class Symbols:
         stored = quantity.name if quantity.is_computed else quantity.attribute
         found = [(STATE, f"{owner}.{name}") for name in dict.fromkeys((stored, quantity.name))]
         if quantity.derivation.conversion is not None:
-            found += [(STATE, f"{owner}.{quantity.name}_from_adc"), (STATE, f"{owner}.set_count")]
+            found.append((STATE, f"{owner}.{quantity.name}_from_adc"))
+            if any(each.quantity is quantity and each.is_plain for each in self.system.readings()):
+                found.append((STATE, f"{owner}.set_count"))
         return found
 
     def _all(self, found: Iterable[tuple[str, str]]) -> tuple[Symbol, ...]:

@@ -3,6 +3,7 @@
 from codegen.model.dialect import WireMessage
 from codegen.model.program import Program
 from codegen.model.system import System
+from codegen.model.vehicle import Reading
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
 from codegen.targets.firmware.attribute import VIEWS
@@ -47,11 +48,12 @@ def render_firmware(system: System) -> dict[str, str]:
     }
     if view.is_measured:
         views["samples_plain.py"] = (board_view(system), [board, state], [])
-        views["state_plain.py"] = (readings_view(system, layout, machine_code=False), [state, board, parameters], [])
         if machine_code:
             views["samples_viper.py"] = (board_view(system), [board, state], [])
-            readings = readings_view(system, layout, machine_code=True)
-            views["state_viper.py"] = (readings, [state, board, parameters], [])
+        for name, readings in _reading_modules(system).items():
+            for suffix in ("plain", *(["viper"] if machine_code else [])):
+                taken = readings_view(layout, readings, machine_code=suffix == "viper")
+                views[f"{name}_{suffix}.py"] = (taken, [state, board, parameters], [])
     if machine_code:
         fast = functions_view(system, layout, machine_code=True)
         views["telemetry_viper.py"] = (fast, written, wires)
@@ -59,6 +61,7 @@ def render_firmware(system: System) -> dict[str, str]:
     files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
     optional = {
         "discharge": view.has_estimate,
+        "reading_turns": any(component.further for component in view.components),
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
         "reals_plain": plain.puts_reals,
@@ -76,9 +79,23 @@ def render_firmware(system: System) -> dict[str, str]:
         messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
     )
     for name, (shown, paths, messages) in views.items():
-        text = rendered(f"firmware/{name}.j2", shown)
+        text = rendered(f"firmware/{_template(name)}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
     return files | _program_files(system)
+
+
+def _reading_modules(system: System) -> dict[str, list[Reading]]:
+    """The modules that readings are taken with: state, and one for each that a parameter decides about."""
+    modules: dict[str, list[Reading]] = {}
+    for reading in system.readings():
+        modules.setdefault(reading.name if reading.is_optional else "state", []).append(reading)
+    return modules
+
+
+def _template(name: str) -> str:
+    """The template of a module: readings with a module of their own have the same as those without."""
+    stem, _, suffix = name.removesuffix(".py").rpartition("_")
+    return f"state_{suffix}.py" if suffix in ("plain", "viper") and stem not in ("samples", "telemetry") else name
 
 
 def _program_files(system: System) -> dict[str, str]:

@@ -7,7 +7,7 @@ from codegen.model.board_model import MOST_BITS, BoardModel
 from codegen.model.board_spec import AdcSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
-from codegen.model.vehicle import AdcChannel, Component, Parameter
+from codegen.model.vehicle import Component, Parameter, Reading
 from codegen.targets.families import family_lines
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, quoted
@@ -15,7 +15,9 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 
 @dataclass(frozen=True, slots=True)
 class ReaderView:
-    """The ADC channel of one component: ``shift`` turns the 16 bits of read_u16() into counts.
+    """The ADC channel of one reading, whose name is ``component``, and what the mock calls its ``input``.
+
+    ``shift`` turns the 16 bits of read_u16() into counts.
 
     ``spare_bits`` are the bits of the mocked converter that a count leaves out, ``pin`` is the attribute of the
     parameter that has the pin. ``before`` are the lines that find the number of the pin, ``opened`` is the expression
@@ -26,6 +28,7 @@ class ReaderView:
     """
 
     component: str
+    input: str
     several: bool
     gpio: int
     gpios: tuple[int, ...]
@@ -84,10 +87,7 @@ class BoardView:
 
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
-    readers = tuple(
-        _reader(system.components[component], conversion.channel, system)
-        for component, _, conversion in system.measured()
-    )
+    readers = _readers(system)
     links = tuple(_link(link, system.board) for link in system.links)
     has_pins = any(_pin_parameters(system))
     return BoardView(
@@ -127,7 +127,10 @@ def _pin_parameters(system: System) -> tuple[Parameter, ...]:
     """The parameters that have a pin or that switch it on, once each."""
     used: dict[str, Parameter] = {}
     for name, _, conversion in system.measured():
-        used |= {each.name: each for each in (conversion.channel.pin, _switch(system.components[name])) if each}
+        channel = conversion.channel
+        deciding = channel.when[0] if channel.when else None
+        switches = (channel.pin, _switch(system.components[name]), deciding)
+        used |= {each.name: each for each in switches if each}
     return tuple(used.values())
 
 
@@ -136,23 +139,41 @@ def _switch(component: Component) -> Parameter | None:
     return component.switch if component.instances > 1 else None
 
 
-def _reader(component: Component, channel: AdcChannel, system: System) -> ReaderView:
-    name, several = component.name, component.instances > 1
+def plain_readers(system: System) -> tuple[ReaderView, ...]:
+    """The readers that the tests of whole components are about, in their order: see component_facts.py."""
+    plain = {reading.name for reading in system.readings() if reading.is_plain}
+    return tuple(reader for reader in _readers(system) if reader.component in plain)
+
+
+def _readers(system: System) -> tuple[ReaderView, ...]:
+    return tuple(_reader(reading, place, system) for place, reading in enumerate(system.readings()))
+
+
+def adc_input(reading: str, place: int) -> str:
+    """What the mock calls the input of a reading: the first of all has the short name."""
+    return "adc" if place == 0 else f"{reading}_adc"
+
+
+def _reader(reading: Reading, place: int, system: System) -> ReaderView:
+    component, channel = reading.component, reading.conversion.channel
+    name, several = reading.name, component.instances > 1
     has_variable = several or channel.pin is not None
     assert system.board is not None
     assert system.board.adc is not None
-    title = f"{name} {{instance + 1}}" if several else f"the {name}"
+    title = f"{component.name} {{instance + 1}}" if several else f"the {component.name}"
+    owner = f"{title}'s" if reading.is_first else f"{title}'s {reading.quantity.name}"
     literal = "f" if several else ""
     also = ", instance" if several else ""
     return ReaderView(
         component=name,
+        input=adc_input(name, place),
         several=several,
         gpio=channel.gpio,
         gpios=system.gpios(component, channel),
         pin=parameter_attribute(channel.pin.name) if channel.pin else None,
-        before=_lines_before(component, channel),
+        before=_lines_before(reading),
         opened=system.board.adc.opened.replace("{gpio}", "gpio" if has_variable else str(channel.gpio)),
-        indent="    " if several else "",
+        indent="    " if several or channel.when else "",
         at="[instance]" if several else "",
         also=also,
         only="instance" if several else "",
@@ -162,9 +183,9 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
         failures="failures[instance]" if several else f"board.{name}_failures",
         zeros=f"[0] * {component.instances}" if several else "0",
         nones=f"[None] * {component.instances}" if several else "None",
-        absent=f'{literal}"warning: no ADC for {title} on GPIO'
+        absent=f'{literal}"warning: no ADC for {title if reading.is_first else owner} on GPIO'
         + ('", gpio, ":"' if has_variable else f' {channel.gpio}:"'),
-        failed=f'{literal}"error: {title}\'s ADC"',
+        failed=f'{literal}"error: {owner} ADC"',
         shift=16 - channel.bits,
         spare_bits=MOST_BITS - channel.bits,
         full_scale=channel.full_scale,
@@ -176,16 +197,23 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
     )
 
 
-def _lines_before(component: Component, channel: AdcChannel) -> tuple[str, ...]:
+def _lines_before(reading: Reading) -> tuple[str, ...]:
     """What finds the pin of the component, or of each instance in turn; nothing where the pin is a number."""
+    component, channel = reading.component, reading.conversion.channel
     gpio = parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio)
-    if component.instances == 1:
-        return (f"gpio = {gpio}",) if channel.pin else ()
-    lines = [f"for instance in range({component.instances}):", f"    gpio = {gpio}"]
+    off = []
     if switch := _switch(component):
-        off = f"    if {parameter_expression(switch, 'parameters')} == 0:"
-        lines[1:1] = [off, "        continue  # its pin may be somebody else's"]
-    return tuple(lines)
+        off.append(f"{parameter_expression(switch, 'parameters')} == 0")
+    if channel.when:
+        parameter, steps = channel.when
+        off = [f"{parameter_expression(parameter, 'parameters')} != {steps}", *(off if steps == 0 else [])]
+    if component.instances == 1:
+        found = [f"gpio = {gpio}"] if channel.pin else []
+        return (*found, *(f"if {text.replace(' != ', ' == ')}:" for text in off))
+    lines = [f"for instance in range({component.instances}):"]
+    if off:
+        lines += [f"    if {' or '.join(off)}:", "        continue  # its pin may be somebody else's"]
+    return (*lines, f"    gpio = {gpio}")
 
 
 def _link(link: BoardLink, board: BoardModel | None) -> LinkView:

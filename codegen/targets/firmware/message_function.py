@@ -127,7 +127,8 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         body += ["", *answer.statements(code)]
     expired = _expiring(message, system)
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
-    age = "value" if len(expired) == 1 else "age"  # the time is needed no more: boards have room for few variables
+    ages = [reading for component in expired for reading in component.readings if reading.expires]
+    age = "value" if len(ages) == 1 else "age"  # the time is needed no more: boards have room for few variables
     before = [line for component in expired for line in ["", *expiry(component, code, code.now(), age)]]
     before = [*_ageing(message, system, code), *before]
     withheld = _withheld(message, code)
