@@ -12,7 +12,9 @@ from codegen.derivations.counts_returns import resolve_counts_returns
 from codegen.derivations.enabled_by import resolve_enabled_by
 from codegen.derivations.estimate import resolve_estimate
 from codegen.derivations.follows import resolve_follows
+from codegen.derivations.integral import resolve_integral
 from codegen.derivations.measured import resolve_measured
+from codegen.derivations.remainder import resolve_lasts, resolve_left
 from codegen.derivations.set_by_code import SetByCode
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.derivations.trend import resolve_trend
@@ -24,6 +26,9 @@ from codegen.model.derivation_spec import (
     EnabledBySpec,
     EstimateSpec,
     FollowsSpec,
+    IntegralSpec,
+    LastsSpec,
+    LeftSpec,
     MeasuredSpec,
     TrendSpec,
     WhileKnownSpec,
@@ -40,6 +45,9 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     WhileKnownSpec: resolve_while_known,
     EnabledBySpec: resolve_enabled_by,
     CountsReturnsSpec: resolve_counts_returns,
+    IntegralSpec: resolve_integral,
+    LeftSpec: resolve_left,
+    LastsSpec: resolve_lasts,
 }
 """How each kind is resolved, by what it is written with."""
 

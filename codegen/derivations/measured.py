@@ -53,8 +53,13 @@ class Measured(Derivation):
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         adc, stored = self.adc, quantity.stored.name
         text = f"ADC {adc.channel.name} * {adc.multiplier.name} steps * {adc.numerator} / {adc.denominator}"
-        if adc.offset is not None:
-            text = f"{text} - {adc.offset.name} steps * {adc.offset_numerator} / {adc.denominator}"
+        if adc.offset is not None or adc.offset_numerator:
+            away = adc.offset.name if adc.offset else "no"
+            text = f"{text} - {away} steps * {adc.offset_numerator} / {adc.denominator}"
+        if adc.low is not None or adc.high is not None:
+            text = f"{text}, limited to {adc.low}..{adc.high}"
+        if adc.channel.when is not None:
+            text = f"{text}, while {adc.channel.when[0].name} is {adc.channel.when[1]}"
         yield DerivationFact("measured", text, "adc")
         if self.warns is not None:
             above = ", ".join(f"{limit} {stored}".rstrip() for limit in dict.fromkeys(self.warns.above))

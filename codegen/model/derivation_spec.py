@@ -147,7 +147,60 @@ class MeasuredSpec(DerivationSpec):
         return self.warn_above is not None
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class IntegralSpec(DerivationSpec):
+    """What is summed over time."""
+
+    KEY = "integral_of"
+
+    integral_of: str | None = described(
+        "The measured quantity of the same component of which this is the sum over time, such as a current.",
+        default=None,
+    )
+    times: str | None = described(
+        "For an integral: another measured quantity that it is multiplied with, such as the voltage for an energy.",
+        default=None,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LeftSpec(DerivationSpec):
+    """What a sum leaves."""
+
+    KEY = "left_of"
+
+    left_of: str | None = described(
+        "The parameter with the size of a full store of which this is left, in its unit or in %.", default=None
+    )
+    after: str | None = described(
+        "For left_of: the integral of the same component that is taken from it.", default=None
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LastsSpec(DerivationSpec):
+    """How long something lasts."""
+
+    KEY = "lasts"
+
+    lasts: str | None = described(
+        "The quantity of the same component, left of something, of which this is the time until nothing is left.",
+        default=None,
+    )
+    drawn: str | None = described("For lasts: the measured quantity that is taken from it.", key="at", default=None)
+    over: Amount | None = described("For lasts: the time over which that is smoothed, such as 10 s.", default=None)
+
+
 WrittenDerivation = (
-    WhileKnownSpec | EnabledBySpec | FollowsSpec | CountsReturnsSpec | TrendSpec | EstimateSpec | MeasuredSpec
+    WhileKnownSpec
+    | EnabledBySpec
+    | FollowsSpec
+    | CountsReturnsSpec
+    | TrendSpec
+    | EstimateSpec
+    | MeasuredSpec
+    | IntegralSpec
+    | LeftSpec
+    | LastsSpec
 )
 """Every derivation that can be written; a quantity with none of them is set by code."""

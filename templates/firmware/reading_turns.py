@@ -8,24 +8,27 @@ from micropython import const
 _WAITING = const(-1000000000)  # the count of a part that the board is being asked about
 
 
-def turns(state, read, parts, places, tell):
+def turns(state, read, parts, places, tell, follow):
     """Return what takes a turn when it is given the board.
 
     `read` is the function of the reading, `parts` are the words of each part, `places` where these have its count and
-    its failures in a row. `tell(told, instance, error)` says what there is to say. A turn never raises.
+    its failures in a row. `tell(told, instance, error)` says what there is to say, and `follow()`, if there is one,
+    takes over parameters before each turn. A turn never raises.
     """
-    turn = _turns(state.words, read, parts, places, tell, Guard())
+    turn = _turns(state.words, read, parts, places, tell, follow, Guard())
     next(turn)
     return turn.send
 
 
-def _turns(words, read, parts, places, tell, guard):
+def _turns(words, read, parts, places, tell, follow, guard):
     """Go on for ever: what lives on between the calls keeps an exception without heap, and looks up no names."""
     ticks = time.ticks_ms
     first = 0
     board = yield
     while True:
         try:
+            if follow and not first:
+                follow()
             told = read(words, parts, board, ticks, first)
             if told:
                 first = (told >> 4) + 1

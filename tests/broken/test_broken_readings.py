@@ -8,6 +8,9 @@ from test_broken_tables import Case, check_place, name_of
 
 STATE = "state.yaml"
 CURRENT = "        unit: A\n        stored: cA\n"
+CHARGE = "        unit: mAh\n        stored: mAh\n        restarts_with: swaps\n"
+LEFT = "        unit: mAh\n        stored: mAh\n        min: 0\n"
+OF = "        left_of: BATT_CAPACITY\n"
 PIN = "    pin: BATT_VOLT_PIN\n"
 
 
@@ -30,6 +33,17 @@ CASES = [
         measured("max: §50; multiplier: 17 A/V"),
         "battery.current is 0 to 5610 cA",
     ),
+    Case(
+        "bad-integral", STATE, CHARGE, CHARGE + "        integral_of: §current\n", "current is not measured by an ADC"
+    ),
+    Case("bad-integral", STATE, CHARGE, CHARGE + "        integral_of: §voltag\n", "no quantity voltag"),
+    Case(
+        "bad-integral", STATE, CHARGE, CHARGE + "        integral_of: §voltage\n", "voltage over time makes no charge"
+    ),
+    Case("bad-integral", STATE, CHARGE, CHARGE + "        times: §voltage\n", "says nothing without integral_of"),
+    Case("bad-remainder", STATE, LEFT, LEFT + "        left_of: §BATT_CAPACITY\n", "has both left_of and after"),
+    Case("bad-remainder", STATE, LEFT, LEFT + OF + "        after: §consumed\n", "consumed is no integral"),
+    Case("bad-remainder", STATE, LEFT, LEFT + "        lasts: §left\n", "has lasts, at and over"),
     Case("bad-adc", "board.yaml", PIN, PIN + "    when: §{BATT_MONITOR: 7}\n", "BATT_MONITOR is never 7"),
     Case("bad-adc", "board.yaml", PIN, PIN + "    when: §{BATT_REPORT: 1}\n", "looked at when the board starts"),
     Case("unknown-parameter", "board.yaml", PIN, PIN + "    when: §{BATT_MONITR: 3}\n", "BATT_MONITOR", is_alone=False),

@@ -7,6 +7,8 @@ percent are 40 for each volt above 0.4 V, and end at 0 and 100.
 import json
 import subprocess
 import sys
+from fractions import Fraction
+from math import floor
 from pathlib import Path
 
 import pytest
@@ -71,3 +73,51 @@ print(json.dumps({check.__name__: behaviour.outcome(check) for check in checks})
     found = json.loads(done.stdout)
     assert len(found) == 9
     assert set(found.values()) == {None}, found
+
+
+STEPS_MS = (7, 100, 100, 1900, 20000, 59999, 60000, 60001, 40000, 3)
+HALF = Fraction(1, 2)
+
+
+def by_fractions(days: int) -> list[list[int]]:
+    """What has to be counted: exact sums of the rounded readings, each for the time since the one before.
+
+    More than 60 s are a gap, and so are failures from the fourth on.
+    """
+    charge = energy = Fraction(0)
+    number, turn, passed_ms, since_ms, failures, counted = 1, 0, 0, None, 0, []
+    while len(counted) < days:
+        number = (number * 1103 + 12345) % 65536
+        passed_ms += STEPS_MS[number % 10]
+        turn += 1
+        if number % 13 == 0:
+            failures += 1
+            since_ms = None if failures >= 4 else since_ms
+        else:
+            failures = 0
+            volts = floor(Fraction(3200 + number % 800, 4095) * 3300 * 5 + HALF)
+            at_pin = Fraction(350 + number * 7 % 3700, 4095) * Fraction(33, 10) - Fraction(33, 100)
+            amperes = floor(at_pin * 1700 + HALF)
+            if since_ms is not None and passed_ms - since_ms <= 60000:
+                hours = Fraction(passed_ms - since_ms, 3600000)
+                charge += amperes * 10 * hours
+                energy += Fraction(amperes, 100) * Fraction(volts, 1000) * hours * 36
+            since_ms = passed_ms
+        if passed_ms >= (len(counted) + 1) * 86400000:
+            counted.append([turn, floor(charge + HALF), floor(energy + HALF)])
+    return counted
+
+
+@pytest.mark.parametrize(("interpreter", "days"), [("micropython", 30), ("micropython32", 3), ("python", 3)])
+def test_what_is_counted_does_not_drift(project: Path, interpreter: str, days: int) -> None:
+    """After every day charge and energy are the nearest to their exact sums, to the last mAh and hJ."""
+    state = project / "specs" / "state.yaml"
+    if "500 ms" in state.read_text():  # readings that may be a minute apart make a month short
+        state.write_text(state.read_text().replace("stale_after: 500 ms", "stale_after: 60 s"))
+        subprocess.run([str(BIN / "codegen"), "build"], cwd=project, check=True, capture_output=True)
+    command = [str(BIN / interpreter), "days.py", str(days)]
+    done = subprocess.run(command, cwd=project, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    counted = json.loads(done.stdout)
+    assert [each[:3] for each in counted] == by_fractions(days)
+    assert counted[0][1] > 1000

@@ -7,6 +7,7 @@ from codegen.model.state_spec import QuantitySpec
 from codegen.model.unit import decimal, unit_named
 from codegen.model.vehicle import Component, Parameter, Reading
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED
+from codegen.targets.firmware.sum_words import fulls
 from codegen.targets.firmware.words import Block, differ, factor_words
 from codegen.targets.imports import either_import
 from codegen.targets.naming import parameter_expression
@@ -122,6 +123,10 @@ def measured_view(reading: Reading, block: Block) -> MeasuredView:
     ]
     set_up = [(word, parameter_expression(factor, "self.parameters")) for word, factor in factors]
     followed = [pair for pair, (_, factor) in zip(set_up, factors, strict=True) if not factor.spec.reboot]
+    sizes = [(block.constant(word), one) for word, one in fulls(reading).items()]
+    shown = [(word, parameter_expression(one, "self.parameters")) for word, one in sizes]
+    set_up += shown
+    followed += [pair for pair, (_, one) in zip(shown, sizes, strict=True) if not one.spec.reboot]
     formula, taken = _formula(reading)
     return MeasuredView(
         name=quantity.name,

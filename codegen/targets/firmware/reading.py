@@ -7,10 +7,8 @@ from codegen.model.conversion import Factor
 from codegen.model.payload_code import ELEMENT, UNKNOWN, each_element, indented
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Returns, Threshold
 from codegen.targets.firmware.payload import SpelledCode
+from codegen.targets.firmware.summing import CLOCK_MASK, begun, summed
 from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, factor_words
-
-CLOCK_MASK = "0x3FFFFFFF"
-"""Ticks are counted in 30 bits: boards count them so, and 64-bit interpreters further."""
 
 FIRST, RETURNED, ABOVE, GOOD = 1, 2, 4, 8
 """What a reading gives cause to tell: bits of what the function returns."""
@@ -72,9 +70,10 @@ def forgotten(reading: Reading, code: SpelledCode) -> list[str]:
     return lines
 
 
-def taken(reading: Reading, code: SpelledCode) -> list[str]:
+def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = None) -> list[str]:
     """Take over the count that stands in its word, at ``now_ms``; one that cannot be is a failed reading.
 
+    ``counting_on`` are the statements that count on what it sums up to, where these are not to stand here themselves.
     What there is to tell is in ``told``. The value is unknown afterwards, or the one that ``changed`` goes on with.
     """
     measured, conversion = reading.quantity, reading.conversion
@@ -87,6 +86,7 @@ def taken(reading: Reading, code: SpelledCode) -> list[str]:
         failed += [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
     good = [
         *_converted(reading, code),
+        *(summed(reading, code) if counting_on is None else counting_on),
         f"{code.word(name, measured.attribute)} = value",
         f"{failures} = 0",
     ]
@@ -210,6 +210,10 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     yield f"        {counted} = 0"
     yield f"    {counted} = {counted} + 1"
     for quantity in returns.restarting:
+        if quantity.derivation.sums:
+            yield f"    if {code.number_of(code.word(name, quantity.attribute))} != {UNKNOWN}:"
+            yield from indented(begun(quantity, code), 2)
+            continue
         word = code.word(name, quantity.attribute)
         if quantity.initial is None:
             yield f"    if {code.number_of(word)} != {UNKNOWN}:"

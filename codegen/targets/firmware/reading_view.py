@@ -9,6 +9,8 @@ from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.payload_machine import MachineCode
 from codegen.targets.firmware.payload_plain import PlainReading
 from codegen.targets.firmware.reading import WAITING, changed, expires, expiry, known, taken
+from codegen.targets.firmware.sum_words import counted
+from codegen.targets.firmware.summing import summed
 from codegen.targets.firmware.words import ConstantView, Layout
 
 
@@ -21,7 +23,7 @@ class ReadingView:
     ``start`` is where the first one stands in the state, in bytes, ``size`` how many words each takes. ``declared`` are
     the statements that the code for one instance needs before it, ``is_read`` is the condition that one is read, "" for
     always, ``asked`` the count that the board is asked for, and ``turn`` what is done with it; ``changed`` are the
-    statements for its trend where they have a function of their own.
+    statements for its trend, and ``summed`` those for sums, where they have a function of their own.
     """
 
     name: str
@@ -36,6 +38,7 @@ class ReadingView:
     measured: str
     citation: str
     turn: tuple[str, ...]
+    summed: tuple[str, ...]
     changed: tuple[str, ...]
     expiry: tuple[str, ...]
     stale_after: str
@@ -82,6 +85,7 @@ def readings_view(layout: Layout, readings: Iterable[Reading], *, machine_code: 
                 measured=reading.quantity.name,
                 citation=str((component.citation if reading.is_first else reading.quantity.citation) or name),
                 turn=tuple(turn),
+                summed=() if machine_code else tuple(summed(reading, code)),
                 changed=() if machine_code else tuple(change),
                 expiry=tuple(indented([*old_pointers, *old])),
                 stale_after=reading.quantity.cited("stale_after"),
@@ -123,7 +127,8 @@ def _turn(reading: Reading, code: SpelledCode, asked: str, is_read: str) -> list
 
 def _take(reading: Reading, code: SpelledCode) -> list[str]:
     """Take a count over in plain Python; the trend has a function of its own: one of many variables needs heap."""
-    lines = taken(reading, code)
+    name, owner = reading.name, reading.component.name
+    lines = taken(reading, code, [f"_sum_{name}({owner}, value, now_ms)"] if counted(reading) else [])
     if changed(reading, code):
-        lines += [f"if {known(reading, code)}:", f"    _change_{reading.name}({reading.component.name})"]
+        lines += [f"if {known(reading, code)}:", f"    _change_{name}({owner})"]
     return [*lines, "return told"]

@@ -25,6 +25,7 @@ from codegen.targets.firmware.measured_view import (
     unreadable,
 )
 from codegen.targets.firmware.reading import WAITING, expires
+from codegen.targets.firmware.sum_words import fulls
 from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
@@ -143,6 +144,7 @@ def _families(system: System) -> tuple[FamilyView, ...]:
     for _, _, conversion in system.measured():
         used += [conversion.channel.when[0]] if conversion.channel.when else []
         used += [factor for factor in conversion.factors if isinstance(factor, Parameter)]
+    used += [parameter for reading in system.readings() for parameter in fulls(reading).values()]
     by_name = {parameter.name: parameter for parameter in used if parameter.siblings}
     return tuple(family_view(parameter) for parameter in by_name.values())
 
@@ -168,7 +170,7 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach], 
         expires=expires(component),
         measured=view,
         further=tuple(further_view(reading, block, machine_code=machine_code) for reading in readings[1:]),
-        followed=tuple(pair for reading in readings for pair in measured_view(reading, block).followed),
+        followed=view.followed if view else (),
         estimate=next(filter(None, (_estimate(quantity, component, block) for quantity in quantities)), None),
         emptied=tuple(place for place, _ in _counters(component, block)),
         set_up=tuple(_set_up(component, block, view)),

@@ -12,6 +12,7 @@ from codegen.frozen import dataclass
 from codegen.model.conversion import Factor
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading
+from codegen.targets.firmware.sum_words import sum_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,6 +134,7 @@ def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
                 yield reading.word("warn_above"), 1
         if reading.returns:
             yield "gone", 1
+        yield from ((word, 1) for word in sum_words(reading))
     for quantity in component.quantities.values():
         if quantity.derivation.kept_readings:
             yield from ((f"{quantity.name}_{word}", 1) for word in TREND_WORDS)
