@@ -94,7 +94,10 @@ class Symbols:
 
     def readings(self, readings: Iterable[Reading]) -> tuple[Symbol, ...]:
         """What reads the ADC."""
-        return self._all((BOARD, f"Board.read_{reading.name}_adc") for reading in readings)
+        return self._all(
+            (BOARD, f"Board.read_{reading.name}_adc") if reading.is_first else (_module(reading), "Inputs.read")
+            for reading in readings
+        )
 
     def component(self, component: Component) -> tuple[Symbol, ...]:
         """Its class, and its update where it is measured."""
@@ -134,15 +137,23 @@ class Symbols:
         stored = quantity.name if quantity.is_computed else quantity.attribute
         found = [(STATE, f"{owner}.{name}") for name in dict.fromkeys((stored, quantity.name))]
         if quantity.derivation.conversion is not None:
-            found.append((STATE, f"{owner}.{quantity.name}_from_adc"))
-            if any(each.quantity is quantity and each.is_plain for each in self.system.readings()):
-                found.append((STATE, f"{owner}.set_count"))
+            for reading in self.system.readings():
+                if reading.quantity is quantity and reading.is_first:
+                    found.append((STATE, f"{owner}.{quantity.name}_from_adc"))
+                    found += [(STATE, f"{owner}.set_count")] if reading.is_plain else []
+                elif reading.quantity is quantity:
+                    found += [(_module(reading), f"{quantity.name}_from_adc"), (_module(reading), "turn")]
         return found
 
     def _all(self, found: Iterable[tuple[str, str]]) -> tuple[Symbol, ...]:
         program = self.system.spec.program
         below = f"{program}/" if program else ""
         return tuple(dict.fromkeys(Symbol(f"{below}{file}", name) for file, name in found))
+
+
+def _module(reading: Reading) -> str:
+    """The module of a reading behind the first of its component."""
+    return f"firmware/{reading.name}.py"
 
 
 def symbols_of(system: System) -> Symbols:

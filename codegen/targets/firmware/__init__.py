@@ -3,11 +3,11 @@
 from codegen.model.dialect import WireMessage
 from codegen.model.program import Program
 from codegen.model.system import System
-from codegen.model.vehicle import Reading
 from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
+from codegen.targets.firmware.further import further_module_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
@@ -16,7 +16,7 @@ from codegen.targets.firmware.reading_view import readings_view
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
-from codegen.targets.firmware.words import word_layout
+from codegen.targets.firmware.words import Layout, word_layout
 from codegen.targets.naming import prose
 from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text, specification_file
 from codegen.targets.rendered import rendered
@@ -46,14 +46,13 @@ def render_firmware(system: System) -> dict[str, str]:
         "telemetry.py": (telemetry_view(system), written, wires),
         "telemetry_plain.py": (plain, written, wires),
     }
+    templates: dict[str, str] = {}
     if view.is_measured:
-        views["samples_plain.py"] = (board_view(system), [board, state], [])
-        if machine_code:
-            views["samples_viper.py"] = (board_view(system), [board, state], [])
-        for name, readings in _reading_modules(system).items():
-            for suffix in ("plain", *(["viper"] if machine_code else [])):
-                taken = readings_view(layout, readings, machine_code=suffix == "viper")
-                views[f"{name}_{suffix}.py"] = (taken, [state, board, parameters], [])
+        for name, (template, taken) in _reading_views(system, layout).items():
+            views[name] = (taken, [state, board, parameters], [])
+            templates[name] = template
+        for suffix in ("plain", *(["viper"] if machine_code else [])):
+            views[f"samples_{suffix}.py"] = (board_view(system), [board, state], [])
     if machine_code:
         fast = functions_view(system, layout, machine_code=True)
         views["telemetry_viper.py"] = (fast, written, wires)
@@ -79,23 +78,26 @@ def render_firmware(system: System) -> dict[str, str]:
         messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
     )
     for name, (shown, paths, messages) in views.items():
-        text = rendered(f"firmware/{_template(name)}.j2", shown)
+        text = rendered(f"firmware/{templates.get(name, name)}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
     return files | _program_files(system)
 
 
-def _reading_modules(system: System) -> dict[str, list[Reading]]:
-    """The modules that readings are taken with: state, and one for each that a parameter decides about."""
-    modules: dict[str, list[Reading]] = {}
-    for reading in system.readings():
-        modules.setdefault(reading.name if reading.is_optional else "state", []).append(reading)
-    return modules
-
-
-def _template(name: str) -> str:
-    """The template of a module: readings with a module of their own have the same as those without."""
-    stem, _, suffix = name.removesuffix(".py").rpartition("_")
-    return f"state_{suffix}.py" if suffix in ("plain", "viper") and stem not in ("samples", "telemetry") else name
+def _reading_views(system: System, layout: Layout) -> dict[str, tuple[str, object]]:
+    """The modules that take readings, each with its template: those of the first ones together, of others alone."""
+    found: dict[str, tuple[str, object]] = {}
+    suffixes = ("plain", *(["viper"] if system.spec.project.machine_code else []))
+    board = board_view(system)
+    modules = {"state": [reading for reading in system.readings() if reading.is_first]}
+    modules |= {reading.name: [reading] for reading in system.readings() if not reading.is_first}
+    for name, readings in modules.items():
+        samplers = () if name == "state" else tuple(each for each in board.readers if each.component == name)
+        for suffix in suffixes:
+            taken = readings_view(layout, readings, samplers, machine_code=suffix == "viper")
+            found[f"{name}_{suffix}.py"] = f"state_{suffix}.py", taken
+        if samplers:
+            found[f"{name}.py"] = "further_reading.py", further_module_view(readings[0], board, system, layout)
+    return found
 
 
 def _program_files(system: System) -> dict[str, str]:

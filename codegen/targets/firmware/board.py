@@ -9,6 +9,7 @@ from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Reading
 from codegen.targets.families import family_lines
+from codegen.targets.firmware.measured_view import FurtherView, further_view
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, quoted
 
@@ -69,7 +70,9 @@ class LinkView:
 
 @dataclass(frozen=True, slots=True)
 class BoardView:
-    """The board, its readers and its links; ``hardware`` is its name with that of the microcontroller.
+    """The board, its links, and all its readers: the ``first`` of each component, and modules of the ``further`` ones.
+
+    ``hardware`` is its name with that of the microcontroller.
 
     ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
     is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures.
@@ -78,6 +81,8 @@ class BoardView:
     board: str
     hardware: str
     readers: tuple[ReaderView, ...]
+    first: tuple[ReaderView, ...]
+    further: tuple[FurtherView, ...]
     head: tuple[str, ...]
     links: tuple[LinkView, ...]
     has_pins: bool
@@ -88,16 +93,19 @@ class BoardView:
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
     readers = _readers(system)
+    first = tuple(each for each, reading in zip(readers, system.readings(), strict=True) if reading.is_first)
     links = tuple(_link(link, system.board) for link in system.links)
     has_pins = any(_pin_parameters(system))
     return BoardView(
         board=prose(system.board.name if system.board else system.board_name),
         hardware=prose(system.board_name),
         readers=readers,
-        head=(*_imports(readers, links, has_pins=has_pins), *_readings(system, readers), *_families(system)),
+        first=first,
+        further=tuple(further_view(reading, "parameters") for reading in system.readings() if not reading.is_first),
+        head=(*_imports(first, links, has_pins=has_pins), *_readings(system, first), *_families(system)),
         links=links,
         has_pins=has_pins,
-        is_timed=any(reader.read_limit_us is not None for reader in readers),
+        is_timed=any(reader.read_limit_us is not None for reader in first),
         adc_pins=tuple(sorted(system.board.adc.pins & system.board.free)) if system.board and system.board.adc else (),
     )
 
@@ -129,7 +137,8 @@ def _pin_parameters(system: System) -> tuple[Parameter, ...]:
     for name, _, conversion in system.measured():
         channel = conversion.channel
         deciding = channel.when[0] if channel.when else None
-        switches = (channel.pin, _switch(system.components[name]), deciding)
+        first = system.components[name].readings[0].conversion is conversion
+        switches = (channel.pin, _switch(system.components[name]), deciding) if first else (deciding,)
         used |= {each.name: each for each in switches if each}
     return tuple(used.values())
 
@@ -146,7 +155,7 @@ def plain_readers(system: System) -> tuple[ReaderView, ...]:
 
 
 def _readers(system: System) -> tuple[ReaderView, ...]:
-    return tuple(_reader(reading, place, system) for place, reading in enumerate(system.readings()))
+    return tuple(reader_view(reading, place, system) for place, reading in enumerate(system.readings()))
 
 
 def adc_input(reading: str, place: int) -> str:
@@ -154,7 +163,7 @@ def adc_input(reading: str, place: int) -> str:
     return "adc" if place == 0 else f"{reading}_adc"
 
 
-def _reader(reading: Reading, place: int, system: System) -> ReaderView:
+def reader_view(reading: Reading, place: int, system: System) -> ReaderView:
     component, channel = reading.component, reading.conversion.channel
     name, several = reading.name, component.instances > 1
     has_variable = several or channel.pin is not None
@@ -197,16 +206,21 @@ def _reader(reading: Reading, place: int, system: System) -> ReaderView:
     )
 
 
+def is_off(reading: Reading) -> list[str]:
+    """The conditions with which an instance is not read, any of which is enough."""
+    component, when = reading.component, reading.conversion.channel.when
+    switch = _switch(component)
+    off = [f"{parameter_expression(switch, 'parameters')} == 0"] if switch else []
+    if when is None:
+        return off
+    return [f"{parameter_expression(when[0], 'parameters')} != {when[1]}", *(off if when[0] is not switch else [])]
+
+
 def _lines_before(reading: Reading) -> tuple[str, ...]:
     """What finds the pin of the component, or of each instance in turn; nothing where the pin is a number."""
     component, channel = reading.component, reading.conversion.channel
     gpio = parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio)
-    off = []
-    if switch := _switch(component):
-        off.append(f"{parameter_expression(switch, 'parameters')} == 0")
-    if channel.when:
-        parameter, steps = channel.when
-        off = [f"{parameter_expression(parameter, 'parameters')} != {steps}", *(off if steps == 0 else [])]
+    off = is_off(reading)
     if component.instances == 1:
         found = [f"gpio = {gpio}"] if channel.pin else []
         return (*found, *(f"if {text.replace(' != ', ' == ')}:" for text in off))

@@ -9,8 +9,7 @@ from codegen.model.vehicle import Component, Parameter, Reading
 from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED
 from codegen.targets.firmware.sum_words import fulls
 from codegen.targets.firmware.words import Block, differ, factor_words
-from codegen.targets.imports import either_import
-from codegen.targets.naming import parameter_expression
+from codegen.targets.naming import family_constant, parameter_expression
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,20 +50,13 @@ class TellView:
 
 @dataclass(frozen=True, slots=True)
 class FurtherView:
-    """A reading behind the first of a component: ``name`` is in the names of its functions, ``what`` what it is.
+    """A reading behind the first of a component, as state.py and board.py know it: its module, and when it is wanted.
 
-    ``imported`` are the lines that import its function where it is read at all, which the word ``is_read`` says; none
-    where it always is. ``unreadable`` is the text about a board that raises.
+    ``wanted`` is the condition on the parameters, "" for always.
     """
 
     name: str
-    measured: MeasuredView
-    is_read: str
-    imported: tuple[str, ...]
-    count: str
-    failures: str
-    told: tuple[TellView, ...]
-    unreadable: str
+    wanted: str
 
 
 def unreadable(component: Component, further: str = "") -> str:
@@ -75,21 +67,16 @@ def unreadable(component: Component, further: str = "") -> str:
     return f'f"error: the board cannot read {component.name} {{instance + 1}}{what}:"'
 
 
-def further_view(reading: Reading, block: Block, *, machine_code: bool) -> FurtherView:
-    name, view = reading.name, measured_view(reading, block)
-    imported: tuple[str, ...] = ()
-    if reading.is_optional:
-        imported = either_import(name, [f"read_{name}"], machine_code=machine_code)
-    return FurtherView(
-        name=name,
-        measured=view,
-        is_read=block.constant(reading.word("is_read")) if reading.is_optional else "",
-        imported=imported,
-        count=block.constant(reading.word("count")),
-        failures=block.constant(reading.word("failures")),
-        told=tuple(texts_of(reading, view)),
-        unreadable=unreadable(reading.component, reading.quantity.name),
-    )
+def further_view(reading: Reading, parameters: str) -> FurtherView:
+    """The view of a further reading; ``parameters`` is the expression for them."""
+    when = reading.conversion.channel.when
+    if when is None:
+        return FurtherView(reading.name, "")
+    switch, steps = when
+    if switch.siblings:
+        each = f"getattr({parameters}, each) == {steps}"
+        return FurtherView(reading.name, f"any({each} for each in {family_constant(switch)})")
+    return FurtherView(reading.name, f"{parameter_expression(switch, parameters)} == {steps}")
 
 
 def texts_of(reading: Reading, measured: MeasuredView) -> Iterator[TellView]:
@@ -106,7 +93,8 @@ def texts_of(reading: Reading, measured: MeasuredView) -> Iterator[TellView]:
         yield TellView(ABOVE, f'{"f" if "{" in text else ""}"{text}", value')
 
 
-def measured_view(reading: Reading, block: Block) -> MeasuredView:
+def measured_view(reading: Reading, block: Block, parameters: str = "self.parameters") -> MeasuredView:
+    """The view of a reading; ``parameters`` is the expression for them."""
     quantity, conversion, component = reading.quantity, reading.conversion, reading.component
     threshold, multiplier = quantity.derivation.threshold, conversion.multiplier
     warn_text = ""
@@ -114,17 +102,18 @@ def measured_view(reading: Reading, block: Block) -> MeasuredView:
         text = decimal(threshold.above[0] / quantity.steps)
         if differ(threshold.above):
             word = block.constant(reading.word("warn_above"))
-            text = f"{{self.{component.name}_words[instance][{word}] / {decimal(quantity.steps)}}}"
+            owner = "self" if reading.is_first else "state"
+            text = f"{{{owner}.{component.name}_words[instance][{word}] / {decimal(quantity.steps)}}}"
         warn_text = f"{text} {quantity.unit.name}"
     factors = [
         (block.constant(reading.word(word)), factor)
         for word, factor in factor_words(reading)
         if isinstance(factor, Parameter)
     ]
-    set_up = [(word, parameter_expression(factor, "self.parameters")) for word, factor in factors]
+    set_up = [(word, parameter_expression(factor, parameters)) for word, factor in factors]
     followed = [pair for pair, (_, factor) in zip(set_up, factors, strict=True) if not factor.spec.reboot]
     sizes = [(block.constant(word), one) for word, one in fulls(reading).items()]
-    shown = [(word, parameter_expression(one, "self.parameters")) for word, one in sizes]
+    shown = [(word, parameter_expression(one, parameters)) for word, one in sizes]
     set_up += shown
     followed += [pair for pair, (_, one) in zip(shown, sizes, strict=True) if not one.spec.reboot]
     formula, taken = _formula(reading)
@@ -175,3 +164,16 @@ def _own_name(name: str, siblings: tuple[str, ...]) -> str:
         return f'"{name}"'
     names = ", ".join(f'"{sibling}"' for sibling in siblings)
     return f"({names})[instance]" if len(siblings) > 1 else f'"{siblings[0]}"'
+
+
+def is_read_word(reading: Reading, block: Block, parameters: str) -> Iterator[tuple[str, str]]:
+    """The word that says whether a parameter lets an instance be read, with its value; nothing without one."""
+    when, enabled = reading.conversion.channel.when, reading.component.enabled
+    if when is None:
+        return
+    switch = reading.component.switch
+    is_on = "" if enabled is None or switch is when[0] else f" and words[{block.constant(enabled.attribute)}]"
+    yield (
+        block.constant(reading.word("is_read")),
+        f"1 if {parameter_expression(when[0], parameters)} == {when[1]}{is_on} else 0",
+    )

@@ -1,6 +1,6 @@
 """Statements that take a reading over into the words of a component, and forget one that has become too old."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from codegen.model.conversion import Factor
@@ -23,9 +23,9 @@ def expires(component: Component) -> bool:
     return any(reading.expires for reading in component.readings)
 
 
-def expiry(component: Component, code: SpelledCode, now: str, age: str) -> list[str]:
+def expiry(readings: Iterable[Reading], code: SpelledCode, now: str, age: str) -> list[str]:
     """Forget the last readings where they are too old by the time ``now``, in ms; ``age`` is a variable for how old."""
-    return [line for reading in component.readings for line in _expiry(reading, code, now, age)]
+    return [line for reading in readings for line in _expiry(reading, code, now, age)]
 
 
 def _expiry(reading: Reading, code: SpelledCode, now: str, age: str) -> list[str]:

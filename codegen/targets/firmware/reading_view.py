@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from codegen.frozen import dataclass
 from codegen.model.payload_code import indented
 from codegen.model.vehicle import Reading
+from codegen.targets.firmware.board import ReaderView
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.payload_machine import MachineCode
 from codegen.targets.firmware.payload_plain import PlainReading
@@ -46,14 +47,21 @@ class ReadingView:
 
 @dataclass(frozen=True, slots=True)
 class ReadingsView:
-    """A module: the constants of the words that readings are about, and the functions of each component."""
+    """A module: the constants of the words that readings are about, and the functions of each of them.
+
+    ``samplers`` are the readings whose samples it takes, too.
+    """
 
     constants: tuple[ConstantView, ...]
     readings: tuple[ReadingView, ...]
+    samplers: tuple[ReaderView, ...] = ()
+    is_timed: bool = False
     waiting: int = WAITING
 
 
-def readings_view(layout: Layout, readings: Iterable[Reading], *, machine_code: bool) -> ReadingsView:
+def readings_view(
+    layout: Layout, readings: Iterable[Reading], samplers: tuple[ReaderView, ...] = (), *, machine_code: bool
+) -> ReadingsView:
     """The view of the module of some readings, in machine code or in plain Python."""
     views = []
     constants: list[ConstantView] = []
@@ -61,7 +69,7 @@ def readings_view(layout: Layout, readings: Iterable[Reading], *, machine_code: 
     for reading in readings:
         component = reading.component
         code: SpelledCode = (MachineCode if machine_code else PlainReading)(layout, component.name)
-        old = expiry(component, code, "now_ms", "age") if reading.is_first and expires(component) else []
+        old = expiry(component.readings, code, "now_ms", "age") if reading.is_first and expires(component) else []
         old_pointers = code.pointers()
         name, block = component.name, layout.blocks[component.name]
         several = component.instances > 1
@@ -98,7 +106,8 @@ def readings_view(layout: Layout, readings: Iterable[Reading], *, machine_code: 
             constants.append(ConstantView(block.base_constant, block.base))
             constants += [ConstantView(block.size_constant, block.size)] if block.component.instances > 1 else []
         constants += layout.constants(name, used, in_array=False)
-    return ReadingsView(tuple(constants), tuple(views))
+    is_timed = any(reader.read_limit_us is not None for reader in samplers)
+    return ReadingsView(tuple(constants), tuple(views), samplers, is_timed)
 
 
 def _is_read(reading: Reading, code: SpelledCode) -> str:

@@ -20,6 +20,7 @@ from codegen.targets.firmware.measured_view import (
     MeasuredView,
     TellView,
     further_view,
+    is_read_word,
     measured_view,
     texts_of,
     unreadable,
@@ -97,10 +98,7 @@ class StateView:
 def state_view(system: System, layout: Layout) -> StateView:
     """The view of the whole module."""
     told = reaches(system)
-    machine_code = system.spec.project.machine_code
-    components = tuple(
-        _component(component, layout, told, machine_code=machine_code) for component in system.components.values()
-    )
+    components = tuple(_component(component, layout, told) for component in system.components.values())
     measured = [component for component in components if component.measured]
     has_estimate = any(component.estimate for component in components)
     words = {"Component", "UNKNOWN", "together"} | {
@@ -112,7 +110,6 @@ def state_view(system: System, layout: Layout) -> StateView:
     names.add(("frames", "address"))
     names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
-    names |= {("reading_turns", "turns")} if any(component.further for component in components) else set()
     constants = [
         constant
         for block in layout.blocks.values()
@@ -122,8 +119,9 @@ def state_view(system: System, layout: Layout) -> StateView:
             *(ConstantView(block.constant(name), at) for name, at in block.offsets.items()),
         )
     ]
-    readings = [f"read_{reading.name}" for reading in system.readings() if not reading.is_optional]
+    readings = [f"read_{reading.name}" for reading in system.readings() if reading.is_first]
     readings += [f"expire_{component.name}" for component in measured if component.expires]
+    machine_code = system.spec.project.machine_code
     return StateView(
         imports=import_lines(["time"] if measured or CLOCK in system.components else [], names),
         reading_imports=either_import("state", sorted(readings), machine_code=machine_code) if readings else (),
@@ -141,15 +139,17 @@ def _families(system: System) -> tuple[FamilyView, ...]:
     """The families of parameters that the state reads: those that switch a component on, and multipliers."""
     quantities = [quantity for component in system.components.values() for quantity in component.quantities.values()]
     used = [quantity.derivation.switch for quantity in quantities if quantity.derivation.switch]
-    for _, _, conversion in system.measured():
+    for reading in system.readings():
+        conversion = reading.conversion
         used += [conversion.channel.when[0]] if conversion.channel.when else []
-        used += [factor for factor in conversion.factors if isinstance(factor, Parameter)]
-    used += [parameter for reading in system.readings() for parameter in fulls(reading).values()]
+        if reading.is_first:
+            used += [factor for factor in conversion.factors if isinstance(factor, Parameter)]
+            used += fulls(reading).values()
     by_name = {parameter.name: parameter for parameter in used if parameter.siblings}
     return tuple(family_view(parameter) for parameter in by_name.values())
 
 
-def _component(component: Component, layout: Layout, told: Mapping[str, Reach], *, machine_code: bool) -> ComponentView:
+def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) -> ComponentView:
     block = layout.blocks[component.name]
     quantities = component.quantities.values()
     readings = component.readings
@@ -169,7 +169,7 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach], 
         forgotten=tuple(_forgotten(component, block)),
         expires=expires(component),
         measured=view,
-        further=tuple(further_view(reading, block, machine_code=machine_code) for reading in readings[1:]),
+        further=tuple(further_view(reading, "self.parameters") for reading in readings[1:]),
         followed=view.followed if view else (),
         estimate=next(filter(None, (_estimate(quantity, component, block) for quantity in quantities)), None),
         emptied=tuple(place for place, _ in _counters(component, block)),
@@ -195,13 +195,8 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
         yield block.constant(component.enabled.attribute), f"1 if {switch} != 0 else 0"
     if measured:
         yield from measured.set_up
-    for reading in component.readings:
-        if when := reading.conversion.channel.when:
-            enabled = f" and words[{block.constant(component.enabled.attribute)}]" if component.enabled else ""
-            condition = f"{parameter_expression(when[0], 'self.parameters')} == {when[1]}{enabled}"
-            yield block.constant(reading.word("is_read")), f"1 if {condition} else 0"
-    for reading in component.readings[1:]:
-        yield from measured_view(reading, block).set_up
+    for reading in component.readings[:1]:
+        yield from is_read_word(reading, block, "self.parameters")
 
 
 def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
