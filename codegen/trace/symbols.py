@@ -23,6 +23,7 @@ from codegen.targets.naming import (
 from codegen.targets.receiver.view import ReceiverView, receiver_view
 from codegen.trace.graph import Symbol
 
+INPUTS = "firmware/adc_inputs.py"
 BOARD = "firmware/board.py"
 FAILSAFE = "firmware/failsafe.py"
 MESSAGES = "firmware/messages.py"
@@ -95,8 +96,7 @@ class Symbols:
     def readings(self, readings: Iterable[Reading]) -> tuple[Symbol, ...]:
         """What reads the ADC."""
         return self._all(
-            (BOARD, f"Board.read_{reading.name}_adc") if reading.is_first else (_module(reading), "Inputs.read")
-            for reading in readings
+            (INPUTS, "AdcInputs.read") if reading.is_first else (_module(reading), "connect") for reading in readings
         )
 
     def component(self, component: Component) -> tuple[Symbol, ...]:

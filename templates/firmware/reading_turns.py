@@ -15,12 +15,12 @@ def turns(state, read, parts, places, tell, follow):
     its failures in a row. `tell(told, instance, error)` says what there is to say, and `follow()`, if there is one,
     takes over parameters before each turn. A turn never raises.
     """
-    turn = _turns(state.words, read, parts, places, tell, follow, Guard())
+    turn = _turns(state.words, read, parts, places, tell, follow)
     next(turn)
     return turn.send
 
 
-def _turns(words, read, parts, places, tell, follow, guard):
+def _turns(words, read, parts, places, tell, follow):
     """Go on for ever: what lives on between the calls keeps an exception without heap, and looks up no names."""
     ticks = time.ticks_ms
     first = 0
@@ -37,10 +37,10 @@ def _turns(words, read, parts, places, tell, follow, guard):
                 first = 0
                 board = yield
         except Exception as error:
-            first = _failed(read, parts, places, tell, guard, error, first)
+            first = failed(read, parts, places, tell, error, first)
 
 
-def _failed(read, parts, places, tell, guard, error, first):
+def failed(read, parts, places, tell, error, first):
     """Count a failed reading of the part that the board was asked for; return which one is next."""
     count, failures = places
     for instance in range(first, len(parts)):
@@ -48,7 +48,7 @@ def _failed(read, parts, places, tell, guard, error, first):
         if words[count] == _WAITING:
             words[count] = -1
             if words[failures] == 0:
-                with guard:  # a log that fails is no reason to stop
+                with Guard():  # a log that fails is no reason to stop
                     tell(0, instance, error)
             read(words, None, None, time.ticks_ms, -1)
             return instance + 1

@@ -63,8 +63,7 @@ def fails_alone(facts, fresh):
 
 def failures_of(board, facts):
     """Return how many readings of the first instance failed in a row."""
-    failures = getattr(board, facts["name"] + "_failures", 0)  # what is not read at all has none
-    return failures if isinstance(failures, int) else failures[0]
+    return getattr(board, facts["name"] + "_failures", [0])[0]  # what is not read at all has none
 
 
 def ages_alone(facts, fresh):

@@ -60,7 +60,9 @@ def render_firmware(system: System) -> dict[str, str]:
     files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
     optional = {
         "discharge": view.has_estimate,
-        "reading_turns": any(component.further for component in view.components),
+        "adc_faults": view.is_measured,
+        "adc_inputs": view.is_measured,
+        "reading_turns": view.is_measured,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
         "reals_plain": plain.puts_reals,

@@ -21,11 +21,8 @@ class ReaderView:
     ``shift`` turns the 16 bits of read_u16() into counts.
 
     ``spare_bits`` are the bits of the mocked converter that a count leaves out, ``pin`` is the attribute of the
-    parameter that has the pin. ``before`` are the lines that find the number of the pin, ``opened`` is the expression
-    that opens its input, and ``indent`` is how deep within them it is set up. Of several instances ``at`` is the index,
-    ``also`` a further argument that names one, ``only`` the one argument and ``leading`` the first of several, else "".
-    ``zeros`` and ``nones`` are the first values, for each of them; ``absent`` and ``failed`` are arguments of what is
-    logged. What takes a reading is made with ``given``, for which the board has ``passed``, and counts in ``failures``.
+    parameter that has the pin. ``pins`` are the lines that find the GPIO numbers by instance, None for one left
+    alone, and ``called`` the literal of what texts call an input, with {} for the number of the instance.
     """
 
     component: str
@@ -34,20 +31,8 @@ class ReaderView:
     gpio: int
     gpios: tuple[int, ...]
     pin: str | None
-    before: tuple[str, ...]
-    opened: str
-    indent: str
-    at: str
-    also: str
-    only: str
-    leading: str
-    given: str
-    passed: str
-    failures: str
-    zeros: str
-    nones: str
-    absent: str
-    failed: str
+    pins: tuple[str, ...]
+    called: str
     shift: int
     spare_bits: int
     full_scale: int
@@ -72,7 +57,7 @@ class LinkView:
 class BoardView:
     """The board, its links, and all its readers: the ``first`` of each component, and modules of the ``further`` ones.
 
-    ``hardware`` is its name with that of the microcontroller.
+    ``hardware`` is its name with that of the microcontroller, ``opened`` the expression that opens an input.
 
     ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
     is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures.
@@ -82,6 +67,7 @@ class BoardView:
     hardware: str
     readers: tuple[ReaderView, ...]
     first: tuple[ReaderView, ...]
+    opened: str
     further: tuple[FurtherView, ...]
     head: tuple[str, ...]
     links: tuple[LinkView, ...]
@@ -101,6 +87,7 @@ def board_view(system: System) -> BoardView:
         hardware=prose(system.board_name),
         readers=readers,
         first=first,
+        opened=system.board.adc.opened if system.board and system.board.adc else "",
         further=tuple(further_view(reading, "parameters") for reading in system.readings() if not reading.is_first),
         head=(*_imports(first, links, has_pins=has_pins), *_readings(system, first), *_families(system)),
         links=links,
@@ -114,6 +101,7 @@ def _imports(readers: tuple[ReaderView, ...], links: tuple[LinkView, ...], *, ha
     """What the module imports to read and to open its links, with an empty line behind it; nothing without both."""
     modules = ["machine"] if readers else []
     names = [(link.module, link.function) for link in links]
+    names += [("adc_inputs", "AdcInputs")] if readers else []
     if has_pins:
         names.append(("parameters", "Parameters"))
     return (*import_lines(modules, names), "") if modules or names else ()
@@ -166,13 +154,7 @@ def adc_input(reading: str, place: int) -> str:
 def reader_view(reading: Reading, place: int, system: System) -> ReaderView:
     component, channel = reading.component, reading.conversion.channel
     name, several = reading.name, component.instances > 1
-    has_variable = several or channel.pin is not None
-    assert system.board is not None
-    assert system.board.adc is not None
-    title = f"{component.name} {{instance + 1}}" if several else f"the {component.name}"
-    owner = f"{title}'s" if reading.is_first else f"{title}'s {reading.quantity.name}"
-    literal = "f" if several else ""
-    also = ", instance" if several else ""
+    title = f"{component.name} {{}}" if several else f"the {component.name}"
     return ReaderView(
         component=name,
         input=adc_input(name, place),
@@ -180,21 +162,8 @@ def reader_view(reading: Reading, place: int, system: System) -> ReaderView:
         gpio=channel.gpio,
         gpios=system.gpios(component, channel),
         pin=parameter_attribute(channel.pin.name) if channel.pin else None,
-        before=_lines_before(reading),
-        opened=system.board.adc.opened.replace("{gpio}", "gpio" if has_variable else str(channel.gpio)),
-        indent="    " if several or channel.when else "",
-        at="[instance]" if several else "",
-        also=also,
-        only="instance" if several else "",
-        leading="instance, " if several else "",
-        given=f"board, read_u16{also}",
-        passed=f"self, adc.read_u16{also}",
-        failures="failures[instance]" if several else f"board.{name}_failures",
-        zeros=f"[0] * {component.instances}" if several else "0",
-        nones=f"[None] * {component.instances}" if several else "None",
-        absent=f'{literal}"warning: no ADC for {title if reading.is_first else owner} on GPIO'
-        + ('", gpio, ":"' if has_variable else f' {channel.gpio}:"'),
-        failed=f'{literal}"error: {owner} ADC"',
+        pins=_pins(reading),
+        called=quoted(title if reading.is_first else f"{title}'s {reading.quantity.name}"),
         shift=16 - channel.bits,
         spare_bits=MOST_BITS - channel.bits,
         full_scale=channel.full_scale,
@@ -206,28 +175,33 @@ def reader_view(reading: Reading, place: int, system: System) -> ReaderView:
     )
 
 
-def is_off(reading: Reading) -> list[str]:
-    """The conditions with which an instance is not read, any of which is enough."""
+def _is_on(reading: Reading) -> str:
+    """The condition with which an instance is read; "" for always."""
     component, when = reading.component, reading.conversion.channel.when
     switch = _switch(component)
-    off = [f"{parameter_expression(switch, 'parameters')} == 0"] if switch else []
-    if when is None:
-        return off
-    return [f"{parameter_expression(when[0], 'parameters')} != {when[1]}", *(off if when[0] is not switch else [])]
+    conditions = []
+    if when is not None:
+        conditions.append(f"{parameter_expression(when[0], 'parameters')} == {when[1]}")
+    if switch is not None and (when is None or when[0] is not switch):
+        conditions.append(f"{parameter_expression(switch, 'parameters')} != 0")
+    return " and ".join(conditions)
 
 
-def _lines_before(reading: Reading) -> tuple[str, ...]:
-    """What finds the pin of the component, or of each instance in turn; nothing where the pin is a number."""
+def _pins(reading: Reading) -> tuple[str, ...]:
+    """What finds the GPIO numbers by instance; None for one whose pin may be somebody else's."""
     component, channel = reading.component, reading.conversion.channel
     gpio = parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio)
-    off = is_off(reading)
+    on = _is_on(reading)
     if component.instances == 1:
-        found = [f"gpio = {gpio}"] if channel.pin else []
-        return (*found, *(f"if {text.replace(' != ', ' == ')}:" for text in off))
-    lines = [f"for instance in range({component.instances}):"]
-    if off:
-        lines += [f"    if {' or '.join(off)}:", "        continue  # its pin may be somebody else's"]
-    return (*lines, f"    gpio = {gpio}")
+        return (f"pins = [{gpio} if {on} else None]" if on else f"pins = [{gpio}]",)
+    if not on:
+        return (f"pins = [{gpio} for instance in range({component.instances})]",)
+    return (
+        f"pins = [None] * {component.instances}",
+        f"for instance in range({component.instances}):",
+        f"    if {on}:  # else its pin may be somebody else's",
+        f"        pins[instance] = {gpio}",
+    )
 
 
 def _link(link: BoardLink, board: BoardModel | None) -> LinkView:

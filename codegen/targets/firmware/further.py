@@ -6,7 +6,7 @@ from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter, Reading
 from codegen.targets.families import FamilyView, family_view
-from codegen.targets.firmware.board import BoardView, ReaderView, is_off
+from codegen.targets.firmware.board import BoardView, ReaderView
 from codegen.targets.firmware.measured_view import (
     MeasuredView,
     TellView,
@@ -18,14 +18,13 @@ from codegen.targets.firmware.measured_view import (
 from codegen.targets.firmware.sum_words import fulls
 from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import either_import
-from codegen.targets.naming import parameter_expression
 
 
 @dataclass(frozen=True, slots=True)
 class FurtherModuleView:
-    """What connects the inputs, and what takes turns: ``is_off`` is the condition to leave an input alone, or "".
+    """What connects the inputs, and what takes turns: ``count`` and ``failures`` are the words of these.
 
-    ``count`` and ``failures`` are the words of these, ``gpio`` is the expression of the pin, ``told`` what is logged.
+    ``told`` is what is logged.
     """
 
     title: str
@@ -38,8 +37,6 @@ class FurtherModuleView:
     measured: MeasuredView
     reader: ReaderView
     has_parameters: bool
-    is_off: str
-    gpio: str
     count: str
     failures: str
     told: tuple[TellView, ...]
@@ -48,7 +45,7 @@ class FurtherModuleView:
 
 def further_module_view(reading: Reading, board: BoardView, system: System, layout: Layout) -> FurtherModuleView:
     """The view of the module."""
-    component, channel, block = reading.component, reading.conversion.channel, layout.blocks[reading.component.name]
+    component, block = reading.component, layout.blocks[reading.component.name]
     measured = measured_view(reading, block, "parameters")
     set_up = (*measured.set_up, *is_read_word(reading, block, "parameters"))
     count, failures = (block.constant(reading.word(word)) for word in ("count", "failures"))
@@ -68,8 +65,6 @@ def further_module_view(reading: Reading, board: BoardView, system: System, layo
         measured=dataclasses.replace(measured, set_up=set_up),
         reader=next(reader for reader in board.readers if reader.component == reading.name),
         has_parameters=board.has_pins,
-        is_off=" or ".join(is_off(reading)),
-        gpio=parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio),
         count=count,
         failures=failures,
         told=tuple(texts_of(reading, measured)),

@@ -108,7 +108,6 @@ def state_view(system: System, layout: Layout) -> StateView:
     names |= {(VIEWS.get(word, "words"), word) for word in words}
     modules = {VIEWS[word] for word in words & VIEWS.keys()}
     names.add(("frames", "address"))
-    names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
     constants = [
         constant
