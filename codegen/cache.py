@@ -109,6 +109,8 @@ def pickled(value: object) -> bytes:
 
 def keep_object(name: str, value: object) -> None:
     """Keep an object (anything but None) under the name of an entry."""
+    if cache_folder() is None:
+        return
     import pickle  # noqa: PLC0415
 
     keep(name, pickle.dumps(value, pickle.HIGHEST_PROTOCOL))

@@ -1,18 +1,21 @@
-"""The whole story of one thing: a message, a field, a parameter, a quantity or a rule, as text for a terminal."""
+"""The whole story of one thing: a message, a field, a parameter, a command or a rule, as text for a terminal."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from textwrap import fill
 
 from codegen.catalogue import rule_catalogue
 from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.explained_commands import command_story, command_topics
 from codegen.explained_corrections import correction_facts
+from codegen.explained_receptions import explained_received_field, explained_reception
+from codegen.explained_text import cited, columns, facts
 from codegen.model.account import FLAGS
 from codegen.model.dialect import WireField, WireMessage
 from codegen.model.reach import reach_words, reaches
 from codegen.model.system import Generations, PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
+from codegen.model.vehicle import Parameter, Quantity, Stream
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.parameter_uses import uses
 from codegen.targets.table import FieldRow, field_rows, others_of, withheld_of
@@ -58,8 +61,13 @@ def explain(topic: str, system: System | None, report: Report) -> str | None:
 def _explain_part(topic: str, system: System) -> str | None:
     name, _, field = topic.partition(".")
     tables = [message for message in system.messages if message.name == name] or system.tables(name.upper())
-    if tables:
+    received = [table for table in system.receptions if table.name == name or table.wire.name == name.upper()]
+    if tables or received:
         stories = [_message(message, system) if not field else _field(message, field, system) for message in tables]
+        stories += [
+            explained_reception(table) if not field else explained_received_field(table, field, system)
+            for table in received
+        ]
         return "\n".join(filter(None, stories)) or None
     if name.upper() in system.dialect.messages:
         wire = system.dialect.messages[name.upper()]
@@ -75,15 +83,20 @@ def _explain_part(topic: str, system: System) -> str | None:
     if topic in system.parameters:
         return _parameter(system.parameters[topic], system)
     quantity = system.quantity(topic)
-    return None if quantity is None else _quantity(quantity, system)
+    if quantity is not None:
+        return _quantity(quantity, system)
+    story = command_story(topic, system)
+    return None if story is None else "\n".join([story[0], story[1].strip(), "", *facts(story[2])]) + "\n"
 
 
 def _topics(system: System) -> list[str]:
     known = list(dict.fromkeys(name for message in system.messages for name in (message.name, message.wire.name)))
+    known += list(dict.fromkeys(name for table in system.receptions for name in (table.name, table.wire.name)))
+    known += [f"{table.name}.{taken.label}" for table in system.receptions for taken in table.fields]
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
     known += [*system.components, *system.streams, *system.requirements]
-    return [*known, *system.parameters, *rule_catalogue(), *system.dialect.messages]
+    return [*known, *system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
 
 
 def _message(message: PopulatedMessage, system: System) -> str:
@@ -91,7 +104,7 @@ def _message(message: PopulatedMessage, system: System) -> str:
     extensions = f", {wire.length} with extensions" if wire.length != wire.base_length else ""
     lines = [
         f"{message.title}, CRC_EXTRA {wire.crc_extra}, payload {wire.base_length} bytes{extensions}",
-        f"{_cited(message.citation)}",
+        f"{cited(message.citation)}",
         f"{_rate(message)}; {message.instances} of it{_pages(message)}",
         *([f"sent at once {sent_at_once(message)}"] if message.is_announced else []),
         *_others(message),
@@ -183,7 +196,7 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
     parts = [f"{message.name}.{wire.name}", fill(wire.definition.description, 100), ""]
     for answer in answers:
         row = rows[answer.covers.offset]
-        facts = [
+        told = [
             ("field", row.field),
             ("offset", f"{row.offset}, {row.size} bytes"),
             ("type", row.type),
@@ -195,12 +208,12 @@ def _field(message: PopulatedMessage, name: str, system: System) -> str | None:
             ("limits", row.limits),
             ("unknown", f"{row.sentinel}  ({wire.sentinel.place.shown()})" if wire.sentinel else "no sentinel"),
             *correction_facts(system.dialect, message.name, wire.name),
-            ("criterion", _cited(answer.covers.citation)),
+            ("criterion", cited(answer.covers.citation)),
             ("answered at", row.place.shown()),
             ("declared at", wire.definition.place.shown()),
             ("note", answer.covers.written.note or ""),
         ]
-        parts += _facts(facts)
+        parts += facts(told)
     return "\n".join(parts) + "\n"
 
 
@@ -224,7 +237,7 @@ def _unpopulated_field(message: WireMessage, name: str, system: System) -> str |
     if field is None:
         return None
     length = f"[{field.count}]" if field.is_array else ""
-    facts = [
+    told = [
         ("offset", f"{field.offset}, {field.size} bytes"),
         ("type", field.type.name + length),
         ("unit", field.unit_text),
@@ -235,7 +248,7 @@ def _unpopulated_field(message: WireMessage, name: str, system: System) -> str |
         ("declared at", field.definition.place.shown()),
     ]
     parts = [f"{message.name}.{name}; no table populates it", fill(field.definition.description, 100), ""]
-    return "\n".join([*parts, *_facts(facts)]) + "\n"
+    return "\n".join([*parts, *facts(told)]) + "\n"
 
 
 def _unpopulated(wire: WireMessage) -> str:
@@ -259,7 +272,7 @@ def _unpopulated(wire: WireMessage) -> str:
 def _parameter(parameter: Parameter, system: System) -> str:
     unit = f" {parameter.unit.name}" if parameter.unit.name else ""
     meanings = [f"{decimal(steps * parameter.step)} {meaning}" for steps, meaning in sorted(parameter.choices.items())]
-    facts = [
+    told = [
         ("type", f"{parameter.spec.type}"),
         ("default", f"{decimal(parameter.default * parameter.step)}{unit}"),
         (
@@ -274,11 +287,11 @@ def _parameter(parameter: Parameter, system: System) -> str:
             ", ".join(uses(parameter, system))
             or "nothing in the firmware: ground stations and the user's code read it",
         ),
-        ("criterion", _cited(parameter.citation)),
+        ("criterion", cited(parameter.citation)),
         ("declared at", parameter.spec.place.shown()),
     ]
     costs = _prices(lambda generations: generations.parameter is parameter, system)
-    return "\n".join([parameter.name, parameter.spec.doc.strip(), "", *_facts(facts), *costs]) + "\n"
+    return "\n".join([parameter.name, parameter.spec.doc.strip(), "", *facts(told), *costs]) + "\n"
 
 
 def _prices(concerns: Callable[[Generations], bool], system: System) -> list[str]:
@@ -299,13 +312,7 @@ def _generations(table: GenerationTable) -> list[str]:
         sizes = [*row.by_instance, *[""] * (len(table.instances) - len(row.by_instance))]
         frames.append((row.message, row.generation, row.rate, *sizes, row.sent_at_once))
     title = f"{table.component} messages of two generations, at the default rates ({table.chosen_by})"
-    return ["", title, "", *_columns(choices), "", *_columns(frames), "", fill(table.counted, 100)]
-
-
-def _columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
-    """Columns as wide as their widest cell."""
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    return ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
+    return ["", title, "", *columns(choices), "", *columns(frames), "", fill(table.counted, 100)]
 
 
 def _quantity(quantity: Quantity, system: System) -> str:
@@ -317,17 +324,17 @@ def _quantity(quantity: Quantity, system: System) -> str:
     ]
     limits = reach_words(quantity, reaches(system)[quantity.path])
     told = "; what is set beyond them is limited in messages, counted, and told once" if limits else ""
-    facts = [
+    titled = [
         ("kept as", f"{quantity.attribute}, {quantity.kept_in}"),
         ("limits", limits + told),
         *quantity.derivation.story(quantity, system),
         ("initial", quantity.start),
         ("unknown", quantity.lost),
         ("sent in", ", ".join(fields)),
-        ("criterion", _cited(quantity.citation)),
+        ("criterion", cited(quantity.citation)),
         ("declared at", quantity.spec.place.shown()),
     ]
-    return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *_facts(facts)]) + "\n"
+    return "\n".join([quantity.path, quantity.spec.doc.strip(), "", *facts(titled)]) + "\n"
 
 
 def _requirement(topic: str, system: System) -> str | None:
@@ -350,27 +357,20 @@ def _answering(criterion: str, system: System) -> list[str]:
         for message in system.messages
         for answer in message.answers
         if str(answer.covers.citation) == criterion
+    ] + [
+        f"{table.name}.{taken.label}, received  ({taken.spec.place.shown()})"
+        for table in system.receptions
+        for taken in table.fields
+        if str(taken.citation) == criterion
     ]
 
 
 def _stream(stream: Stream, system: System) -> str:
     messages = [message for message in system.messages if message.stream is stream]
-    facts = [
+    told = [
         ("rate", stream.parameter.name if stream.parameter else f"{decimal(stream.rate or Fraction(0))} Hz"),
         ("messages", ", ".join(message.name for message in messages)),
-        ("criterion", _cited(stream.citation)),
+        ("criterion", cited(stream.citation)),
         ("declared at", stream.spec.place.shown()),
     ]
-    return "\n".join([stream.name, stream.spec.doc.strip(), "", *_facts(facts)]) + "\n"
-
-
-def _cited(citation: Citation | None) -> str:
-    if citation is None:
-        return ""
-    text = citation.criterion.text if citation.criterion else citation.requirement.title
-    place = citation.criterion.place if citation.criterion else citation.requirement.place
-    return f"{citation}: {text}  ({place.shown()})"
-
-
-def _facts(facts: Iterable[tuple[str, str]]) -> list[str]:
-    return [f"{name:<12} {text}" for name, text in facts if text]
+    return "\n".join([stream.name, stream.spec.doc.strip(), "", *facts(told)]) + "\n"

@@ -10,8 +10,11 @@ from typing import Any, assert_never
 
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.command_spec import CommandsSpec
+from codegen.model.driver_spec import DriverSpec
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.scenario_spec import ScenariosSpec
 from codegen.model.shape import (
@@ -29,15 +32,19 @@ from codegen.model.shape import (
     Whole,
     YesNo,
     beside,
+    chosen_by,
     keys_of,
     one_of,
+    rest,
     short_forms,
 )
+from codegen.model.source_spec import OwnSourceSpec
 from codegen.model.spec import CorrectionsSpec, ParametersSpec, ProgramProject, Project, StreamsSpec
 from codegen.model.state_spec import StateSpec
 from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.model.waiver_spec import WaiversSpec
 from codegen.source import Written
+from codegen.sources import SPECS
 
 SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "codegen.schema.json": Project,
@@ -45,11 +52,14 @@ SCHEMA_MODELS: Mapping[str, type[Written]] = {
     "state.schema.json": StateSpec,
     "board.schema.json": BoardSpec,
     "board_model.schema.json": BoardModelSpec,
+    "driver.schema.json": DriverSpec,
     "parameters.schema.json": ParametersSpec,
     "streams.schema.json": StreamsSpec,
     "vehicle.schema.json": VehicleSpec,
+    "commands.schema.json": CommandsSpec,
     "receiver.schema.json": ReceiverSpec,
     "message.schema.json": PopulationSpec,
+    "receive.schema.json": ReceiveSpec,
     "corrections.schema.json": CorrectionsSpec,
     "scenarios.schema.json": ScenariosSpec,
     "trace_lock.schema.json": TraceLockSpec,
@@ -81,11 +91,11 @@ def _file_schema(model: type[Written]) -> _Schema:
 
 def _record(model: type[Written], definitions: dict[str, _Schema]) -> _Schema:
     """What the decoder takes for a record: a mapping with known keys, or one of the short forms."""
-    keys = keys_of(model)
+    keys = [key for key in keys_of(model) if key.attribute != rest(model)]
     schema: _Schema = {
         "type": "object",
         "properties": {key.name: _property(key, definitions) for key in keys},
-        "additionalProperties": False,
+        "additionalProperties": _scalar(AnyScalar()) if rest(model) else False,
     }
     required = sorted(key.name for key in keys if key.is_required)
     if required:
@@ -124,6 +134,8 @@ def _shape(shape: Shape, definitions: dict[str, _Schema]) -> _Schema:
                 "propertyNames": {"minLength": 1},
                 **({} if shape.may_be_empty else {"minProperties": 1}),
             }
+        case RecordOf() if chosen_by(shape.model) is not None:
+            return {"anyOf": [_variant(word, definitions) for word in (*SPECS, None)]}
         case RecordOf():
             name = shape.model.__name__
             if name not in definitions:
@@ -134,6 +146,21 @@ def _shape(shape: Shape, definitions: dict[str, _Schema]) -> _Schema:
             return {"anyOf": [_shape(member, definitions) for member in shape.members]}
         case _:
             return _scalar(shape)
+
+
+def _variant(word: str | None, definitions: dict[str, _Schema]) -> _Schema:
+    """A record that a word chooses, or any other word than those that choose one."""
+    model = OwnSourceSpec if word is None else SPECS[word]
+    name = model.__name__
+    if name not in definitions:
+        definitions[name] = {}
+        schema = _record(model, definitions)
+        key = chosen_by(model)
+        assert key is not None
+        chosen = {"type": "string", "not": {"enum": sorted(SPECS)}} if word is None else {"const": word}
+        schema["properties"][key] = chosen | {"description": schema["properties"][key]["description"]}
+        definitions[name] = schema
+    return {"$ref": f"#/$defs/{name}"}
 
 
 def _scalar(shape: Text | AnyScalar | YesNo | Number | Whole | Choice) -> _Schema:

@@ -21,7 +21,7 @@ TYPE_CHECKING = False  # a build with nothing to do takes too little time to imp
 if TYPE_CHECKING:
     from typing import Any
 
-LISTED = ("", "messages", "dialects", "requirements")
+LISTED = ("", "messages", "receives", "dialects", "requirements")
 """The folders of a specification in which codegen looks for files."""
 
 MARGIN_S = 1.0

@@ -28,6 +28,12 @@ def copied(name: str) -> str:
         return file.read().decode("utf-8")
 
 
+def driver_text(path: str) -> str:
+    """The text of a file of a kind of sensor that goes to the output, by its path below codegen/sources."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "sources", path), "rb") as file:
+        return file.read().decode("utf-8")
+
+
 def filled(name: str, values: Mapping[str, object]) -> str:
     """The text of the file ``name`` with each ``$key`` replaced; KeyError for one that has no value."""
     return _template(name).substitute(values)

@@ -75,7 +75,7 @@ def frame_of(link, state, build, encode):
 
 def main(plan, values):
     with open(plan) as file:
-        tables = json.load(file)
+        tables = json.loads(file.read())
     with open(values, "rb") as file:
         data = file.read()
     state, link, at = SystemState(log=lambda *_words: None), Link(Wire(), 1, 1, 2), 0

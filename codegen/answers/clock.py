@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-from codegen.answers.filling import tested
 from codegen.answers.fitting import BAD_SOURCE, WITHHELD, field_unit, no_sentinel
 from codegen.answers.kind import KindOfAnswer
 from codegen.answers.scope import Scope
@@ -14,6 +13,7 @@ from codegen.model.clock import BOOT, CLOCK
 from codegen.model.known import Known, Value, kept_number, shown_value
 from codegen.model.payload_code import PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send
+from codegen.model.statements import tested
 from codegen.model.step import Step
 from codegen.model.storage import HALF
 from codegen.model.unit import ratio, unit_named

@@ -3,9 +3,8 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.answers.filling import tested
 from codegen.answers.fitting import no_sentinel
-from codegen.answers.halves import above, below, equal, float_bounds, float_within, next_float
+from codegen.answers.halves import float_bounds, float_within, next_float
 from codegen.answers.limits import Bounds, check_declared, check_reach, kept_apart, scaling_of
 from codegen.answers.live import LiveAnswer
 from codegen.answers.scope import Scope
@@ -14,9 +13,11 @@ from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.account import StateCase
 from codegen.model.answer import Elements
+from codegen.model.halves import above, below, equal
 from codegen.model.known import Known, Value, kept_number
 from codegen.model.payload_code import PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send
+from codegen.model.statements import tested
 from codegen.model.storage import HALF, Storage
 from codegen.model.vehicle import Quantity
 

@@ -1,18 +1,13 @@
 """Statements that bring a stored value into an integer field: scaling, limits, sentinel."""
 
 import math
-import re
-from fractions import Fraction
 
 from codegen.model.answer import Elements
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.population_spec import Rounding
 from codegen.model.scaling import Scaling
+from codegen.model.statements import scaled
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
-
-LONGEST = 112
-"""Characters of a line in the body of a function."""
 
 
 def comment(covers: Elements, words: str) -> str:
@@ -47,10 +42,10 @@ def fitted(scaling: Scaling, unknown: int | None, why: str = "unknown") -> list[
     """
     if scaling.factor == 1:
         return _limited(scaling, unknown, why)
-    scaled = [*_narrowed(scaling), *_scaled(scaling.factor, scaling.rounding), *_limited(scaling, None, "")]
+    lines = [*_narrowed(scaling), *scaled(scaling.factor, scaling.rounding), *_limited(scaling, None, "")]
     if unknown is None:
-        return scaled
-    return [f"if value == {UNKNOWN}:", f"    value = {unknown}  # {why}", "else:", *indented(scaled)]
+        return lines
+    return [f"if value == {UNKNOWN}:", f"    value = {unknown}  # {why}", "else:", *indented(lines)]
 
 
 def _limited(scaling: Scaling, unknown: int | None, why: str) -> list[str]:
@@ -76,30 +71,3 @@ def _narrowed(scaling: Scaling) -> list[str]:
     """Limits in stored steps, one step wider than the field, that keep the product of the scaling small."""
     low, high = math.floor(scaling.low / scaling.factor) - 1, math.ceil(scaling.high / scaling.factor) + 1
     return [f"if value < {low}:", f"    value = {low}", f"elif value > {high}:", f"    value = {high}"]
-
-
-def _scaled(factor: Fraction, rounding: Rounding) -> list[str]:
-    """``value * factor``, rounded: by divisions of positive numbers, which all interpreters round alike."""
-    numerator, denominator = factor.numerator, factor.denominator
-    product = f"value * {numerator}" if numerator != 1 else "value"
-    if denominator == 1:
-        return [f"value = {product}"]
-    half = denominator // 2
-    if rounding is Rounding.DOWN:
-        return [f"value = {product} // {denominator}"]
-    if rounding is Rounding.UP:
-        return [f"value = 0 - (0 - {product}) // {denominator}"]
-    if rounding is Rounding.TOWARD_ZERO:
-        half = 0
-    below = f"0 - ({half} - {product}) // {denominator}" if half else f"0 - (0 - {product}) // {denominator}"
-    above = f"({product} + {half}) // {denominator}" if half else f"{product} // {denominator}"
-    return ["if value < 0:", f"    value = {below}", "else:", f"    value = {above}"]
-
-
-def tested(keyword: str, condition: str, remark: str) -> list[str]:
-    """``if condition:``, over several lines where it is long, as the formatter has them."""
-    line = f"{keyword} {condition}:  # {remark}"
-    if len(line) <= LONGEST:
-        return [line]
-    inner = [condition] if len(condition) <= LONGEST else re.sub(r" (and|or) ", r"\n\1 ", condition).split("\n")
-    return [f"{keyword} (  # {remark}", *indented(inner), "):"]

@@ -1,6 +1,6 @@
 """A quantity that is spread over the elements of an array, because one element cannot hold it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from codegen.answers.filling import comment, fitted, origin, read, stand_in
@@ -165,6 +165,17 @@ class SplitAnswer(KindOfAnswer):
         expression, uses = scaled(whole, to_unit(source, self.scaling))
         uses = (*uses, "joined")
         yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, uses=uses)
+
+    @property
+    def told_quantities(self) -> tuple[Quantity, ...]:
+        """The one that is spread."""
+        return (self.source,)
+
+    def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
+        """The sum of the elements that are reached."""
+        reached = [value for value in wire if value != self.unused]
+        factor = to_unit(self.source, self.scaling)
+        yield self.source, float(sum(map(Fraction, reached)) * factor) if reached else None
 
     def read_back(self) -> Iterator[ReadBack]:
         """The quantity."""

@@ -60,16 +60,20 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--report", metavar="FILE.html", help="write a page with charts and tables at the end")
     parser.add_argument(
+        "--record", metavar="FILE", help="write the record as data at the end: FILE.json all of it, FILE.csv quantities"
+    )
+    parser.add_argument(
         "--flash",
         metavar="DIR",
         help="the board's file system, kept for the next run (default: a temporary one): stored parameters",
     )
     parser.add_argument(
-        "--rover",
+        "--code",
         metavar="FILE",
-        help="your code, whose class extends the generated vehicle (default: rover.py, or what code in vehicle.yaml "
-        "names, in the folder of the project, if it is there)",
+        help="your code, whose class extends the generated vehicle, whatever the file is called (default: the module "
+        "that code in vehicle.yaml names, in the folder of the project, if it is there)",
     )
+    parser.add_argument("--rover", dest="code", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--quiet", action="store_true", help="print only the result")
     parser.set_defaults(run=run)
 
@@ -133,7 +137,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     except AddressError as problem:
         raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
-    rover = arguments.rover or _own_code(systems[0])
+    code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
     _warn_of_stale([module for system in cast for module in pipeline.stale_firmware(system)])
     return Simulation(
         scenario=scenario,
@@ -143,7 +147,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         interpreter=interpreter,
         to=target,
         flash=arguments.flash,
-        programs=simulated_programs(scenario, cast, folders, rover),
+        programs=simulated_programs(scenario, cast, folders, code),
     )
 
 
@@ -218,8 +222,9 @@ def _own_code(system: "System") -> str | None:
     """The file with the user's code in the folder of the project; None where there is none."""
     from codegen import pipeline
 
-    name = system.program.module if system.program else "rover"
-    path = os.path.join(pipeline.project_folder([system]), f"{name}.py")
+    if system.program is None:
+        return None
+    path = os.path.join(pipeline.project_folder([system]), f"{system.program.module}.py")
     return path if os.path.isfile(path) else None
 
 
@@ -230,16 +235,25 @@ def _warn_of_stale(modules: list[str]) -> None:
 
 
 def _check_files(arguments: argparse.Namespace) -> None:
-    if arguments.rover is not None and not os.path.isfile(arguments.rover):
-        raise UsageError(f"--rover: there is no file {arguments.rover}")
+    if arguments.code is not None and not os.path.isfile(arguments.code):
+        raise UsageError(f"--code: there is no file {arguments.code}")
     if arguments.flash is not None and os.path.exists(arguments.flash) and not os.path.isdir(arguments.flash):
         raise UsageError(f"--flash: {arguments.flash} is not a folder")
-    if arguments.report is not None:
-        folder = os.path.dirname(os.path.abspath(arguments.report))
-        if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
-            raise UsageError(f"--report: {folder} is not a folder that can be written to")
-        if os.path.isdir(arguments.report):
-            raise UsageError(f"--report: {arguments.report} is a folder")
+    if arguments.record is not None and not arguments.record.endswith((".json", ".csv")):
+        raise UsageError(f"--record: {arguments.record} ends neither with .json nor with .csv")
+    _check_written("--report", arguments.report)
+    _check_written("--record", arguments.record)
+
+
+def _check_written(option: str, path: str | None) -> None:
+    """Whether a file can be written in the end. UsageError: it cannot."""
+    if path is None:
+        return
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder) or not os.access(folder, os.W_OK):
+        raise UsageError(f"{option}: {folder} is not a folder that can be written to")
+    if os.path.isdir(path):
+        raise UsageError(f"{option}: {path} is a folder")
 
 
 def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
@@ -264,6 +278,10 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
         from codegen.sim.report import write_report
 
         write_report(arguments.report, simulation, recording)
+    if arguments.record is not None:
+        from codegen.sim.data import write_data
+
+        write_data(arguments.record, recording)
     print_result(simulation, recording, arguments.report)
     failed = next((record for record in recording.all if record.problem), None)
     if failed is not None:
@@ -271,4 +289,6 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
         print(end="", flush=True)
         print(f"codegen sim: error: {who}{failed.problem}", file=sys.stderr)
         return 3
-    return 0
+    from codegen.sim.expected import unmet
+
+    return 1 if unmet(recording) else 0

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 _LIVE_S = 0.2
 _PLAIN_S = 5.0
+_MOST_NUMBERS = 3
 _CLEAR = "\r\x1b[K"
 
 
@@ -70,40 +71,43 @@ class StatusLine:
 
 def state_line(recording: "Recording") -> str:
     """The state in one line; of several programs one after the other, with their names."""
-    from codegen.sim.verdict import seconds
+    from codegen.sim.amount import seconds
 
     states = [_state(record) for record in recording.all]
     return f"{seconds(recording.at_ms)}  " + "  |  ".join(states)
 
 
 def _state(recording: "Recording") -> str:
+    from codegen.sim.sample import state_words
+
     sample = recording.sample
     name = f"{recording.name}: " if recording.name else ""
     if recording.is_out:
         return f"{name}out"
-    armed = "armed" if sample.is_armed else "disarmed"
     rate = sample.size / max(1, sample.at_ms) * 1000
-    state = f"{armed}, {sample.state_name}  {sample.frames} frames, {rate:.0f} bytes/s"
-    return f"{name}{_batteries(recording)}  {state}"
+    does = f"{state_words(sample)}  " if recording.tells_state else ""
+    state = f"{does}{sample.frames} frames, {rate:.0f} bytes/s"
+    return f"{name}{_numbers(recording)}{state}"
 
 
-def _batteries(recording: "Recording") -> str:
-    from codegen.sim.verdict import volts
+def _numbers(recording: "Recording") -> str:
+    """What is true now of the first quantities with a course, and what was told of them last."""
+    from codegen.sim.amount import amount
 
-    sample = recording.sample
-    texts = []
-    for number, (true_mv, reported_mv) in enumerate(zip(sample.true_mv, sample.reported_mv, strict=True), 1):
-        true = "" if true_mv is None else volts(true_mv)
-        reported = "unknown" if reported_mv is None else volts(reported_mv)
-        which = f" {number}" if len(sample.true_mv) > 1 else ""
-        texts.append(f"battery{which} {true}, reported {reported}")
-    return "; ".join(texts) or "battery unknown"
+    texts, at_ms = [], recording.at_ms
+    for line in [line for line in recording.lines if recording.has_course(line.label)][:_MOST_NUMBERS]:
+        true, told = (
+            amount(value, line.unit, None if value is None else 2)
+            for value in (recording.true(line.label, at_ms), recording.told(line.label, at_ms))
+        )
+        texts.append(f"{line.label} {true}, told {told}")
+    return "; ".join(texts) + "  " if texts else ""
 
 
 def happening_line(happening: "Happening", width: int = 0) -> str:
     """One happening in one line; ``width`` is that of the longest name of a program."""
+    from codegen.sim.amount import seconds
     from codegen.sim.sample import SEVERITIES
-    from codegen.sim.verdict import seconds
 
     severity = happening.severity
     what = happening.kind.value if severity is None else SEVERITIES[severity] if severity < 8 else str(severity)
@@ -120,7 +124,8 @@ def _printable(text: str) -> str:
 
 def print_result(simulation: "Simulation", recording: "Recording", report: str | None) -> None:
     """Print what came of the simulation."""
-    from codegen.sim.verdict import seconds, verdict
+    from codegen.sim.amount import seconds
+    from codegen.sim.verdict import verdict
 
     name = simulation.scenario.name
     print(f"{name}: {seconds(recording.at_ms)} under {recording.runtime or simulation.runtime}")

@@ -26,7 +26,7 @@ BAD_PROGRAM_LIST = Rule(
 
 OUTPUT_FOLDERS = ("firmware", "mocks", "tests", "docs", "schemas", "receiver")
 """The folders of the output that a program cannot be called like."""
-SPECIFICATION_FOLDERS = ("messages", "dialects", "requirements")
+SPECIFICATION_FOLDERS = ("messages", "receives", "dialects", "requirements")
 """The folders beside a project file in which files of the specification lie."""
 
 

@@ -7,6 +7,7 @@ from codegen.decode.scalar import MISSING_VALUE, WRONG_TYPE, Mismatch, found, mi
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode
 from codegen.model.shape import (
+    AnyScalar,
     Group,
     ListOf,
     MappingOf,
@@ -15,10 +16,14 @@ from codegen.model.shape import (
     ScalarShape,
     Shape,
     beside,
+    chosen_by,
+    instead,
     keys_of,
     one_of,
+    rest,
     short_forms,
 )
+from codegen.model.source_spec import OwnSourceSpec
 from codegen.source import Place, Written
 
 UNKNOWN_KEY = Rule(
@@ -45,7 +50,19 @@ def decode_record(node: YamlNode, cls: type[Record], report: Report, place: Plac
     ``places`` of the record has, beside each key, the entries of mappings (``facts.battery.cells``) and the
     items of plain lists (``flags[0]``).
     """
-    return _RecordDecoder(cls, report, place or node.place).decode(node)
+    return _RecordDecoder(_chosen(node, cls), report, place or node.place).decode(node)
+
+
+def _chosen(node: YamlNode, cls: type[Record]) -> type[Record]:
+    """The class of the record: that one, or the one that its key ``chosen_by`` chooses."""
+    key = chosen_by(cls)
+    if key is None or not isinstance(node, MappingNode):
+        return cls
+    from codegen.sources import SPECS  # noqa: PLC0415  most files have none, and it knows all kinds
+
+    words = [value.text for name, value in node.entries if name.text == key and isinstance(value, ScalarNode)]
+    chosen: Any = SPECS.get("".join(words), OwnSourceSpec)
+    return chosen  # type: ignore[no-any-return]
 
 
 class _RecordDecoder(Generic[Record]):
@@ -55,7 +72,7 @@ class _RecordDecoder(Generic[Record]):
         self._cls = cls
         self._report = report
         self._place = place
-        self._keys = {key.name: key for key in keys_of(cls)}
+        self._keys = {key.name: key for key in keys_of(cls) if key.attribute != rest(cls)}
         self._places: dict[str, Place] = {}
 
     def decode(self, node: YamlNode) -> Record | None:
@@ -67,6 +84,7 @@ class _RecordDecoder(Generic[Record]):
         for written, value_node in node.entries:
             key = self._keys.get(written.text)
             if key is None:
+                self._keep(written, value_node, values)
                 continue
             self._places[key.name] = value_node.place
             value = self._value(value_node, key.shape, key.name)
@@ -82,6 +100,16 @@ class _RecordDecoder(Generic[Record]):
             record = group.model(place=self._place, places=self._places, **given)
             values[group.attribute] = (*values.get(group.attribute, ()), record)
         return self._cls(place=self._place, places=self._places, **values)
+
+    def _keep(self, key: ScalarNode, node: YamlNode, values: dict[str, Any]) -> None:
+        """Keep what stands at a key of the author's choice, where the record takes such."""
+        into = rest(self._cls)
+        if into is None or key.value is None:
+            return
+        self._places[f"{into}.{key.text}"] = node.place
+        value = self._value(node, AnyScalar(), key.text)
+        if value is not None:
+            values.setdefault(into, {})[key.text] = value
 
     def _short_form(self, node: ScalarNode | SequenceNode) -> Record | None:
         forms = short_forms(self._cls)
@@ -100,12 +128,12 @@ class _RecordDecoder(Generic[Record]):
     def _check_keys(self, node: MappingNode) -> bool:
         """Report unknown, missing and contradicting keys; True if the record cannot be built because of them."""
         written = {key.text: key.place for key, _ in node.entries}
-        unknown = [key for key, _ in node.entries if key.text not in self._keys]
+        unknown = [] if rest(self._cls) else [key for key, _ in node.entries if key.text not in self._keys]
         meant: set[str] = set()
         for key in unknown:
-            self._report.add(
-                UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", did_you_mean(key.text, self._keys)
-            )
+            is_near = bool(get_close_matches(key.text, self._keys, n=1))
+            hint = (None if is_near else instead(self._cls)) or did_you_mean(key.text, self._keys)
+            self._report.add(UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", hint)
             meant.update(get_close_matches(key.text, self._keys.keys() - written.keys(), n=1))
         missing = [key for key in self._keys.values() if key.is_required and key.name not in written]
         for absent in missing:

@@ -13,9 +13,7 @@ from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
 from codegen.decode.record_file import decode_record_file, decode_record_text
 from codegen.decode.requirement import check_unique, decode_requirement
-from codegen.decode.scenario import SCENARIOS
-from codegen.decode.trace_lock import TRACE_LOCK
-from codegen.decode.waivers import WAIVERS
+from codegen.decode.unread import DRIVERS, READ_BY_OTHERS, hint_for_unread
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import FILE_NOT_READABLE, decode_text, read_bytes
@@ -23,9 +21,13 @@ from codegen.load.trees import exists, file_names, is_file, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.command_spec import CommandsSpec
+from codegen.model.driver_spec import DriverSpec, OwnDriver
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.receiver_spec import ReceiverSpec
+from codegen.model.source_spec import OwnSourceSpec
 from codegen.model.spec import (
     Correction,
     CorrectionsSpec,
@@ -53,7 +55,8 @@ INCOMPLETE_PROJECT = Rule(
 )
 DUPLICATE_TABLE = Rule(
     "duplicate-table",
-    "Two population tables have the same name, so it is ambiguous what is sent: they are for the same message, or say "
+    "Two tables of messages have the same name, so it is ambiguous what is sent, or taken: they are for the same "
+    "message, or say "
     "the same 'as'. Merge them into one, or give one of them a name of its own with 'as: NAME'.",
 )
 UNKNOWN_OVERLAY = Rule(
@@ -77,10 +80,9 @@ FIXED_FILES = ("state.yaml", "board.yaml", "parameters.yaml", "streams.yaml")
 """The files that every project has beside its project file."""
 PROGRAM_FILE = "vehicle.yaml"
 RECEIVER_FILE = "receiver.yaml"
-OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE)
-"""Files beside it that only a project with a whole program, or with a receiver for its messages, has."""
-READ_BY_OTHERS = (SCENARIOS, WAIVERS, TRACE_LOCK)
-"""Files beside the project file that are no part of the specification."""
+COMMANDS_FILE = "commands.yaml"
+OPTIONAL_FILES = (PROGRAM_FILE, RECEIVER_FILE, COMMANDS_FILE)
+"""Files beside it that only a project with a whole program, a receiver for its messages, or commands of its own has."""
 
 _Record = TypeVar("_Record", bound=Written)
 
@@ -136,13 +138,16 @@ class _SpecReader:
         state = self._fixed("state.yaml", StateSpec)
         board = self._fixed("board.yaml", BoardSpec)
         board_model = None if board is None else self._board_model(board)
+        drivers, broken_drivers = self._drivers(board)
         parameters = self._fixed("parameters.yaml", ParametersSpec)
         streams = self._fixed("streams.yaml", StreamsSpec)
         vehicle = self._optional(PROGRAM_FILE, VehicleSpec)
+        commands = self._optional(COMMANDS_FILE, CommandsSpec)
         populations = self._populations(project)
         if self._program is not None:
             populations = self._chosen(populations, self._program)
         corrections, refusals = self._corrections(project)
+        receives = self._receives(project)
         requirements = self._requirements()
         receiver = self._receiver()
         if project is not None:
@@ -169,6 +174,10 @@ class _SpecReader:
             files=dict(sorted(self._hashes.items())),
             receiver=receiver,
             refusals=refusals,
+            receives=receives,
+            commands=commands,
+            drivers=drivers,
+            broken_drivers=broken_drivers,
         )
 
     def _main_project(self) -> Project | None:
@@ -221,6 +230,20 @@ class _SpecReader:
             return decode_record_file(path, BoardModelSpec, self._report, place)
         return self._record(path, BoardModelSpec, place)
 
+    def _drivers(self, board: BoardSpec | None) -> tuple[dict[str, OwnDriver], frozenset[str]]:
+        """The project's own drivers that sensors name, and those of them that could not be read."""
+        sources = board.sources.values() if board else ()
+        names = {source.driver for source in sources if isinstance(source, OwnSourceSpec)}
+        drivers = {}
+        found = {os.path.basename(path).removesuffix(".yaml"): path for path in self._united(DRIVERS, (".yaml",))}
+        for name in sorted(names & found.keys()):
+            path = found[name]
+            module = path.removesuffix(".yaml") + ".py"
+            spec, text = self._record(path, DriverSpec, Place(path)), self._text(module, Place(path))
+            if spec is not None and text is not None:
+                drivers[name] = OwnDriver(spec, module, text)
+        return drivers, frozenset((names & found.keys()) - drivers.keys())
+
     def _receiver(self) -> ReceiverSpec | None:
         """The receiver of the messages of this program; a further one does not repeat that of its base."""
         path = os.path.join(self._folder, RECEIVER_FILE)
@@ -251,6 +274,21 @@ class _SpecReader:
                     hint = "a table of a program takes the place of its base's that has the same file name"
                 related = [(place, "the first table")]
                 self._report.add(DUPLICATE_TABLE, where, message, hint, related)
+        return tuple(tables.values())
+
+    def _receives(self, project: Project | None) -> tuple[ReceiveSpec, ...]:
+        """The tables of received messages in use, those of this program alone; of two with one name the first."""
+        tables: dict[str, ReceiveSpec] = {}
+        for path in self._listed("receives", (".yaml",)):
+            table = self._record(path, ReceiveSpec, Place(path))
+            if table is None or not self._is_used(table, table.overlay, project):
+                continue
+            first = tables.setdefault(table.name, table)
+            if first is not table:
+                place, where = (each.at("as" if each.named else "receive") for each in (first, table))
+                message = f"{table.name} has a table already, {shown_path(place.file)}"
+                hint = "'as: NAME' gives one of them a name of its own"
+                self._report.add(DUPLICATE_TABLE, where, message, hint, [(place, "the first table")])
         return tuple(tables.values())
 
     def _chosen(self, tables: tuple[PopulationSpec, ...], program: ListedProgram) -> tuple[PopulationSpec, ...]:
@@ -322,39 +360,26 @@ class _SpecReader:
                 self._hashes[self._path(name)] = _hash(data)
 
     def _report_unread(self) -> None:
-        for folder in ("", "messages", "dialects", "requirements", OWN):
+        for folder in ("", "messages", "receives", "dialects", "requirements", OWN, DRIVERS):
             for path in self._listed(folder, (".yaml", ".yml")):
                 name = os.path.basename(path)
                 by_others = () if self._program else READ_BY_OTHERS
                 if path in self._hashes or (not folder and name in (*FIXED_FILES, *OPTIONAL_FILES, *by_others)):
                     continue
-                self._report.add(
-                    UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", self._hint(folder, name)
-                )
-
-    def _hint(self, folder: str, name: str) -> str | None:
-        """What may have been meant by a file that nothing reads."""
-        if folder == "messages":
-            is_unused = self._program is not None and name.endswith(".yaml")
-            return "the program does not list its message" if is_unused else "population tables end in .yaml"
-        if folder == "dialects":
-            return "name it under corrections in codegen.yaml"
-        if folder == OWN:
-            return f"name it in board.yaml: board: {os.path.splitext(name)[0]}"
-        if not folder and name in READ_BY_OTHERS:
-            return f"{name} lies beside the project file that lists the program"
-        absent = [
-            fixed for fixed in FIXED_FILES + OPTIONAL_FILES if os.path.join(self._folder, fixed) not in self._hashes
-        ]
-        return did_you_mean(name, absent) if not folder else None
+                absent = [fixed for fixed in FIXED_FILES + OPTIONAL_FILES if self._own(fixed) not in self._hashes]
+                hint = hint_for_unread(folder, name, absent, in_program=self._program is not None)
+                self._report.add(UNREAD_FILE, Place(path), f"nothing reads {shown_path(path)}", hint)
 
     def _path(self, name: str) -> str:
         """The path of a file that the project names: below the base, where that is stated."""
         return os.path.normpath(os.path.join(self._base, name))
 
+    def _own(self, name: str) -> str:
+        return os.path.join(self._folder, name)
+
     def _used(self, name: str) -> str:
         """The path of a file with a fixed name: the program's own, if there is one."""
-        own = os.path.join(self._folder, name)
+        own = self._own(name)
         return own if exists(own) else os.path.join(self._base, name)
 
     def _united(self, folder: str, endings: tuple[str, ...]) -> list[str]:

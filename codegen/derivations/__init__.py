@@ -14,8 +14,10 @@ from codegen.derivations.estimate import resolve_estimate
 from codegen.derivations.follows import resolve_follows
 from codegen.derivations.integral import resolve_integral
 from codegen.derivations.measured import resolve_measured
+from codegen.derivations.received import resolve_received
 from codegen.derivations.remainder import resolve_lasts, resolve_left
 from codegen.derivations.set_by_code import SetByCode
+from codegen.derivations.sourced import resolve_sourced
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.derivations.trend import resolve_trend
 from codegen.derivations.while_known import resolve_while_known
@@ -30,6 +32,7 @@ from codegen.model.derivation_spec import (
     LastsSpec,
     LeftSpec,
     MeasuredSpec,
+    SourcedSpec,
     TrendSpec,
     WhileKnownSpec,
 )
@@ -48,6 +51,7 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     IntegralSpec: resolve_integral,
     LeftSpec: resolve_left,
     LastsSpec: resolve_lasts,
+    SourcedSpec: resolve_sourced,
 }
 """How each kind is resolved, by what it is written with."""
 
@@ -56,7 +60,7 @@ def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
     """Where the value of a quantity comes from; None after a finding."""
     written = around.spec.derivations
     if not written:
-        return SetByCode(around.spec.restarts_with)
+        return resolve_received(around) if around.received else SetByCode(around.spec.restarts_with)
     fitting = [each for each in written if each.is_named and _fits(each, kept, around)]
     if len(fitting) > 1:
         first, second, *_ = (each.KEY for each in fitting)
@@ -69,6 +73,8 @@ def resolve_derivation(kept: Kept, around: Surroundings) -> Derivation | None:
 def _fits(written: DerivationSpec, kept: Kept, around: Surroundings) -> bool:
     """Whether the quantity is one of those that a derivation gives a value."""
     key, name, kind = written.KEY, around.name, kept.kind
+    if isinstance(written, SourcedSpec):
+        return True  # it says itself what it cannot give
     if not written.GIVES_BOOLEAN:
         if kind is not QuantityKind.NUMBER:
             around.bad(key, f"{name} is a {kind.value} quantity and cannot have {key}")

@@ -3,7 +3,7 @@
 import dataclasses
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -12,17 +12,26 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import BAD_AMOUNT, UNIT_MISMATCH
-from codegen.model.conversion import Constant, Conversion, Factor
+from codegen.model.conversion import Constant, Conversion, Factor, factors_by_instance
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec
+from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
 from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
-from codegen.model.vehicle import Parameter, Quantity, Threshold
+from codegen.model.vehicle import Parameter, Quantity, Threshold, by_instance
 
 if TYPE_CHECKING:
     from codegen.model.system import System
 
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
+
+ADC_FAULTS = {
+    "fail": "ADC readings fail",
+    "absent": "ADC absent",
+    "slow": "ADC readings take longer",
+    "stuck": "ADC readings stay as they were",
+}
+"""What can be wrong with an input in a simulation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +75,23 @@ class Measured(Derivation):
             yield DerivationFact("warns above", above, "warn_above", is_trust=True)
             if self.warns.every_ms is not None:
                 yield DerivationFact("warns every", f"{self.warns.every_ms} ms", "warn_every", is_trust=True)
+
+    def simulated(
+        self, quantity: Quantity, instance: int, system: "System", parameters: Mapping[str, float]
+    ) -> SimulatedInput:
+        conversion, count = self.adc, system.components[quantity.component].instances
+        channel = conversion.channel
+        gpio: float = channel.gpio
+        if channel.pin is not None:
+            pin = by_instance(channel.pin, system.parameters, count)[instance]
+            gpio = parameters.get(pin.name, float(pin.default * pin.step))
+        steps = []
+        for factor in conversion.factors:
+            own = factors_by_instance(factor, system.parameters, count)[instance]
+            stored = parameters.get(own.name)
+            steps.append(own.default if stored is None else round(Fraction(stored).limit_denominator(10**6) / own.step))
+        zero, full = (conversion.exact(end, *steps) / quantity.steps for end in (0, channel.full_scale))
+        return SimulatedInput("adc", {"gpio": round(gpio), "zero": float(zero), "full": float(full)}, ADC_FAULTS)
 
     def words(self, quantity: Quantity) -> str:
         channel = self.adc.channel

@@ -1,10 +1,11 @@
 """What code of the vehicle sets, and nothing else."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
 from codegen.model.vehicle import Quantity, QuantityKind
 
@@ -27,6 +28,21 @@ class SetByCode(Derivation):
     @property
     def restarts_with(self) -> str | None:
         return self.anew_with
+
+    def simulated(
+        self, quantity: Quantity, instance: int, system: "System", parameters: Mapping[str, float]
+    ) -> SimulatedInput:
+        return SimulatedInput(
+            "state",
+            {
+                "component": quantity.component,
+                "instance": instance,
+                "attribute": quantity.attribute,
+                "steps": float(quantity.steps),
+                "is_whole": quantity.kind is QuantityKind.NUMBER and not quantity.storage.is_float,
+            },
+            {"fail": "nothing sets it", "stuck": "it is set to what it was"},
+        )
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         if self.anew_with is not None:

@@ -7,7 +7,10 @@ from fractions import Fraction
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.measure import read_time
+from codegen.model.derivation_spec import SourcedSpec
 from codegen.model.dialect import Dialect, WireField
+from codegen.model.receive_spec import ReceiveSpec
+from codegen.model.source_kind import Output, Source
 from codegen.model.spec import Spec
 from codegen.model.state_spec import QuantitySpec
 from codegen.model.storage import Storage
@@ -20,6 +23,11 @@ BAD_QUANTITY = Rule(
     "A quantity of the state contradicts itself: names are lower-case identifiers, a boolean, an enum or a text has "
     "no unit and no limits, a text keeps 1 to 255 bytes, min <= initial <= max, and every limit fits a small integer "
     "of MicroPython in stored units.",
+)
+UNKNOWN_SOURCE = Rule(
+    "unknown-source",
+    "A quantity names a sensor, or a number that a sensor gives, which board.yaml does not have. Sensors stand there "
+    "under sources, by name; of one that gives several numbers each is named with a point: gps.latitude.",
 )
 UNKNOWN_QUANTITY = Rule("unknown-quantity", "A table names a quantity that state.yaml does not have.")
 MOST_COUNTED = 255
@@ -44,10 +52,12 @@ class Surroundings:
     """A quantity ``name`` of ``component`` as written, with what the specification says elsewhere.
 
     ``carriers`` are the fields that carry its value as it is; ``is_compared``: something else looks at the value, too.
+    ``received`` are the tables that set it from a message, each with the key of the field.
 
     ``parts`` are the instances of the component, ``period_ms`` the time between two of its updates, or None.
     ``find_parameter`` looks one up by its name, for what stands at a place; None after a finding.
-    ``failed`` once something was found in the quantity itself, with which it cannot be resolved.
+    ``failed`` once something was found in the quantity itself, with which it cannot be resolved. ``found`` is what
+    ``outputs`` has looked up.
     """
 
     component: str
@@ -56,13 +66,16 @@ class Surroundings:
     parts: tuple[Instance, ...]
     period_ms: int | None
     channels: Mapping[str, AdcChannel]
+    sources: Mapping[str, Source]
     find_parameter: Callable[[str, Place], Parameter | None]
     whole: Spec
     dialect: Dialect
     carriers: tuple[WireField, ...]
     is_compared: bool
+    received: tuple[tuple[ReceiveSpec, str], ...]
     report: Report
     failed: bool = False
+    found: tuple[tuple[Source, Output], ...] | None = None
 
     @property
     def others(self) -> Mapping[str, QuantitySpec]:
@@ -104,6 +117,54 @@ class Surroundings:
     def path(self) -> str:
         """``component.quantity``, as tables write it."""
         return f"{self.component}.{self.name}"
+
+    @property
+    def is_sourced(self) -> bool:
+        """Whether a sensor gives it."""
+        return self.spec.written(SourcedSpec) is not None
+
+    def outputs(self) -> tuple[tuple[Source, Output], ...]:
+        """By instance the sensor that gives it, and what of it; nothing where none does, or after a finding."""
+        if self.found is None:
+            self.found = self._outputs()
+        return self.found
+
+    def _outputs(self) -> tuple[tuple[Source, Output], ...]:
+        written = self.spec.written(SourcedSpec)
+        if written is None:
+            return ()
+        names = (written.source,) if isinstance(written.source, str) else written.source
+        if len(names) != len(self.parts):
+            message = f"{self.component} has {len(self.parts)} instances, and {self.name} {len(names)} sources"
+            hint = "a list has one for each: [" + ", ".join(f"first_{self.name}" for _ in self.parts) + "]"
+            self.bad("source", message, UNKNOWN_SOURCE, hint)
+            return ()
+        found = [self._output(name) for name in names]
+        return tuple(each for each in found if each is not None) if None not in found else ()
+
+    def _output(self, name: str) -> tuple[Source, Output] | None:
+        owner, _, part = name.partition(".")
+        source = self.sources.get(owner)
+        if source is None:
+            if f"sources.{owner}" not in self.whole.board.places:  # else what is wrong with it has been reported
+                given = [(one.name, output.name) for one in self.sources.values() for output in one.outputs]
+                known = [f"{one}.{part}".rstrip(".") for one, part in given]
+                hint = did_you_mean(name, known) or did_you_mean(owner, self.sources)
+                self.bad("source", f"board.yaml has no sensor {owner}", UNKNOWN_SOURCE, hint)
+            self.failed = True
+            return None
+        for output in source.outputs:
+            if output.name == part:
+                return source, output
+        names = [output.name for output in source.outputs]
+        message = f"{owner} gives no {part}" if part else f"{owner} gives several numbers: {', '.join(names)}"
+        hint = f"{owner}.{names[0]}"
+        if names == [""]:
+            hint = owner
+        elif part and (near := did_you_mean(part, names)):
+            hint = near
+        self.bad("source", message, UNKNOWN_SOURCE, hint)
+        return None
 
     def counted(self, fact: str, key: str, rule: Rule) -> tuple[int, ...] | None:
         """A fact of board.yaml that counts something, by instance; None after a finding."""

@@ -56,6 +56,37 @@ UNKNOWN = _silent(
 )
 FLAGS = _silent("population-flags-changed", "Other bits of a field are set, or under other conditions.")
 
+TAKEN = _inside("message-taken", "The vehicle takes a message that it did not take before: it sets quantities.")
+NOT_TAKEN = _inside(
+    "message-no-longer-taken",
+    "The vehicle takes a message no more: who steers by it, or tells it something, is not heard, and gets no answer.",
+    Victim.OLD_STATION,
+)
+TAKEN_FROM = _inside(
+    "message-taken-otherwise",
+    "A message is taken from other senders, under other conditions, or calls something else of the vehicle.",
+)
+FIELD_TAKEN = _inside("field-taken", "A field of a message that arrives sets a quantity; before it was ignored.")
+FIELD_NOT_TAKEN = _inside(
+    "field-no-longer-taken",
+    "A field of a message that arrives is ignored, which set a quantity before: nothing tells who sends it.",
+    Victim.OLD_STATION,
+)
+TAKEN_INTO = _silent(
+    "field-taken-into-another",
+    "A field of a message that arrives sets another quantity: the vehicle takes what is sent for something else.",
+    Victim.OLD_STATION,
+)
+TAKEN_AS = _inside(
+    "field-taken-otherwise",
+    "The factor, the rounding or the unit has changed in which a quantity keeps what a field of a message sets.",
+)
+TAKEN_RANGE = _inside(
+    "field-taken-range-changed",
+    "Other numbers of a field count as plausible, or another one sets the quantity unknown. What is not plausible is "
+    "ignored.",
+)
+
 PARAMETER_ADDED = _inside(
     "parameter-added", "A parameter is new: ground stations list it, and stored parameters of before do not have it."
 )
@@ -129,6 +160,9 @@ GENERATIONS = _inside("generations-changed", "Another generation of messages is 
 CHANNEL = _inside(
     "adc-channel-changed", "An ADC channel has another pin, reference, resolution or number of samples, is new or gone."
 )
+SENSOR = _inside(
+    "sensor-changed", "A sensor is read otherwise, is connected elsewhere, gives other numbers, is new or gone."
+)
 LINK = _inside("link-changed", "A link to ground stations is configured otherwise, is new or gone.")
 IDENTITY = _inside(
     "identity-changed",
@@ -136,6 +170,24 @@ IDENTITY = _inside(
     "another vehicle, or cannot read it.",
     *BOTH,
 )
+COMMAND_ADDED = _inside("command-added", "The vehicle answers a command that it did not know before.")
+COMMAND_REMOVED = _inside(
+    "command-removed", "The vehicle knows a command no more: who asks for it is told so.", Victim.OLD_STATION
+)
+COMMAND_RANGE = _inside(
+    "command-range-changed", "Other values of a parameter of a command are accepted, or NaN stands for another one."
+)
+COMMAND_UNIT = _silent(
+    "command-unit-changed",
+    "The number that a command carries is taken in another unit. Who sends it goes on with the old numbers.",
+    *BOTH,
+)
+COMMAND = _inside(
+    "command-changed", "A command is done at other times, for others, in another way, or by another method of the code."
+)
+MODE_ADDED = _inside("mode-added", "The vehicle has a mode more, to which a ground station can change it.")
+MODE_REMOVED = _inside("mode-removed", "The vehicle has a mode less: who asks for it is refused.", Victim.OLD_STATION)
+MODE = _inside("mode-changed", "A mode has another name, or other flags of HEARTBEAT are set in it.")
 FAILSAFE = _inside("failsafe-changed", "A failsafe watches, waits or acts otherwise, is new or gone.")
 PROGRAM = _inside("program-changed", "The program on the board runs at other rates, stores or answers otherwise.")
 RECEIVER = _inside("receiver-changed", "The generated receiver reads other messages, or trusts them otherwise.")

@@ -3,17 +3,19 @@
 from collections.abc import Iterator
 
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.program import BoardLink
+from codegen.model.source_kind import Source
 from codegen.model.system import Generations, System
 from codegen.model.vehicle import AdcChannel, Parameter, Stream
 
 
 def board_subjects(system: System) -> Iterator[Subject]:
-    """Identity, ADC channels, links, streams, generations."""
+    """Identity, ADC channels, sensors, links, streams, generations."""
     yield _identity(system)
     yield from (_channel(channel) for channel in system.channels.values())
+    yield from (_sensor(source) for source in system.sources.values())
     yield from (_link(link) for link in system.links)
     yield from (_stream(stream) for stream in system.streams.values())
     yield from (_generations(generations) for generations in system.generations)
@@ -65,6 +67,31 @@ def _channel(channel: AdcChannel) -> Subject:
         facts=facts,
         cited=cited(channel.citation, channel.aspects),
         row=channel.name,
+    )
+
+
+def _sensor(source: Source) -> Subject:
+    polling, spec = source.polling, source.polling.spec
+    gives = ", ".join(f"{each.name} {each.low}..{each.high} {each.unit.name}".strip() for each in source.outputs)
+    facts = (
+        Fact("driver", spec.driver, rules.SENSOR, spec.at("driver")),
+        *(Fact(fact.attribute, fact.text, rules.SENSOR, spec.at(fact.key)) for fact in source.facts()),
+        Fact("gives", gives, rules.SENSOR, spec.at("outputs")),
+        Fact("asked every", amount(polling.period_us, "us"), rules.SENSOR, spec.at("rate")),
+        Fact("time for a turn", amount(polling.limit_us, "us"), rules.SENSOR, spec.at("limit")),
+        Fact("set up again after", amount(polling.retry_ms, "ms"), rules.SENSOR, spec.at("retry")),
+        Fact("answers to", ", ".join(cited(polling.citation, polling.aspects)), CITATION, spec.at("requirement")),
+        Fact("doc", spec.doc or "", DOC, spec.at("doc")),
+    )
+    return Subject(
+        name=f"sensor {source.name}",
+        says=source.words(),
+        added=rules.SENSOR,
+        removed=rules.SENSOR,
+        place=spec.place,
+        facts=facts,
+        cited=cited(polling.citation, polling.aspects),
+        row=source.name,
     )
 
 
@@ -135,7 +162,7 @@ def _generations(generations: Generations) -> Subject:
         Fact("new", ", ".join(generations.new), rules.GENERATIONS, spec.at("new")),
         Fact("sent", chosen, rules.GENERATIONS, spec.at("parameter" if parameter else "send")),
         Fact("fixed", generations.send.value if generations.send else "", rules.GENERATIONS, spec.at("send")),
-        Fact("answers to", str(generations.citation or ""), CITATION, spec.at("requirement")),
+        Fact("answers to", citations(generations.citation, generations.aspects), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     return Subject(
@@ -145,7 +172,7 @@ def _generations(generations: Generations) -> Subject:
         removed=rules.GENERATIONS,
         place=spec.place,
         facts=facts,
-        cited=cited(generations.citation),
+        cited=cited(generations.citation, generations.aspects),
         messages=(*generations.old, *generations.new),
         row=generations.component.name,
     )

@@ -6,7 +6,7 @@ from itertools import groupby
 
 from codegen.diff import behaviour_rules as rules
 from codegen.diff.change import Change, Notice, Victim, changed
-from codegen.diff.subject import Fact, Subject, cited, subject_changes
+from codegen.diff.subject import Fact, Subject, citations, cited, subject_changes
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.account import Aspect
 from codegen.model.answer import Answer
@@ -80,7 +80,7 @@ def _message(message: PopulatedMessage, name: str) -> Subject:
             for name, choice in message.represents.items()
         ),
         Fact("table", message.name, rules.TABLE_RENAMED, spec.at("as")),
-        Fact("answers to", str(message.citation), CITATION, spec.at("requirement")),
+        Fact("answers to", citations(message.citation, message.aspects), CITATION, spec.at("requirement")),
     ]
     rate = f"{decimal(message.stream.default_rate)} Hz" if message.stream else "on request"
     each = f" for each {message.component.name}" if message.component else ""
@@ -91,7 +91,7 @@ def _message(message: PopulatedMessage, name: str) -> Subject:
         removed=rules.MESSAGE_NOT_SENT,
         place=spec.at("message"),
         facts=tuple(facts),
-        cited=cited(message.citation),
+        cited=cited(message.citation, message.aspects),
         messages=(message.wire.name,),
     )
 

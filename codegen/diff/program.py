@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.commands import command_subjects
+from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.program import Failsafe, Program
 from codegen.model.receiver import Receiver
@@ -25,6 +26,7 @@ def program_subjects(system: System) -> Iterator[Subject]:
             )
             name = f"failsafe action {action.value}"
             yield Subject(name, action.call, rules.FAILSAFE, rules.FAILSAFE, action.place, facts)
+        yield from command_subjects(system.program)
     if system.receiver is not None:
         yield _receiver(system.receiver)
 
@@ -48,13 +50,13 @@ def _program(program: Program) -> Subject:
         ("answers with", ", ".join(program.sent), spec.place),
         ("constants", ", ".join(f"{name} {value}" for name, value in sorted(program.constants.items())), spec.place),
     )
-    citations = ", ".join(f"{name} {citation}" for name, citation in sorted(program.cited.items()))
+    aspects = {f"{section}.{name}": one for section, all_of in program.aspects.items() for name, one in all_of.items()}
     facts = (
         *(Fact(name, text, rules.PROGRAM, place) for name, text, place in texts),
-        Fact("answers to", citations, CITATION, spec.place),
+        Fact("answers to", citations(None, {**program.cited, **aspects}), CITATION, spec.place),
     )
     says = f"control at {amount(program.control_us, 'us')}"
-    return Subject("program", says, rules.PROGRAM, rules.PROGRAM, spec.place, facts, cited(program.cited))
+    return Subject("program", says, rules.PROGRAM, rules.PROGRAM, spec.place, facts, cited(program.cited, aspects))
 
 
 def _failsafe(failsafe: Failsafe) -> Subject:
@@ -74,7 +76,7 @@ def _failsafe(failsafe: Failsafe) -> Subject:
         facts.append(Fact(f"{name} below", level.below.name, rules.FAILSAFE, written.at("below")))
         facts.append(Fact(f"{name} does", level.action.name, rules.FAILSAFE, written.at("action")))
         facts.append(Fact(f"{name} answers to", str(level.citation or ""), CITATION, written.at("requirement")))
-    facts.append(Fact("answers to", str(failsafe.citation), CITATION, spec.at("requirement")))
+    facts.append(Fact("answers to", citations(failsafe.citation, failsafe.aspects), CITATION, spec.at("requirement")))
     return Subject(
         name=f"failsafe of {failsafe.component.name}",
         says=failsafe.quantity.path,
@@ -82,7 +84,7 @@ def _failsafe(failsafe: Failsafe) -> Subject:
         removed=rules.FAILSAFE,
         place=spec.place,
         facts=tuple(facts),
-        cited=cited(failsafe.citation, failsafe.low.citation, failsafe.critical.citation),
+        cited=cited(failsafe.citation, failsafe.aspects, failsafe.low.citation, failsafe.critical.citation),
         row=failsafe.component.name,
     )
 
@@ -95,8 +97,8 @@ def _receiver(receiver: Receiver) -> Subject:
         Fact("reads", ", ".join(names), rules.RECEIVER, spec.place),
         Fact("stale after", amount(receiver.stale_after_ms, "ms"), rules.RECEIVER, spec.at("stale_after")),
         Fact("current averaged over", amount(receiver.rate_over_ms, "ms"), rules.RECEIVER, spec.at("rate_over")),
-        Fact("answers to", str(receiver.citation or ""), CITATION, spec.at("requirement")),
+        Fact("answers to", citations(receiver.citation, receiver.aspects), CITATION, spec.at("requirement")),
     )
     says = f"of {receiver.component.name}"
-    citation = cited(receiver.citation)
+    citation = cited(receiver.citation, receiver.aspects)
     return Subject("receiver", says, rules.RECEIVER, rules.RECEIVER, spec.place, facts, citation, names)

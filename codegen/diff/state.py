@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.subject import Fact, Subject, amount, cited
+from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.storage import HALF, Storage
 from codegen.model.system import System
@@ -88,7 +88,7 @@ def _component(component: Component) -> Subject:
         Fact("number of the first:", first, rules.INSTANCES, spec.at("first_number")),
         Fact("updated every", amount(component.period_ms, "ms"), rules.UPDATE_RATE, spec.at("update_rate")),
         Fact("counts", counted, rules.INSTANCES, spec.place),
-        Fact("answers to", _citations(component), CITATION, spec.at("requirement")),
+        Fact("answers to", citations(component.citation, component.aspects), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     count = len(component.parts)
@@ -124,7 +124,7 @@ def _quantity(quantity: Quantity) -> Subject:
         *_derivation(quantity),
         Fact("unknown after", amount(trust.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
         Fact("failures until unknown:", amount(trust.invalid_after), rules.QUANTITY_AGE, spec.at("invalid_after")),
-        Fact("answers to", _citations(quantity), CITATION, spec.at("requirement")),
+        Fact("answers to", citations(quantity.citation, quantity.aspects), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     return Subject(
@@ -167,9 +167,3 @@ def _derivation(quantity: Quantity) -> Iterator[Fact]:
     for fact in quantity.derivation.facts(quantity):
         rule = rules.QUANTITY_AGE if fact.is_trust else rules.QUANTITY_SOURCE
         yield Fact(fact.attribute, fact.text, rule, quantity.spec.at(fact.key))
-
-
-def _citations(part: Component | Quantity) -> str:
-    """What is cited for the whole and for single aspects."""
-    words = [str(part.citation)] if part.citation else []
-    return ", ".join([*words, *(f"{name} {aspect}" for name, aspect in sorted(part.aspects.items()))])

@@ -134,6 +134,12 @@ def cited(*citations: Citation | Mapping[str, Citation] | None) -> tuple[str, ..
     return tuple(found)
 
 
+def citations(whole: Citation | None, aspects: Mapping[str, Citation]) -> str:
+    """What is cited for the whole and for single aspects."""
+    words = [str(whole)] if whole else []
+    return ", ".join([*words, *(f"{name} {aspect}" for name, aspect in sorted(aspects.items()))])
+
+
 def amount(value: Fraction | int | None, unit: str = "") -> str:
     """A number with its unit, or nothing."""
     if value is None:

@@ -14,6 +14,7 @@ from codegen.diff.heard_otherwise import heard_otherwise
 from codegen.diff.hearing import dropped, heard_in
 from codegen.diff.population import population_changes
 from codegen.diff.program import program_subjects
+from codegen.diff.reception import reception_subjects
 from codegen.diff.requirements import as_called_now, coverage_changes, renamed_ids, requirement_changes
 from codegen.diff.softening import softened
 from codegen.diff.state import parameter_subjects, state_subjects
@@ -108,6 +109,7 @@ def _subjects(system: System) -> tuple[Subject, ...]:
         *state_subjects(system),
         *board_subjects(system),
         *program_subjects(system),
+        *reception_subjects(system),
     )
 
 
@@ -116,7 +118,9 @@ def _cited(systems: Sequence[System], said: Iterable[Sequence[Subject]]) -> set[
     found = {name for subjects in said for subject in subjects for name in subject.cited}
     for system in systems:
         for message in system.messages:
-            found.update(cited(message.citation, *(answer.covers.citation for answer in message.answers)))
+            found.update(
+                cited(message.citation, message.aspects, *(answer.covers.citation for answer in message.answers))
+            )
     return found
 
 

@@ -1,7 +1,9 @@
 """The contract of answers: what every kind of answer of a table tells the stages."""
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.model.account import Arriving, Origins, ReadBack, StateCase, Together, Trait, Words
@@ -176,6 +178,19 @@ class Answer(ABC):
     def read_back(self) -> Iterator[ReadBack]:
         """The quantities that a receiver must know again, and how exactly."""
         yield from ()
+
+    @property
+    def told_quantities(self) -> tuple[Quantity, ...]:
+        """The quantities whose numbers `told` finds in a message."""
+        return (self.arriving.quantity,) if self.arriving else ()
+
+    def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
+        """What its elements, as numbers on the wire, tell of quantities, in their units; None for unknown."""
+        arriving = self.arriving
+        if arriving is not None:
+            is_unknown = wire[0] == arriving.unknown or not math.isfinite(wire[0])
+            factor = arriving.scaling.factor * arriving.quantity.steps
+            yield arriving.quantity, None if is_unknown else float(Fraction(wire[0]) / factor)
 
     # How it is tested.
 

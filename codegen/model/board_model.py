@@ -30,8 +30,16 @@ class UartSpec(Written):
     rx: Verbatim = described("GPIO numbers that can be its input.")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class I2cSpec(Written):
+    """One I2C bus of a board."""
+
+    sda: Verbatim = described("GPIO numbers that can be its data, such as 0, 4, 8.")
+    scl: Verbatim = described("GPIO numbers that can be its clock.")
+
+
 class UartPins(StrEnum):
-    """Whether the pins of a UART are said when it is opened."""
+    """Whether the pins of a UART, or of an I2C bus, are said when it is opened."""
 
     CHOSEN = "chosen"
     FIXED = "fixed"
@@ -53,6 +61,10 @@ class BoardModelSpec(Written):
     uarts: Mapping[str, UartSpec] = described("UARTs by number.", default_factory=dict)
     uart_pins: UartPins = described(
         "chosen: tx and rx are told to machine.UART; fixed: each UART has its own.", default=UartPins.CHOSEN
+    )
+    i2c: Mapping[str, I2cSpec] = described("I2C buses by number.", default_factory=dict)
+    i2c_pins: UartPins = described(
+        "chosen: sda and scl are told to machine.I2C; fixed: each bus has its own.", default=UartPins.CHOSEN
     )
     usb: bool = described("Whether MicroPython's prompt is on a USB port, which can be a link.")
     wifi: bool = described("Whether it has Wi-Fi.")
@@ -80,6 +92,14 @@ class Uart:
 
 
 @dataclass(frozen=True, slots=True)
+class I2c:
+    """The GPIO numbers that can be the data and the clock of an I2C bus."""
+
+    sda: frozenset[int]
+    scl: frozenset[int]
+
+
+@dataclass(frozen=True, slots=True)
 class BoardModel:
     """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for."""
 
@@ -88,6 +108,7 @@ class BoardModel:
     taken: Mapping[int, str]
     adc: Converter | None
     uarts: Mapping[int, Uart]
+    i2c: Mapping[int, I2c]
     spec: BoardModelSpec
 
     @property
@@ -99,6 +120,11 @@ class BoardModel:
     def tells_uart_pins(self) -> bool:
         """Whether the pins of a UART are arguments when it is opened."""
         return self.spec.uart_pins is UartPins.CHOSEN
+
+    @property
+    def tells_i2c_pins(self) -> bool:
+        """Whether the pins of an I2C bus are arguments when it is opened."""
+        return self.spec.i2c_pins is UartPins.CHOSEN
 
 
 def shown_pins(pins: frozenset[int]) -> str:

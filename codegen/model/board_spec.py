@@ -6,6 +6,7 @@ from typing import ClassVar, Literal
 
 from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
+from codegen.model.source_spec import SourceSpec
 from codegen.source import Place, Written
 
 
@@ -30,10 +31,12 @@ class AdcSpec(Written):
     read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: reference, samples, read_limit, failure, absence, when.", default_factory=dict
+        "Criteria for single aspects: reference, samples, read_limit, failure, absence, pin, rate, monitor, first, "
+        "when.",
+        default_factory=dict,
     )
 
-    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence", "when")
+    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence", "pin", "rate", "monitor", "first", "when")
     ONE_OF: ClassVar[tuple[str, ...]] = ("gpio", "pin")
 
 
@@ -96,6 +99,7 @@ class BoardSpec(Written):
         default=None,
     )
     adc: Mapping[str, AdcSpec] = described("ADC channels by name.", default_factory=dict)
+    sources: Mapping[str, SourceSpec] = described("Sensors by name.", default_factory=dict)
     links: Mapping[str, LinkSpec] = described("Links to ground stations by name.", default_factory=dict)
     facts: Mapping[str, Mapping[str, str | Fraction]] = described(
         "Facts about the connected hardware by component: enum entries, numbers or amounts.", default_factory=dict

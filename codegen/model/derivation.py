@@ -4,11 +4,15 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
+from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from codegen.model.conversion import Conversion
     from codegen.model.known import Known, Stored
+    from codegen.model.source_kind import Output
     from codegen.model.summed import Lasting, Rest, Sum
     from codegen.model.system import System
     from codegen.model.vehicle import Parameter, Quantity, Threshold
@@ -51,6 +55,16 @@ class Derivation(ABC):
     @property
     def is_set_by_code(self) -> bool:
         """Whether code of the vehicle sets it, and nothing else does."""
+        return False
+
+    @property
+    def ages_alone(self) -> bool:
+        """Whether its age counts from when it was set itself, and not from the last reading of its component."""
+        return self.is_set_by_code or self.is_received
+
+    @property
+    def is_received(self) -> bool:
+        """Whether a message that arrives sets it, and nothing else does."""
         return False
 
     @property
@@ -116,6 +130,11 @@ class Derivation(ABC):
         return None
 
     @property
+    def gives(self) -> "tuple[tuple[str, Output, Fraction], ...]":
+        """By instance the sensor that gives it, what of it, and the stored steps in one step of that; else nothing."""
+        return ()
+
+    @property
     def comes_of_readings(self) -> bool:
         """Whether a reading gives it, so that it is unknown once that is not believed any longer."""
         return self.conversion is not None
@@ -153,6 +172,17 @@ class Derivation(ABC):
     def differs_by_instance(self) -> bool:
         """Whether what decides over it is not the same in all instances."""
         return False
+
+    # the simulation
+
+    def simulated(
+        self, quantity: "Quantity", instance: int, system: "System", parameters: Mapping[str, float]
+    ) -> SimulatedInput | None:
+        """How what is true of an instance of it, from 0, reaches the firmware; None where the firmware makes it itself.
+
+        ``parameters`` are those that differ from their defaults.
+        """
+        return None
 
     # words
 

@@ -16,10 +16,12 @@ class DerivationSpec(Written):
     """What is written about where a value comes from, beside the keys that every quantity has.
 
     ``KEY`` is the one that names the derivation. ``GIVES_BOOLEAN``: for a boolean, or for a number.
+    ``LOOKS_AT_QUANTITY``: what ``KEY`` names may be a quantity of the component.
     """
 
     KEY: ClassVar[str]
     GIVES_BOOLEAN: ClassVar[bool] = False
+    LOOKS_AT_QUANTITY: ClassVar[bool] = True
 
     @property
     def is_named(self) -> bool:
@@ -168,6 +170,7 @@ class LeftSpec(DerivationSpec):
     """What a sum leaves."""
 
     KEY = "left_of"
+    LOOKS_AT_QUANTITY = False
 
     left_of: str | None = described(
         "The parameter with the size of a full store of which this is left, in its unit or in %.", default=None
@@ -191,6 +194,24 @@ class LastsSpec(DerivationSpec):
     over: Amount | None = described("For lasts: the time over which that is smoothed, such as 10 s.", default=None)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SourcedSpec(DerivationSpec):
+    """What a sensor gives."""
+
+    KEY = "source"
+    LOOKS_AT_QUANTITY = False
+
+    source: str | tuple[str, ...] = described(
+        "The sensor of board.yaml that gives it: its name, or NAME.OUTPUT where it gives several numbers; for a "
+        "component with several instances a list, with one for each."
+    )
+
+    @property
+    def has_readings(self) -> bool:
+        """A sensor is asked, which can fail."""
+        return True
+
+
 WrittenDerivation = (
     WhileKnownSpec
     | EnabledBySpec
@@ -202,5 +223,6 @@ WrittenDerivation = (
     | IntegralSpec
     | LeftSpec
     | LastsSpec
+    | SourcedSpec
 )
 """Every derivation that can be written; a quantity with none of them is set by code."""

@@ -2,7 +2,8 @@
 
 Field metadata: ``key`` (the YAML key, where it is not the attribute's name) and ``doc`` (shown by editors).
 A class may further declare ``ONE_OF``, keys of which exactly one is written, ``BESIDE``, which of these another one
-may stand beside all the same, and ``SHORT_FORMS``, words that stand for a whole record.
+may stand beside all the same, ``SHORT_FORMS``, words that stand for a whole record, and ``INSTEAD``, the hint for a key
+that it does not have.
 
 Keys that belong together are a record of their own, though they are written among the others: the field ``flattened``
 has a tuple of such records, of which one is made where a key of it is written.

@@ -135,6 +135,9 @@ class PopulationSpec(Written):
         default=None,
     )
     requirement: str = described("Requirement, or criterion of one, that asks for the message.")
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: connection, change, besides, request.", default_factory=dict
+    )
     for_each: str | None = described("Component of which each instance has a message of its own.", default=None)
     stream: str | None = described(
         "Stream that the message belongs to; without one it is sent when a ground station asks for it.", default=None
@@ -162,6 +165,8 @@ class PopulationSpec(Written):
         "unknown: every field and element that is not listed goes out as the dialect's sentinel.", default=None
     )
     fields: Mapping[str, FieldAnswer] = described("An answer for every field and element, or with others for some.")
+
+    ASPECTS = ("connection", "change", "besides", "request")
 
     @property
     def name(self) -> str:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.board_spec import LinkSpec
 from codegen.model.clock import SYSTEM_TIME
+from codegen.model.command import BUILT_IN, BuiltInCommand, Command, Mode, Needs
 from codegen.model.dialect import WireMessage
 from codegen.model.program_spec import ActionSpec, FailsafeSpec, VehicleSpec
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity
@@ -25,6 +26,25 @@ VEHICLE_QUANTITIES = {"armed": "boolean", "ready": "boolean", "status": "enum", 
 
 What cannot be armed has only the load to tell, and tells it where the state asks for it.
 """
+
+RECEIVED = (
+    "HEARTBEAT",
+    "PING",
+    "PARAM_REQUEST_READ",
+    "PARAM_REQUEST_LIST",
+    "PARAM_SET",
+    "REQUEST_DATA_STREAM",
+    "COMMAND_INT",
+    "COMMAND_LONG",
+    "FILE_TRANSFER_PROTOCOL",
+)
+"""The messages that the services receive, in the order in which links are given them."""
+
+
+COMMAND_CANCEL = "COMMAND_CANCEL"
+"""The message that ends a command that takes long."""
+SET_MODE = "SET_MODE"
+"""The message that MAV_CMD_DO_SET_MODE supersedes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +83,7 @@ class Failsafe:
     used: Quantity | None
     spec: FailsafeSpec
     citation: Citation
+    aspects: Mapping[str, Citation]
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +94,8 @@ class Program:
     they send; ``constants`` are the entries of its enums that the program uses, by name; ``fastest`` is the highest
     rate in Hz of messages without a stream, ``silence_ms`` the time without a HEARTBEAT after which a ground station
     is gone. ``module`` and ``class_name`` are those of the user's code, which is asked to measure every ``measure_us``,
-    or not at all: None.
+    or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
+    single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
     """
 
     control_us: int
@@ -91,7 +113,26 @@ class Program:
     measure_us: int | None
     silence_ms: int
     cited: Mapping[str, Citation]
+    aspects: Mapping[str, Mapping[str, Citation]]
     spec: VehicleSpec
+    commands: tuple[Command, ...] = ()
+    modes: tuple[Mode, ...] = ()
+
+    @property
+    def built_in(self) -> tuple[BuiltInCommand, ...]:
+        """The commands that it answers by itself."""
+        has = {Needs.NOTHING: True, Needs.ARMING: self.spec.arming is not None, Needs.MODES: bool(self.modes)}
+        return tuple(command for command in BUILT_IN if has[command.needs])
+
+    @property
+    def cancels(self) -> bool:
+        """Whether COMMAND_CANCEL ends what takes long: not every dialect has it."""
+        return any(message.name == COMMAND_CANCEL for message in self.services)
+
+    @property
+    def received_besides(self) -> tuple[str, ...]:
+        """The messages that the services of this program receive, and not those of every program."""
+        return tuple(each.name for each in self.services if each.name in (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL))
 
     @property
     def takes_time(self) -> bool:

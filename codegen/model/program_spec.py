@@ -15,6 +15,12 @@ class ControlSpec(Written):
     links: Amount = described("How often links are served: what arrives is answered, what is due is sent.")
     report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: grid, order, missed, memory.",
+        default_factory=dict,
+    )
+
+    ASPECTS = ("grid", "order", "missed", "memory")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,6 +31,12 @@ class StorageSpec(Written):
     chunk: int = described("Bytes that one step of a save writes, 16 to 256.")
     step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: kept, defaults, power_cut, steps, set, read, reboot, over_link.",
+        default_factory=dict,
+    )
+
+    ASPECTS = ("kept", "defaults", "power_cut", "steps", "set", "read", "reboot", "over_link")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +45,9 @@ class ArmingSpec(Written):
 
     force: int = described("Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described("Criteria for single aspects: command, reasons.", default_factory=dict)
+
+    ASPECTS = ("command", "reasons")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +80,13 @@ class FailsafeSpec(Written):
         "Shortest time between two texts about the health, such as 10 s; without it each change is told.", default=None
     )
     used: str | None = described("Quantity of the component that texts give as used, in mAh.", default=None)
-    requirement: str = described("Requirement that asks for it; its criteria are those of the tests.")
+    requirement: str = described("Requirement, or criterion of one, that asks for it.")
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: timer, off, disarmed, latch, text, action, status, health, health_text.",
+        default_factory=dict,
+    )
+
+    ASPECTS = ("timer", "off", "disarmed", "latch", "text", "action", "status", "health", "health_text")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,6 +101,20 @@ class ActionSpec(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ModeSpec(Written):
+    """A mode of the vehicle, by the number that HEARTBEAT has as custom_mode."""
+
+    name: str = described("Name of the mode, for people: MANUAL.")
+    doc: str = described("What the vehicle does in it, for people.")
+    base: tuple[str, ...] = described(
+        "Booleans of the component vehicle that are true in this mode and false in those that do not list them: "
+        "conditions of flags of base_mode.",
+        default=(),
+    )
+    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ServicesSpec(Written):
     """What the vehicle answers to ground stations."""
 
@@ -90,6 +125,13 @@ class ServicesSpec(Written):
         default="10 s",
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: commands, request, intervals, data_streams, restart, ping, texts, garbage, "
+        "links.",
+        default_factory=dict,
+    )
+
+    ASPECTS = ("commands", "request", "intervals", "data_streams", "restart", "ping", "texts", "garbage", "links")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,6 +165,12 @@ class VehicleSpec(Written):
     )
     code: CodeSpec | None = described("The user's code: by default a class Rover in a module rover.", default=None)
     failsafes: Mapping[str, FailsafeSpec] = described(
-        "Failsafes by the component that they watch.", default_factory=dict
+        "Failsafes by the component that they watch.",
+        default_factory=dict,
     )
     actions: tuple[ActionSpec, ...] = described("What failsafes can do.", default=())
+    modes: Mapping[str, ModeSpec] = described(
+        "The modes by their numbers: what SET_MODE and MAV_CMD_DO_SET_MODE change to. Without it the mode is what code "
+        "makes it.",
+        default_factory=dict,
+    )

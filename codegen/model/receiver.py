@@ -1,5 +1,6 @@
 """The receiver, resolved: which messages it turns back into the quantities of which component."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
@@ -23,4 +24,5 @@ class Receiver:
     stale_after_ms: int
     rate_over_ms: int
     citation: Citation | None
+    aspects: Mapping[str, Citation]
     spec: ReceiverSpec

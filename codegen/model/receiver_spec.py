@@ -1,5 +1,7 @@
 """``receiver.yaml``: the receiver for companion computers and ground tools."""
 
+from collections.abc import Mapping
+
 from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.source import Written
@@ -17,3 +19,8 @@ class ReceiverSpec(Written):
         "Time over which the current is averaged for the time that remains, such as 30 s.", default=Amount("30 s")
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: units, views, age, interpreters, wire.", default_factory=dict
+    )
+
+    ASPECTS = ("units", "views", "age", "interpreters", "wire")

@@ -2,47 +2,50 @@
 
 from collections.abc import Mapping
 from dataclasses import field
-from enum import StrEnum
-from typing import Any
+from typing import Any, TypeGuard
 
 from codegen.frozen import dataclass
+from codegen.model.simulated import SimulatedInput
 
-
-class AdcFault(StrEnum):
-    """What may be wrong with the ADC inputs: readings fail, the part is absent, or readings take long."""
-
-    FAIL = "fail"
-    ABSENT = "absent"
-    SLOW = "slow"
+Truth = float | bool | str | None
+"""What is true of a quantity: a number in its unit, a boolean, a text; None is nothing that could be known."""
 
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A value at a time: milliseconds since the start, and millivolts (``value`` of a voltage) or milliamperes."""
+    """A value at a time in milliseconds since the start."""
 
     at_ms: int
-    value: int
+    value: Truth
 
 
 @dataclass(frozen=True, slots=True)
-class Battery:
-    """The true battery of one instance: its voltage in mV and its current in mA over time, ascending in time.
+class Course:
+    """What is true of one quantity over time, ascending in time.
 
-    ``divider_millionths`` is the pack's voltage over that at the ADC pin; no ``currents``: none is stated.
+    ``label`` is the path of the quantity with the number of the instance, ``battery[1].voltage``, where there are
+    several. Single values deviate by up to ``noise``. Code that sets it does so every ``every_ms``. Between two points
+    lies a line where ``is_line``, else a step.
     """
 
+    label: str
     points: tuple[Point, ...]
-    noise_mv: int
-    divider_millionths: int
-    currents: tuple[Point, ...] = ()
+    through: SimulatedInput
+    noise: float = 0.0
+    every_ms: int = 100
+    is_line: bool = True
 
-    def millivolts(self, at_ms: float) -> float:
-        """The voltage of the pack in mV at a time in ms."""
-        return value_at(self.points, at_ms)
-
-    def milliamperes(self, at_ms: float) -> float | None:
-        """The current drawn from the pack in mA at a time in ms; None where the scenario states none."""
-        return value_at(self.currents, at_ms) if self.currents else None
+    def value(self, at_ms: float) -> Truth:
+        """What is true at a time in ms: straight lines between two numbers, else steps; the ends stay."""
+        before = self.points[0]
+        for point in self.points:
+            if point.at_ms > at_ms:
+                start, end = before.value, point.value
+                if at_ms <= before.at_ms or not self.is_line or not is_number(start) or not is_number(end):
+                    return start
+                return start + (end - start) * (at_ms - before.at_ms) / (point.at_ms - before.at_ms)
+            before = point
+        return before.value
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,29 +65,30 @@ class Reboot:
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """A fault of the ADC from ``at_ms`` to ``until_ms`` (None: to the end); ``delay_us`` is that of slow readings.
+    """A fault of what a course goes through, from ``at_ms`` to ``until_ms`` (None: to the end).
 
-    ``instance`` is the battery whose input has it, from 0.
+    ``of`` is the label of the course, ``words`` say for people what happens, ``delay_us`` is that of slow readings.
     """
 
     at_ms: int
-    adc: AdcFault
+    kind: str
+    of: str
     until_ms: int | None
-    delay_us: int
-    instance: int = 0
+    words: str
+    delay_us: int = 0
 
 
 @dataclass(frozen=True, slots=True)
 class Swap:
-    """A smart battery is taken out, and another one, with its own board, is in its place from ``until_ms`` on.
+    """A board is taken out, and another one is in its place from ``until_ms`` on.
 
-    ``batteries`` are those of the new board; None: their course is that of the old ones.
+    ``courses`` are those of the new board; None: the old ones go on.
     """
 
     at_ms: int
     program: str
     until_ms: int
-    batteries: tuple[Battery, ...] | None = None
+    courses: tuple[Course, ...] | None = None
 
 
 Event = Arming | Reboot | Fault | Swap
@@ -97,69 +101,90 @@ class Stretch:
     number: int
     start_ms: int
     end_ms: int | None
-    batteries: tuple[Battery, ...]
+    courses: tuple[Course, ...]
+
+    def course(self, label: str) -> Course | None:
+        """The course of a quantity; None where the scenario states none."""
+        return next((course for course in self.courses if course.label == label), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Expectation:
+    """What must hold ``at_ms``, or at the end for None.
+
+    ``told``: a quantity as it went out last; else as the state has it. ``low`` and ``high`` bound a number in its
+    unit, ``value`` is what it has to be otherwise. With ``text`` a text that contains it has to be said by then, or,
+    if ``is_absent``, must not be said.
+    """
+
+    written: str
+    at_ms: int | None
+    label: str = ""
+    told: bool = False
+    low: float | None = None
+    high: float | None = None
+    value: Truth = None
+    text: str = ""
+    is_absent: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """Another program of the project that runs at the same time, and what it finds."""
+    """Another program of the project that runs at the same time, and what is true of it."""
 
     program: str
-    batteries: tuple[Battery, ...]
+    courses: tuple[Course, ...]
     parameters: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class Scenario:
-    """One scenario in plain numbers. ``batteries`` are by instance, ``parameters`` are stored before the first start.
+    """One scenario in plain numbers: ``parameters`` are stored before the first start.
 
-    ``beside`` are the other programs that run.
+    ``beside`` are the other programs that run. Without ``has_code`` the user's code is left out.
     """
 
     name: str
     doc: str
     duration_ms: int
     seed: int
-    batteries: tuple[Battery, ...]
+    courses: tuple[Course, ...] = ()
     events: tuple[Event, ...] = ()
     parameters: Mapping[str, float] = field(default_factory=dict)
     beside: tuple[Beside, ...] = ()
+    expected: tuple[Expectation, ...] = ()
+    has_code: bool = True
 
     def stretches(self, program: str | None = None) -> tuple[Stretch, ...]:
         """The boards that run a program, one after the other; None is the vehicle's own, which is never swapped."""
         found = next((beside for beside in self.beside if beside.program == program), None)
-        batteries = self.batteries if found is None else found.batteries
+        courses = self.courses if found is None else found.courses
         swaps = [event for event in self.events if isinstance(event, Swap) and event.program == program]
         stretches: list[Stretch] = []
         start_ms = 0
         for number, swap in enumerate(swaps, 1):
-            stretches.append(Stretch(number, start_ms, swap.at_ms, batteries))
-            batteries = batteries if swap.batteries is None else swap.batteries
+            stretches.append(Stretch(number, start_ms, swap.at_ms, courses))
+            courses = courses if swap.courses is None else swap.courses
             start_ms = swap.until_ms
-        return (*stretches, Stretch(len(stretches) + 1, start_ms, None, batteries))
+        return (*stretches, Stretch(len(stretches) + 1, start_ms, None, courses))
 
 
-def value_at(points: tuple[Point, ...], at_ms: float) -> float:
-    """The value at a time in ms: straight lines between the points, which stay before the first and after the last."""
-    before = points[0]
-    for point in points:
-        if point.at_ms > at_ms:
-            if point is before or at_ms <= before.at_ms:
-                return before.value
-            share = (at_ms - before.at_ms) / (point.at_ms - before.at_ms)
-            return before.value + share * (point.value - before.value)
-        before = point
-    return before.value
+def is_number(value: Truth) -> TypeGuard[float]:
+    """Whether lines can be drawn to it: it is known, and neither a text nor a boolean."""
+    return isinstance(value, float | int) and not isinstance(value, bool)
 
 
-def battery_data(battery: Battery, seed: int) -> dict[str, Any]:
-    """A battery as the mocks have it: times in ms, voltages in mV, currents in mA; ``seed`` starts its noise."""
+def course_data(course: Course, seed: int) -> dict[str, Any]:
+    """A course as the mocks have it: times in ms; ``seed`` starts its noise."""
     return {
+        "label": course.label,
+        "kind": course.through.kind,
+        "settings": dict(course.through.settings),
         "seed": seed,
-        "points": [[point.at_ms, point.value] for point in battery.points],
-        "noise_mv": battery.noise_mv,
-        "divider_millionths": battery.divider_millionths,
-        "currents": [[point.at_ms, point.value] for point in battery.currents],
+        "points": [[point.at_ms, point.value] for point in course.points],
+        "noise": course.noise,
+        "every_ms": course.every_ms,
+        "is_line": course.is_line,
     }
 
 
@@ -171,7 +196,12 @@ def event_data(event: Event) -> dict[str, Any] | None:
         case Reboot():
             return {"at_ms": event.at_ms, "reboot": True}
         case Fault():
-            data = {"at_ms": event.at_ms, "adc": str(event.adc), "until_ms": event.until_ms, "instance": event.instance}
-            return data | ({"delay_us": event.delay_us} if event.adc is AdcFault.SLOW else {})
+            return {
+                "at_ms": event.at_ms,
+                "fault": event.kind,
+                "of": event.of,
+                "until_ms": event.until_ms,
+                "delay_us": event.delay_us,
+            }
         case Swap():
             return None

@@ -158,10 +158,28 @@ def beside(model: type[Written]) -> Mapping[str, str]:
     return pairs
 
 
+def instead(model: type[Written]) -> str | None:
+    """What is to be written in place of a key that the class does not have."""
+    hint: str | None = getattr(model, "INSTEAD", None)
+    return hint
+
+
 def short_forms(model: type[Written]) -> Mapping[str, Mapping[str, Any]]:
     """The words that stand for a whole record, each with the keys it stands for."""
     forms: Mapping[str, Mapping[str, Any]] = getattr(model, "SHORT_FORMS", {})
     return forms
+
+
+def chosen_by(model: type[Written]) -> str | None:
+    """The key whose value decides which class a record is of; None where the class is the one that is named."""
+    key: str | None = getattr(model, "CHOSEN_BY", None)
+    return key
+
+
+def rest(model: type[Written]) -> str | None:
+    """The attribute that takes keys of the author's choice; None where there are none."""
+    name: str | None = getattr(model, "REST", None)
+    return name
 
 
 def _key(field: Field[Any], hint: Any) -> Key:

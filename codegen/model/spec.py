@@ -7,6 +7,7 @@ their own.
 
 import os
 from collections.abc import Mapping
+from dataclasses import field
 from enum import StrEnum
 from fractions import Fraction
 from typing import ClassVar
@@ -14,9 +15,12 @@ from typing import ClassVar
 from codegen.frozen import dataclass
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
+from codegen.model.command_spec import CommandsSpec
 from codegen.model.described import Amount, Verbatim, described
+from codegen.model.driver_spec import OwnDriver
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program_spec import VehicleSpec
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.receiver_spec import ReceiverSpec
 from codegen.model.state_spec import StateSpec
 from codegen.source import Written
@@ -162,7 +166,9 @@ class GenerationsSpec(Written):
     )
     send: Generation | None = described("The choice, where it is fixed: old, new or both.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
+    criteria: Mapping[str, str] = described("Criteria for single aspects: choice, other, price.", default_factory=dict)
 
+    ASPECTS = ("choice", "other", "price")
     ONE_OF: ClassVar[tuple[str, ...]] = ("parameter", "send")
 
 
@@ -299,6 +305,10 @@ class Spec:
     files: Mapping[str, str]
     receiver: ReceiverSpec | None = None
     refusals: tuple[Refusal, ...] = ()
+    receives: tuple[ReceiveSpec, ...] = ()
+    commands: CommandsSpec | None = None
+    drivers: Mapping[str, OwnDriver] = field(default_factory=dict)
+    broken_drivers: frozenset[str] = frozenset()
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

@@ -50,15 +50,27 @@ class QuantitySpec(Written):
     )
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
     stale_after: Amount | None = described(
-        "Age after which the last reading, or what code has set, is unknown, such as 1 s.", default=None
+        "Age after which the last reading, or what code or a message has set, is unknown, such as 1 s.", default=None
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps.",
+        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps, "
+        "estimate, slope, returns.",
         default_factory=dict,
     )
 
-    ASPECTS = ("multiplier", "rounding", "warn_above", "invalid_after", "stale_after", "calibration", "gaps")
+    ASPECTS = (
+        "multiplier",
+        "rounding",
+        "warn_above",
+        "invalid_after",
+        "stale_after",
+        "calibration",
+        "gaps",
+        "estimate",
+        "slope",
+        "returns",
+    )
 
     def written(self, kind: type[_Kind]) -> _Kind | None:
         """What is written of one kind of derivation; None where nothing is."""
@@ -77,10 +89,27 @@ class ComponentSpec(Written):
     quantities: Mapping[str, QuantitySpec] = described("The quantities by name.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: robustness, steady, scenarios.", default_factory=dict
+        "Criteria for single aspects: robustness, steady, scenarios, mock, rate, order, allocation, reported, off, "
+        "several, own_parameters, own_readings, own_messages, own_failsafe.",
+        default_factory=dict,
     )
 
-    ASPECTS = ("robustness", "steady", "scenarios")
+    ASPECTS = (
+        "robustness",
+        "steady",
+        "scenarios",
+        "mock",
+        "rate",
+        "order",
+        "allocation",
+        "reported",
+        "off",
+        "several",
+        "own_parameters",
+        "own_readings",
+        "own_messages",
+        "own_failsafe",
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

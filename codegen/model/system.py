@@ -4,6 +4,7 @@ Rules, targets, ``explain`` and the documents read this model; none of them look
 """
 
 from collections.abc import Mapping
+from dataclasses import field
 from enum import Enum
 
 from codegen.frozen import dataclass
@@ -14,6 +15,8 @@ from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
 from codegen.model.receiver import Receiver
+from codegen.model.reception import Reception
+from codegen.model.source_kind import Source
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Reading, Stream
 
@@ -59,6 +62,7 @@ class PopulatedMessage:
     citation: Citation
     population: PopulationSpec
     represents: Mapping[str, Representation]
+    aspects: Mapping[str, Citation]
     on_connection: bool = False
     on_change: Quantity | None = None
     pages: int = 1
@@ -104,6 +108,7 @@ class Generations:
     send: Generation | None
     spec: GenerationsSpec
     citation: Citation | None
+    aspects: Mapping[str, Citation]
 
     @property
     def default(self) -> Generation:
@@ -124,6 +129,7 @@ class System:
 
     ``requirements`` has every document under its id and under each of its aliases. ``system_parameter`` sets the
     system id where the project says so; ``system_id`` is then its default. So it is with ``component_parameter``.
+    ``receptions`` are the messages that set quantities, in the same order as ``messages``.
     """
 
     spec: Spec
@@ -143,12 +149,15 @@ class System:
     requirements: Mapping[str, Requirement]
     generations: tuple[Generations, ...] = ()
     receiver: Receiver | None = None
+    sources: Mapping[str, Source] = field(default_factory=dict)
+    receptions: tuple[Reception, ...] = ()
 
     @property
     def wires(self) -> tuple[WireMessage, ...]:
-        """The messages that the firmware knows, in the order of their ids: populated ones and those of the services."""
+        """The messages that the firmware knows, in the order of their ids: of the tables, and those of the services."""
         services = self.program.services if self.program else ()
-        known = {wire.id: wire for wire in (*services, *(message.wire for message in self.messages))}
+        received = (reception.wire for reception in self.receptions)
+        known = {wire.id: wire for wire in (*services, *received, *(message.wire for message in self.messages))}
         return tuple(known[number] for number in sorted(known))
 
     @property
@@ -161,6 +170,11 @@ class System:
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
         """The tables of a message of the dialect, by its name."""
         return tuple(table for table in self.messages if table.wire.name == message)
+
+    @property
+    def polled(self) -> tuple[Source, ...]:
+        """The sensors that have a slot of the main loop."""
+        return tuple(source for source in self.sources.values() if source.is_polled)
 
     @property
     def board_name(self) -> str:

@@ -211,8 +211,11 @@ class Quantity(Cited):
 
     @property
     def ages(self) -> bool:
-        """Whether it is forgotten once code has not set it for a while; what readings give is forgotten with these."""
-        return self.derivation.is_set_by_code and self.trust.stale_after_ms is not None
+        """Whether it is forgotten once neither code nor a message has set it for a while.
+
+        What readings give is forgotten with these.
+        """
+        return self.derivation.ages_alone and self.trust.stale_after_ms is not None
 
     @property
     def lost(self) -> str:

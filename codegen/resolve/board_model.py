@@ -5,15 +5,15 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount
-from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, Uart
+from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Uart
 from codegen.model.unit import unit_named
 from codegen.source import Place
 
 BAD_BOARD = Rule(
     "bad-board",
     "A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, those of the converter "
-    f"and of the UARTs are among them, a count has 8 to {MOST_BITS} bits, its reference is above 0 V, and the "
-    "expression that opens an input has {gpio} in it.",
+    f"of the UARTs and of the I2C buses are among them, a count has 8 to {MOST_BITS} bits, its reference is above 0 V, "
+    "and the expression that opens an input has {gpio} in it.",
 )
 _RUN = re.compile(r"(\d{1,3})(?:\.\.(\d{1,3}))?")
 
@@ -34,10 +34,19 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
             _among(pins, _pins(uart.tx, uart.at("tx"), found), uart.at("tx"), found),
             _among(pins, _pins(uart.rx, uart.at("rx"), found), uart.at("rx"), found),
         )
+    buses = {}
+    for key, bus in spec.i2c.items():
+        if not key.isdecimal():
+            found.add(BAD_BOARD, bus.place, f"{key} is not the number of an I2C bus")
+            continue
+        buses[int(key)] = I2c(
+            _among(pins, _pins(bus.sda, bus.at("sda"), found), bus.at("sda"), found),
+            _among(pins, _pins(bus.scl, bus.at("scl"), found), bus.at("scl"), found),
+        )
     adc = _converter(spec, pins, found)
     _among(pins, frozenset(taken), spec.at("taken"), found)
     report.extend(found)
-    return None if found.has_errors else BoardModel(spec.name, pins, taken, adc, uarts, spec)
+    return None if found.has_errors else BoardModel(spec.name, pins, taken, adc, uarts, buses, spec)
 
 
 def _converter(spec: BoardModelSpec, pins: frozenset[int], report: Report) -> Converter | None:

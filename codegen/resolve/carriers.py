@@ -1,23 +1,29 @@
 """What the tables do with each quantity, before it is decided how the quantity is kept."""
 
 from collections.abc import Iterator, Mapping
+from typing import TypeVar
 
 from codegen.frozen import dataclass
 from codegen.model.dialect import Dialect, WireField
 from codegen.model.program import VEHICLE_QUANTITIES
+from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.spec import Spec
 from codegen.resolve.elements import answered_ranges
+
+_Each = TypeVar("_Each")
 
 
 @dataclass(frozen=True, slots=True)
 class Carriers:
     """The ``fields`` that carry each quantity's value, by path, and the paths of those that are ``compared``.
 
-    What is compared, counted or spread over elements is done so in whole numbers of one word.
+    ``received`` are the tables that set each quantity from a message, with the keys of its fields. What is compared,
+    counted or spread over elements is done so in whole numbers of one word.
     """
 
     fields: Mapping[str, tuple[WireField, ...]]
     compared: frozenset[str]
+    received: Mapping[str, tuple[tuple[ReceiveSpec, str], ...]]
 
 
 def find_carriers(spec: Spec, dialect: Dialect) -> Carriers:
@@ -36,7 +42,18 @@ def find_carriers(spec: Spec, dialect: Dialect) -> Carriers:
             if answer.split:
                 compared.add(answer.state)
             fields.setdefault(answer.state, []).extend(field for field, _, _ in answered_ranges(key, message))
-    return Carriers({path: tuple(found) for path, found in fields.items()}, frozenset(compared))
+    received: dict[str, list[tuple[ReceiveSpec, str]]] = {}
+    for table in spec.receives:
+        message = dialect.messages.get(table.receive)
+        for key, taken in table.fields.items():
+            received.setdefault(taken.state, []).append((table, key))
+            if message is not None:
+                fields.setdefault(taken.state, []).extend(field for field, _, _ in answered_ranges(key, message))
+    return Carriers(_fixed(fields), frozenset(compared), _fixed(received))
+
+
+def _fixed(lists: Mapping[str, list[_Each]]) -> dict[str, tuple[_Each, ...]]:
+    return {path: tuple(found) for path, found in lists.items()}
 
 
 def _compared(spec: Spec) -> Iterator[str]:
@@ -45,7 +62,7 @@ def _compared(spec: Spec) -> Iterator[str]:
         for quantity in written.quantities.values():
             for derivation in quantity.derivations:
                 name = getattr(derivation, derivation.KEY)
-                if isinstance(name, str):
+                if isinstance(name, str) and derivation.LOOKS_AT_QUANTITY:
                     yield f"{component}.{name}"
     if spec.vehicle is None:
         return

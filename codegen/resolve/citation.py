@@ -1,11 +1,10 @@
 """Requirement documents by id and alias, and the citations of them in the tables."""
 
 from collections.abc import Mapping, Sequence
+from typing import Protocol
 
 from codegen.diagnostics import Report, Rule, did_you_mean
-from codegen.model.board_spec import AdcSpec
 from codegen.model.spec import Requirement
-from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.vehicle import Citation
 from codegen.source import Place
 
@@ -56,9 +55,19 @@ def cite_optional(text: str | None, place: Place, index: Mapping[str, Requiremen
     return None if text is None else cite(text, place, index, report)
 
 
-def cite_aspects(
-    spec: AdcSpec | QuantitySpec | ComponentSpec, index: Mapping[str, Requirement], report: Report
-) -> dict[str, Citation]:
+class _WithAspects(Protocol):
+    """A record that names criteria for single aspects of it."""
+
+    @property
+    def ASPECTS(self) -> tuple[str, ...]: ...  # noqa: N802  a constant of each such class
+
+    @property
+    def criteria(self) -> Mapping[str, str]: ...
+
+    def at(self, key: str) -> Place: ...
+
+
+def cite_aspects(spec: _WithAspects, index: Mapping[str, Requirement], report: Report) -> dict[str, Citation]:
     """The criteria that a record gives for single aspects of it."""
     cited = {}
     for aspect, text in spec.criteria.items():

@@ -10,7 +10,7 @@ from codegen.model.program_spec import ActionSpec, FailsafeLevelSpec, FailsafeSp
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import ratio, unit_named
 from codegen.model.vehicle import Citation, Component, Parameter, Quantity, QuantityKind
-from codegen.resolve.citation import cite, cite_optional
+from codegen.resolve.citation import cite, cite_aspects, cite_optional
 from codegen.resolve.vehicle import find_parameter
 
 BAD_FAILSAFE = Rule(
@@ -69,7 +69,10 @@ class FailsafeResolver:
         every = 0
         if spec.health_every is not None:
             every = read_time(spec.health_every, unit_named("ms"), spec.at("health_every"), self.report) or 0
-        return Failsafe(component, quantity, low, critical, after, minimum, health, level, every, used, spec, citation)
+        aspects = cite_aspects(spec, self.index, self.report)
+        return Failsafe(
+            component, quantity, low, critical, after, minimum, health, level, every, used, spec, citation, aspects
+        )
 
     def _kept(self, component: Component, spec: FailsafeSpec, key: str, name: str | None) -> Quantity | None:
         """A quantity that the failsafe sets."""

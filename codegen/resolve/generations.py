@@ -7,7 +7,7 @@ from codegen.model.population_spec import PopulationSpec
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
 from codegen.model.system import Generations, PopulatedMessage
 from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
-from codegen.resolve.citation import cite_optional
+from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.families import is_single
 from codegen.resolve.state import find_quantity
 from codegen.resolve.vehicle import find_parameter
@@ -44,6 +44,7 @@ def resolve_generations(
     found = []
     for name, written in spec.streams.generations.items():
         citation = cite_optional(written.requirement, written.at("requirement"), index, report)
+        aspects = cite_aspects(written, index, report)
         component = components.get(name)
         if component is None and name not in spec.state.components:
             message = f"the state has no component {name} that there could be generations of messages about"
@@ -62,7 +63,9 @@ def resolve_generations(
             if parameter is not None and not _chooses(parameter, place, report):
                 parameter = None
         if component is not None and (parameter is not None or written.send is not None):
-            found.append(Generations(component, written.old, written.new, parameter, written.send, written, citation))
+            found.append(
+                Generations(component, written.old, written.new, parameter, written.send, written, citation, aspects)
+            )
     return tuple(found)
 
 

@@ -8,6 +8,9 @@ from codegen.diagnostics import Rule, did_you_mean
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, find_unit, obstacle
 from codegen.model.dialect import EnumDefinition, WireField
 from codegen.model.letters import NUL, cut
+from codegen.model.population_spec import Rounding
+from codegen.model.scaling import rounded
+from codegen.model.source_kind import Output
 from codegen.model.storage import SMALL_INT_MAX, Storage, float_storage, storage_of
 from codegen.model.unit import Unit, decimal, ratio
 from codegen.model.vehicle import QuantityKind
@@ -91,24 +94,30 @@ def _is_plain(around: Surroundings) -> bool:
     """Whether code sets it, and nothing but the fields of messages looks at it."""
     spec = around.spec
     is_counted = isinstance(spec.elements, str)
-    return not (around.is_compared or spec.derivations or spec.restarts_with or is_counted)
+    is_computed = spec.derivations and not around.is_sourced
+    return not (around.is_compared or is_computed or spec.restarts_with or is_counted)
 
 
 def _float(around: Surroundings, kind: QuantityKind) -> Storage | None:
     """The float that it is kept as: where ``stored`` says nothing, and it goes out as a float alone."""
     if kind is not QuantityKind.NUMBER or around.spec.stored is not None or not _is_plain(around):
         return None
+    if around.is_sourced:
+        return None  # sensors give whole steps
     return float_storage({field.type for field in around.carriers})
 
 
 def _stored(around: Surroundings, kind: QuantityKind, unit: Unit) -> Unit | None:
     """The unit of what is kept: the one that is written, or that of the fields, or the quantity's own.
 
-    That of the fields is taken where they all have the same one, and whole numbers of it are no coarser.
+    That of the fields is taken where they all have the same one, and whole numbers of it are no coarser. What a sensor
+    gives is kept in its steps.
     """
     spec = around.spec
     if spec.stored is not None:
         return find_unit(spec.stored, spec.at("stored"), around.report)
+    if kind is QuantityKind.NUMBER and (given := around.outputs()):
+        return given[0][1].unit if ratio(unit, given[0][1].unit) is not None else unit
     if kind is not QuantityKind.NUMBER or not around.carriers or not _is_plain(around):
         return unit
     one, *others = (wire_unit(field) for field in around.carriers)
@@ -170,18 +179,34 @@ def _of_enum(enum: EnumDefinition) -> tuple[int, int]:
 
 def _of_number(around: Surroundings, stored: Unit, steps: Fraction) -> tuple[int, int]:
     """The limits that are written; else what a word holds, or the widest field that takes the number as it is kept."""
-    spec = around.spec
+    if given := [_given(output, stored) for _, output in around.outputs()]:
+        low, high = min(ends[0] for ends in given), max(ends[1] for ends in given)
+        return _within(around, steps, low, high)
     low, high = -SMALL_INT_MAX, SMALL_INT_MAX
     ranges = [_range(field) for field in around.carriers if field.type.is_integer and _is_in(field, stored)]
     if _is_plain(around) and len(ranges) == len(around.carriers):
         low, high = min([low, *(each[0] for each in ranges)]), max([high, *(each[1] for each in ranges)])
         if high > SMALL_INT_MAX and ranges and min(each[0] for each in ranges) == 0:
             low = 0  # so that all the bits are those of the number
+    return _within(around, steps, low, high)
+
+
+def _within(around: Surroundings, steps: Fraction, low: int, high: int) -> tuple[int, int]:
+    """The limits that are written, or else those that are given."""
+    spec = around.spec
     if spec.min is not None:
         low = around.in_steps("min", spec.min, steps)
     if spec.max is not None:
         high = around.in_steps("max", spec.max, steps)
     return low, high
+
+
+def _given(output: Output, stored: Unit) -> tuple[int, int]:
+    """What a sensor can give, in stored steps; where its unit does not convert, that is reported elsewhere."""
+    factor = ratio(output.unit, stored)
+    if factor is None:
+        return -SMALL_INT_MAX, SMALL_INT_MAX
+    return rounded(output.low * factor, Rounding.NEAREST), rounded(output.high * factor, Rounding.NEAREST)
 
 
 def _range(field: WireField) -> tuple[int, int]:

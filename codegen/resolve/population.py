@@ -16,7 +16,7 @@ from codegen.model.population_spec import PopulationSpec, Send
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import PopulatedMessage
 from codegen.model.vehicle import Component, Parameter, Stream
-from codegen.resolve.citation import cite
+from codegen.resolve.citation import cite, cite_aspects
 from codegen.resolve.elements import answered_elements
 from codegen.resolve.generations import resolve_on_change
 from codegen.resolve.quantity import LONGEST_NAME
@@ -95,6 +95,7 @@ def resolve_message(population: PopulationSpec, parts: Parts, report: Report) ->
         citation=citation,
         population=population,
         represents=represents,
+        aspects=cite_aspects(population, parts.requirements, report),
         on_connection=population.on_connection,
         on_change=on_change,
         pages=scope.pages.count if scope.pages else 1,

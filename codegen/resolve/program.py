@@ -1,21 +1,23 @@
 """The program that the board runs: main loop, storage, arming and what failsafes do."""
 
-import keyword
-import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_rate, read_time
+from codegen.model.command_spec import CommandsSpec
 from codegen.model.dialect import Dialect
 from codegen.model.program import VEHICLE_QUANTITIES, Program
 from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component, Parameter
-from codegen.resolve.citation import cite_optional
+from codegen.resolve.citation import cite_aspects, cite_optional
+from codegen.resolve.commands import resolve_commands
 from codegen.resolve.failsafe import FailsafeResolver
-from codegen.resolve.services import SENT, service_constants, service_messages
+from codegen.resolve.modes import resolve_modes
+from codegen.resolve.named import is_name
+from codegen.resolve.services import SENT, Uses, service_constants, service_messages
 from codegen.source import Place
 
 BAD_PROGRAM = Rule(
@@ -43,9 +45,10 @@ def resolve_program(
     index: Mapping[str, Requirement],
     report: Report,
     *,
+    commands: CommandsSpec | None,
     takes_time: bool,
 ) -> Program | None:
-    """The program of vehicle.yaml; None, with findings, where it cannot be built.
+    """The program of vehicle.yaml, with its ``commands``; None, with findings, where it cannot be built.
 
     ``takes_time``: a table has the time since 1970.
     """
@@ -56,7 +59,11 @@ def resolve_program(
         report.add(BAD_PROGRAM, place, message)
     resolver = FailsafeResolver(written, parameters, components, spec.actions, index, report)
     failsafes = [resolver.resolve(name, failsafe) for name, failsafe in spec.failsafes.items()]
-    services = service_messages(spec, dialect, report, takes_time=takes_time)
+    own = resolve_commands(commands, spec, dialect, index, report)
+    modes = resolve_modes(spec, components, index, report)
+    takes_long = any(command.spec.long for command in own)
+    uses = Uses(takes_time=takes_time, takes_long=takes_long, has_modes=bool(modes))
+    services = service_messages(spec, dialect, report, uses)
     cited = {}
     for name, text, place in (
         ("control", spec.control.requirement, spec.control.at("requirement")),
@@ -68,6 +75,8 @@ def resolve_program(
         citation = cite_optional(text, place, index, report)
         if citation is not None:
             cited[name] = citation
+    sections = {"control": spec.control, "storage": spec.storage, "arming": spec.arming, "services": spec.services}
+    aspects = {name: cite_aspects(section, index, report) for name, section in sections.items() if section}
     code = spec.code or CodeSpec(place=spec.place)
     measure = read_rate(code.measure, code.at("measure"), report) if code.measure is not None else None
     step_limit = read_time(spec.storage.step_limit, unit_named("us"), spec.storage.at("step_limit"), report)
@@ -97,14 +106,17 @@ def resolve_program(
         actions=spec.actions,
         services=services,
         sent=SENT,
-        constants=service_constants(spec, dialect, report),
+        constants=service_constants(spec, dialect, report, uses),
         fastest=fastest,
         module=code.module,
         class_name=code.class_name,
         measure_us=round(Fraction(1000000) / measure) if measure else None,
         silence_ms=silence_ms,
         cited=cited,
+        aspects=aspects,
         spec=spec,
+        commands=own,
+        modes=modes,
     )
 
 
@@ -135,21 +147,17 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
 def _code_problems(code: CodeSpec | None) -> Iterator[tuple[Place, str]]:
     if code is None:
         return
-    if not _is_name(code.module) or code.module in _MODULES:
+    if not is_name(code.module) or code.module in _MODULES:
         yield code.at("module"), f"{code.module} cannot be the name of a module of its own"
-    if not _is_name(code.class_name.lower()) or code.class_name == "Vehicle":
+    if not is_name(code.class_name.lower()) or code.class_name == "Vehicle":
         yield code.at("class"), f"{code.class_name} cannot be the name of a class of its own"
-
-
-def _is_name(text: str) -> bool:
-    return re.fullmatch(r"[a-z][a-z0-9_]*", text) is not None and not keyword.iskeyword(text)
 
 
 def _action_problems(spec: VehicleSpec, vehicle: Component | None) -> Iterator[tuple[Place, str]]:
     taken = set(_CALLS)
     values = {0}
     for action in spec.actions:
-        if not _is_name(action.call) or action.call in taken:
+        if not is_name(action.call) or action.call in taken:
             yield action.at("call"), f"{action.call} cannot be the name of a call of its own"
         if action.value in values:
             yield action.at("value"), f"{action.value} stands for another action already, or for none"

@@ -89,7 +89,7 @@ def _check(around: Surroundings) -> None:
         around.bad("invalid_after", f"invalid_after of {name} is {spec.invalid_after}, not 1 to 1000")
     if not any(written.has_readings for written in spec.derivations):
         if spec.invalid_after is not None:
-            around.bad("invalid_after", f"{name} has no adc, so invalid_after says nothing")
+            around.bad("invalid_after", f"{name} has no adc and no source, so invalid_after says nothing")
         if spec.stale_after is not None:
             _check_age(around)
     if spec.per_cell and not any(written.has_limit for written in spec.derivations):

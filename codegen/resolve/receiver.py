@@ -10,7 +10,7 @@ from codegen.model.spec import Requirement
 from codegen.model.system import PopulatedMessage
 from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component
-from codegen.resolve.citation import cite_optional
+from codegen.resolve.citation import cite_aspects, cite_optional
 
 BAD_RECEIVER = Rule(
     "bad-receiver",
@@ -28,6 +28,7 @@ def resolve_receiver(
 ) -> Receiver | None:
     """The receiver that receiver.yaml describes; None after a finding."""
     citation = cite_optional(spec.requirement, spec.at("requirement"), index, report)
+    aspects = cite_aspects(spec, index, report)
     stale = read_time(spec.stale_after, unit_named("ms"), spec.at("stale_after"), report)
     window = read_time(spec.rate_over, unit_named("ms"), spec.at("rate_over"), report)
     component = components.get(spec.component)
@@ -48,7 +49,7 @@ def resolve_receiver(
         return None
     if stale is None or window is None:
         return None
-    return Receiver(component, tuple(received), stale, window, citation, spec)
+    return Receiver(component, tuple(received), stale, window, citation, aspects, spec)
 
 
 def _report_shared(

@@ -1,8 +1,13 @@
 """What the services to ground stations need of the dialect: messages, and entries of enums."""
 
+from collections.abc import Iterator
+
 from codegen.diagnostics import Report, Rule, shortened_list
+from codegen.frozen import dataclass
 from codegen.model.clock import SYSTEM_TIME
+from codegen.model.command import BUILT_IN, Needs
 from codegen.model.dialect import Dialect, WireMessage
+from codegen.model.program import COMMAND_CANCEL, RECEIVED, SET_MODE
 from codegen.model.program_spec import VehicleSpec
 
 NO_SERVICE_MESSAGE = Rule(
@@ -11,25 +16,13 @@ NO_SERVICE_MESSAGE = Rule(
     "dialect that includes common.xml, or add it with an overlay.",
 )
 
-RECEIVED = (
-    "HEARTBEAT",
-    "PING",
-    "PARAM_REQUEST_READ",
-    "PARAM_REQUEST_LIST",
-    "PARAM_SET",
-    "REQUEST_DATA_STREAM",
-    "COMMAND_INT",
-    "COMMAND_LONG",
-    "FILE_TRANSFER_PROTOCOL",
-)
+HEAD_ONLY = ("FILE_TRANSFER_PROTOCOL",)
+"""Those of which the services read a beginning only."""
 SENT = ("PING", "PARAM_VALUE", "COMMAND_ACK", "MESSAGE_INTERVAL", "STATUSTEXT", "PARAM_ERROR")
-"""The messages that the services receive and send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
+"""The messages that the services send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
 
 SERVICE_ENTRIES = {
-    "MAV_CMD": (
-        "GET_MESSAGE_INTERVAL SET_MESSAGE_INTERVAL REQUEST_MESSAGE REQUEST_PROTOCOL_VERSION "
-        "REQUEST_AUTOPILOT_CAPABILITIES COMPONENT_ARM_DISARM PREFLIGHT_REBOOT_SHUTDOWN"
-    ),
+    "MAV_CMD": " ".join(each.name.removeprefix("MAV_CMD_") for each in BUILT_IN if each.needs is not Needs.MODES),
     "MAV_RESULT": "ACCEPTED TEMPORARILY_REJECTED DENIED UNSUPPORTED FAILED",
     "MAV_SEVERITY": "ERROR WARNING NOTICE INFO",
     "MAV_STATE": "STANDBY ACTIVE CRITICAL",
@@ -45,25 +38,42 @@ SERVICE_ENTRIES = {
 """The entries of enums that the program uses, without the name of the enum at their front."""
 
 
-def service_messages(
-    spec: VehicleSpec, dialect: Dialect, report: Report, *, takes_time: bool
-) -> tuple[WireMessage, ...]:
+CANCELLED = "MAV_RESULT_CANCELLED"
+
+
+@dataclass(frozen=True, slots=True)
+class Uses:
+    """What the program has that not every program has, and that needs more of the dialect.
+
+    A table has the time since 1970, which SYSTEM_TIME can say; a command takes long; modes are declared.
+    """
+
+    takes_time: bool = False
+    takes_long: bool = False
+    has_modes: bool = False
+
+
+def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report, uses: Uses) -> tuple[WireMessage, ...]:
     """The messages that the services receive and send; those that the dialect lacks are one finding.
 
-    ``takes_time``: a table has the time since 1970, which SYSTEM_TIME can say; a dialect may be without that.
+    A dialect may be without SYSTEM_TIME, SET_MODE, which MAV_CMD_DO_SET_MODE supersedes, and COMMAND_CANCEL.
     """
-    time = [SYSTEM_TIME] if takes_time and SYSTEM_TIME in dialect.messages else []
-    names = dict.fromkeys((*RECEIVED, *time, *SENT))
+    may_lack = [
+        *([SYSTEM_TIME] if uses.takes_time else []),
+        *([SET_MODE] if uses.has_modes else []),
+        *([COMMAND_CANCEL] if uses.takes_long and _entry_of(dialect, CANCELLED) else []),
+    ]
+    names = dict.fromkeys((*RECEIVED, *(name for name in may_lack if name in dialect.messages), *SENT))
     missing = [name for name in names if name not in dialect.messages]
     if missing:
         report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no message {shortened_list(missing)}")
     return tuple(dialect.messages[name] for name in names if name in dialect.messages)
 
 
-def service_constants(spec: VehicleSpec, dialect: Dialect, report: Report) -> dict[str, int]:
+def service_constants(spec: VehicleSpec, dialect: Dialect, report: Report, uses: Uses) -> dict[str, int]:
     """The numbers of the entries that the program uses, by name; those that the dialect lacks are one finding."""
     found, missing = {}, []
-    for name, entries in SERVICE_ENTRIES.items():
+    for name, entries in _entries(dialect, uses):
         enum = dialect.enums.get(name)
         for suffix in entries.split():
             entry = enum.entry(f"{name}_{suffix}") or enum.entry(f"MAV_{suffix}") if enum else None
@@ -74,3 +84,18 @@ def service_constants(spec: VehicleSpec, dialect: Dialect, report: Report) -> di
     if missing:
         report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no enum entry {shortened_list(missing)}")
     return found
+
+
+def _entries(dialect: Dialect, uses: Uses) -> Iterator[tuple[str, str]]:
+    yield from SERVICE_ENTRIES.items()
+    if uses.takes_long:
+        yield "MAV_RESULT", f"IN_PROGRESS{' CANCELLED' if _entry_of(dialect, CANCELLED) else ''}"
+    if uses.has_modes:
+        yield "MAV_CMD", "DO_SET_MODE"
+        yield "MAV_MODE_FLAG", "CUSTOM_MODE_ENABLED"
+
+
+def _entry_of(dialect: Dialect, name: str) -> bool:
+    """Whether the dialect has an entry of MAV_RESULT."""
+    enum = dialect.enums.get("MAV_RESULT")
+    return enum is not None and enum.entry(name) is not None

@@ -9,6 +9,7 @@ from codegen.measure import read_rate
 from codegen.model.clock import CLOCK
 from codegen.model.dialect import Dialect
 from codegen.model.population_spec import Rounding
+from codegen.model.source_kind import Source
 from codegen.model.spec import Requirement, Spec
 from codegen.model.state_spec import ComponentSpec, StateSpec
 from codegen.model.vehicle import AdcChannel, Component, Instance, Parameter, Quantity, Returns
@@ -34,6 +35,7 @@ def resolve_components(
     dialect: Dialect,
     instances: Mapping[str, tuple[Instance, ...]],
     channels: Mapping[str, AdcChannel],
+    sources: Mapping[str, Source],
     parameters: Mapping[str, Parameter],
     index: Mapping[str, Requirement],
     report: Report,
@@ -61,11 +63,13 @@ def resolve_components(
                 parts=instances[name],
                 period_ms=period,
                 channels=channels,
+                sources=sources,
                 find_parameter=find,
                 whole=spec,
                 dialect=dialect,
                 carriers=carriers.fields.get(path, ()),
                 is_compared=path in carriers.compared,
+                received=carriers.received.get(path, ()),
                 report=report,
             )
             quantity = resolve_quantity(around, index)

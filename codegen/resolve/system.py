@@ -11,6 +11,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.resolve.board_model import resolve_board_model
 from codegen.resolve.citation import index_requirements
+from codegen.resolve.commands import NO_PROGRAM_FOR_COMMANDS
 from codegen.resolve.families import ParameterFamilies
 from codegen.resolve.generations import resolve_generations
 from codegen.resolve.instances import resolve_instances
@@ -19,6 +20,8 @@ from codegen.resolve.links import resolve_links
 from codegen.resolve.population import Parts, resolve_message
 from codegen.resolve.program import resolve_program
 from codegen.resolve.receiver import resolve_receiver
+from codegen.resolve.receives import resolve_reception
+from codegen.resolve.sources import resolve_sources
 from codegen.resolve.state import resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
 from codegen.source import Place
@@ -38,12 +41,16 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
     board = resolve_board_model(spec.board_model, report)
     channels = resolve_channels(spec.board, board, spec.parameters, parameters, index, report)
     streams = resolve_streams(spec, dialect, parameters, index, report)
-    components = resolve_components(spec, dialect, instances, channels, parameters, index, report)
+    sources = resolve_sources(spec, board, parameters, index, report)
+    components = resolve_components(spec, dialect, instances, channels, sources, parameters, index, report)
     parts = Parts(spec, dialect, parameters, components, streams, index)
     messages = [
         message
         for population in spec.populations
         if (message := resolve_message(population, parts, report)) is not None
+    ]
+    receptions = [
+        reception for table in spec.receives if (reception := resolve_reception(table, parts, report)) is not None
     ]
     generations = resolve_generations(spec, messages, components, parameters, index, report)
     _check_output(spec, report)
@@ -60,8 +67,11 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             dialect,
             index,
             report,
+            commands=spec.commands,
             takes_time=Clock.UNIX in tables,
         )
+    elif spec.commands is not None:
+        report.add(NO_PROGRAM_FOR_COMMANDS, spec.commands.place, "there is no program that could do commands")
     receiver = None
     if spec.receiver is not None:
         receiver = resolve_receiver(spec.receiver, components, messages, index, report)
@@ -83,6 +93,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
         requirements=index,
         generations=generations,
         receiver=receiver,
+        sources=sources,
+        receptions=tuple(sorted(receptions, key=lambda reception: (reception.wire.id, reception.name))),
     )
 
 

@@ -1,4 +1,4 @@
-"""Pins that are used twice: by inputs of the converter, and by UARTs."""
+"""Pins that are used twice: by inputs of the converter, by UARTs, by buses and by sensors."""
 
 from collections.abc import Iterator
 
@@ -10,9 +10,9 @@ from codegen.source import Place
 
 RULE = Rule(
     "shared-pin",
-    "Two parts are connected to the same pin: two instances of a component, so that both show one value, two UARTs, or "
-    "a UART and an input of the converter. Give each a pin of its own, an instance by a parameter for_each instance "
-    "and the defaults in board.yaml, or switch one off by default.",
+    "Two parts are connected to the same pin: two instances of a component, so that both show one value, two UARTs, "
+    "sensors, or a UART and an input of the converter. Only devices on one bus share its lines. Give each a pin of its "
+    "own, an instance by a parameter for_each instance and the defaults in board.yaml, or switch one off by default.",
 )
 
 
@@ -30,7 +30,7 @@ class _Use:
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every pin in use, with what is switched on by default."""
-    uses = [*_converter(system), *_links(system)]
+    uses = [*_converter(system), *_links(system), *_sensors(system)]
     taken = {use.gpio for use in uses}
     owners: dict[int, _Use] = {}
     for use in uses:
@@ -82,6 +82,18 @@ def _links(system: System) -> Iterator[_Use]:
         for key, pin, pins in (("tx", link.spec.tx, uart.tx), ("rx", link.spec.rx, uart.rx)):
             if pin is not None:
                 yield _Use(pin, f"{key} of {link.name}", link.spec.at(key), pins & system.board.free, key)
+
+
+def _sensors(system: System) -> Iterator[_Use]:
+    """The pins of sensors; the lines of a bus once."""
+    seen: set[tuple[int, str]] = set()
+    for source in system.sources.values():
+        for pin in source.pins():
+            if pin.shared and (pin.gpio, pin.shared) in seen:
+                continue
+            seen.add((pin.gpio, pin.shared))
+            place = source.polling.spec.at(pin.key)
+            yield _Use(pin.gpio, f"{pin.key} of {source.name}", place, pin.choices, pin.key)
 
 
 def _is_off(system: System, component: Component, number: int) -> bool:

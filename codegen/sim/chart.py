@@ -1,19 +1,27 @@
-"""The chart of a battery's voltage, or current, over time: where every line and label lies, in its drawing's units."""
+"""The chart of a quantity over time: where every line and label lies, in its drawing's units."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from enum import Enum
-from itertools import groupby
+from itertools import groupby, pairwise
 
 from codegen.frozen import dataclass
-from codegen.model.scenario import AdcFault, Battery, Fault, Point, Stretch, Swap, value_at
-from codegen.sim.record import FAILSAFE_TEXT, Recording
+from codegen.model.scenario import Fault, Point, Stretch, Swap, is_number
+from codegen.sim.amount import amount, digits_of
+from codegen.sim.line import Line
+from codegen.sim.record import Recording
 from codegen.sim.sample import Happening, Kind, Reading
 
-LEVELS = (("LOW_VOLT", "low", "low"), ("CRT_VOLT", "critical", "crit."))
-"""Parameters, without the prefix of the battery, whose voltage is drawn as a line, with its class and a word for it."""
 MOST_MARKERS = 40
 _UNITS = ((1000, "s", 600_000), (60_000, "min", 6 * 3_600_000), (3_600_000, "h", None))
+_LEAST = 0.02
+"""The least height of a chart whose true value stays, as a share of the largest value in it."""
+_DIGIT = 7
+"""Width of a digit of a label."""
+_SILENT_MS = 1000
+"""A line breaks where nothing was told for longer, and for several times as long as usual."""
+_SHORT = 5
+"""Characters of a word beside the line of a level."""
 _MARKER_ROWS = 3
 _MARKER_SPACE = 19
 
@@ -35,13 +43,6 @@ WIDE = Size(1040, 400, 58, 84, 36, 46, 10)
 NARROW = Size(400, 330, 40, 12, 36, 44, 4)
 
 
-class Shown(Enum):
-    """What a chart shows; its unit."""
-
-    VOLTAGE = "V"
-    CURRENT = "A"
-
-
 @dataclass(frozen=True, slots=True)
 class Tick:
     """A label of an axis, at a coordinate along it."""
@@ -51,7 +52,7 @@ class Tick:
 
 
 @dataclass(frozen=True, slots=True)
-class Level:
+class Height:
     """A threshold: its height, the class of its line, its label in the legend and beside the line."""
 
     y: float
@@ -62,7 +63,7 @@ class Level:
 
 @dataclass(frozen=True, slots=True)
 class Band:
-    """A time in which the ADC had a fault."""
+    """A time in which there was a fault."""
 
     x: float
     width: float
@@ -82,8 +83,8 @@ class Marker:
 
 @dataclass(frozen=True, slots=True)
 class Chart:
-    """Everything that is drawn. ``true`` and ``reported`` are paths of SVG, which break where there is no battery; the
-    latter also where it was unknown."""
+    """Everything that is drawn. ``true`` and ``reported`` are paths of SVG, which break where nothing can be known; the
+    latter also where nothing was told."""
 
     size: Size
     name: str
@@ -91,7 +92,7 @@ class Chart:
     time_unit: str
     time_ticks: tuple[Tick, ...]
     value_ticks: tuple[Tick, ...]
-    levels: tuple[Level, ...]
+    levels: tuple[Height, ...]
     bands: tuple[Band, ...]
     markers: tuple[Marker, ...]
     true: str
@@ -99,74 +100,74 @@ class Chart:
 
 
 def is_marked(happening: Happening) -> bool:
-    """Whether a happening stands in the chart: all but the chatter."""
+    """Whether a happening stands in the chart: all but the chatter, and what follows from a failsafe at once."""
     if happening.kind is Kind.TEXT:
         return happening.severity is not None and happening.severity <= 4
-    return happening.kind is not Kind.CONSOLE
+    return happening.kind not in (Kind.CONSOLE, Kind.ACTION, Kind.MODE)
 
 
-def concerns(happening: Happening, recording: Recording, instance: int) -> bool:
-    """Whether a happening concerns a battery: it is of its program, and of no other battery of that."""
-    if happening.program != recording.name:
-        return False
-    match = FAILSAFE_TEXT.match(happening.text)
-    return match is None or int(match[2]) == instance + 1
+def concerns(happening: Happening, recording: Recording, label: str) -> bool:
+    """Whether a happening concerns a quantity: it is of its program, and about no other quantity of that alone."""
+    return happening.program == recording.name and happening.of in ("", label)
 
 
-def draw_chart(
-    recording: Recording,
-    happenings: Sequence[Happening],
-    size: Size,
-    name: str,
-    instance: int = 0,
-    shown: Shown = Shown.VOLTAGE,
-) -> Chart:
-    """The chart of one battery; ``happenings`` are the rows of the table, whose numbers the markers show."""
-    return _Drawing(recording, size, instance, shown).chart(happenings, name)
+def draw_chart(recording: Recording, happenings: Sequence[Happening], size: Size, name: str, line: Line) -> Chart:
+    """The chart of one quantity; ``happenings`` are the rows of the table, whose numbers the markers show."""
+    return _Drawing(recording, size, line).chart(happenings, name)
 
 
 class _Drawing:
-    """Turns times and voltages in mV, or currents in mA, into coordinates."""
+    """Turns times and values in the unit of the quantity into coordinates."""
 
-    def __init__(self, recording: Recording, size: Size, instance: int, shown: Shown) -> None:
+    def __init__(self, recording: Recording, size: Size, line: Line) -> None:
         self._recording = recording
         self._size = size
-        self._instance = instance
-        self._shown = shown
+        self._line = line
         self._end_ms = max(recording.at_ms, 1)
-        self._levels = list(self._level_lines()) if shown is Shown.VOLTAGE else []
-        self._true = [line for stretch in recording.stretches if (line := self._true_line(stretch))]
-        self._readings = [
-            Reading(reading.at_ms, reading.millivolts if shown is Shown.VOLTAGE else reading.milliamperes)
-            for reading in recording.readings_of.get(instance, ())
+        self._levels = [
+            (level, recording.parameters[level.parameter])
+            for level in line.levels
+            if recording.parameters.get(level.parameter)
         ]
-        readings = [reading.millivolts for reading in self._readings if reading.millivolts is not None]
-        drawn = [*(value for line in self._true for _, value in line), *readings]
-        values = [*drawn, *(level[-1] for level in self._levels)] or [0]
+        self._true = [part for stretch in recording.stretches for part in self._true_parts(stretch)]
+        self._readings = recording.readings_of.get(line.label, ())
+        told = [reading.value for reading in self._readings if reading.value is not None]
+        drawn = [*(value for part in self._true for _, value in part), *told]
+        values = [*drawn, *(value for _, value in self._levels)] or [0.0]
         lowest, highest = min(values), max(values)
-        self._step = _value_step(max(highest - lowest, 200))
-        self._low = (lowest - self._step // 4) // self._step * self._step
-        self._high = -(-(highest + self._step // 4) // self._step) * self._step
+        turns = {value for part in self._true for _, value in part}
+        least = 0.0 if len(turns) > 1 else _LEAST * max(abs(lowest), abs(highest))
+        self._step = max(_value_step(max(highest - lowest, least) or 1.0), float(line.is_whole))
+        self._low = math.floor((lowest - self._step / 4) / self._step)
+        self._high = math.ceil((highest + self._step / 4) / self._step)
 
     def chart(self, happenings: Sequence[Happening], name: str) -> Chart:
         rows = self._rows(happenings)
         more = _MARKER_SPACE * max(rows, default=0)
-        self._size = replace(self._size, top=self._size.top + more, height=self._size.height + more)
+        digits, unit_of_value = digits_of(self._step), self._line.unit
+        heights = [number * self._step for number in range(self._low, self._high + 1)]
+        widest = _DIGIT * max(len(f"{value:.{digits}f}") for value in heights) + 12
+        size = self._size
+        left = max(size.left, widest)
+        self._size = replace(size, top=size.top + more, height=size.height + more, left=left)
         per_unit, unit = next((ms, unit) for ms, unit, until in _UNITS if until is None or self._end_ms <= until)
         step = _time_step(self._end_ms / per_unit, self._size.ticks)
         times = [step * index for index in range(int(self._end_ms / per_unit / step + 1e-9) + 1)]
-        heights = range(int(self._low), int(self._high) + 1, self._step)
-        digits = 1 if self._step % 100 == 0 else 2
         return Chart(
             size=self._size,
             name=name,
-            unit=self._shown.value,
+            unit=unit_of_value,
             time_unit=unit,
             time_ticks=tuple(Tick(self._x(time * per_unit), f"{time:g}") for time in times),
-            value_ticks=tuple(Tick(self._y(value), f"{value / 1000:.{digits}f}") for value in heights),
+            value_ticks=tuple(Tick(self._y(value), f"{value:.{digits}f}") for value in heights),
             levels=tuple(
-                Level(self._y(mv), style, f"{name} {mv / 1000:g} V", f"{word} {mv / 1000:g} V")
-                for style, name, word, mv in self._levels
+                Height(
+                    self._y(value),
+                    level.style,
+                    f"{level.parameter} {amount(value, unit_of_value)}",
+                    f"{level.word if len(level.word) <= _SHORT else level.word[: _SHORT - 1] + '.'} {value:g}",
+                )
+                for level, value in self._levels
             ),
             bands=tuple(self._bands()),
             markers=tuple(self._markers(happenings, rows)),
@@ -180,41 +181,49 @@ class _Drawing:
 
     def _y(self, value: float) -> float:
         size = self._size
-        share = (self._high - value) / (self._high - self._low)
+        share = (self._high - value / self._step) / (self._high - self._low)
         return round(size.top + share * (size.height - size.top - size.bottom), 1)
 
-    def _level_lines(self) -> Iterable[tuple[str, str, str, int]]:
-        recording = self._recording
-        if self._instance < len(recording.prefixes):
-            for suffix, style, word in LEVELS:
-                name = recording.prefixes[self._instance] + suffix
-                if recording.parameters.get(name):
-                    yield style, name, word, round(recording.parameters[name] * 1000)
-
-    def _true_line(self, stretch: Stretch) -> list[tuple[int, float]]:
-        """The true values while a board was there: none before it came, or if it was not reached."""
+    def _true_parts(self, stretch: Stretch) -> Iterable[list[tuple[int, float]]]:
+        """The true values while a board was there, in parts in which they are known; none if it was not reached."""
         end_ms = self._end_ms if stretch.end_ms is None else min(stretch.end_ms, self._end_ms)
-        if self._instance >= len(stretch.batteries) or stretch.start_ms > end_ms:
-            return []
-        battery = stretch.batteries[self._instance]
-        points = self._points(battery)
-        if not points:
-            return []
-        inside = [(point.at_ms, float(point.value)) for point in points if stretch.start_ms < point.at_ms < end_ms]
-        ends = [(at_ms, value_at(points, at_ms)) for at_ms in (stretch.start_ms, end_ms)]
-        return [ends[0], *inside, ends[1]]
-
-    def _points(self, battery: Battery) -> tuple[Point, ...]:
-        return battery.points if self._shown is Shown.VOLTAGE else battery.currents
+        course = stretch.course(self._line.label)
+        if course is None or stretch.start_ms > end_ms:
+            return
+        inside = [point for point in course.points if stretch.start_ms < point.at_ms < end_ms]
+        ends = [Point(at_ms, course.value(at_ms)) for at_ms in (stretch.start_ms, end_ms)]
+        part: list[tuple[int, float]] = []
+        for point in [ends[0], *inside, ends[1]]:
+            if is_number(point.value):
+                part.append((point.at_ms, float(point.value)))
+            elif part:
+                yield [*part, (point.at_ms, part[-1][1])]
+                part = []
+        if part:
+            yield part
 
     def _reported(self) -> Iterable[str]:
-        for is_known, readings in groupby(self._readings, key=lambda reading: reading.millivolts is not None):
-            if is_known:
-                yield _path(self._thinned(readings))
+        """The lines of what was told, without a break in each."""
+        part: list[Reading] = []
+        for reading in self._readings:
+            is_late = bool(part) and reading.at_ms - part[-1].at_ms > self._longest_ms
+            if part and (reading.value is None or is_late):
+                yield _path(self._thinned(part))
+                part = []
+            if reading.value is not None:
+                part.append(reading)
+        if part:
+            yield _path(self._thinned(part))
+
+    @property
+    def _longest_ms(self) -> int:
+        """The longest time between two values that belong to one line."""
+        spans = sorted(after.at_ms - before.at_ms for before, after in pairwise(self._readings))
+        return max(_SILENT_MS, 3 * spans[len(spans) // 2] if spans else 0)
 
     def _thinned(self, readings: Iterable[Reading]) -> list[tuple[float, float]]:
         """The points of a line: of those that share a unit of width the first, the lowest, the highest and the last."""
-        points = [(self._x(reading.at_ms), self._y(reading.millivolts or 0)) for reading in readings]
+        points = [(self._x(reading.at_ms), self._y(reading.value or 0.0)) for reading in readings]
         thinned: list[tuple[float, float]] = []
         for _, group in groupby(points, key=lambda point: int(point[0])):
             column = list(group)
@@ -225,14 +234,13 @@ class _Drawing:
         return thinned
 
     def _bands(self) -> Iterable[Band]:
-        labels = {AdcFault.FAIL: "ADC fails", AdcFault.ABSENT: "no ADC", AdcFault.SLOW: "ADC slow"}
         for event in self._recording.scenario.events:
             if event.at_ms >= self._end_ms:
                 continue
-            if isinstance(event, Fault) and self._recording.is_main and event.instance == self._instance:
-                yield self._band(event.at_ms, event.until_ms, labels[event.adc])
+            if isinstance(event, Fault) and self._recording.is_main and event.of == self._line.label:
+                yield self._band(event.at_ms, event.until_ms, event.words)
             elif isinstance(event, Swap) and event.program == self._recording.key:
-                yield self._band(event.at_ms, event.until_ms, "no battery")
+                yield self._band(event.at_ms, event.until_ms, "no board")
 
     def _band(self, at_ms: int, until_ms: int | None, label: str) -> Band:
         x = self._x(at_ms)
@@ -244,7 +252,7 @@ class _Drawing:
         return [
             (number, happening)
             for number, happening in enumerate(happenings, 1)
-            if is_marked(happening) and concerns(happening, self._recording, self._instance)
+            if is_marked(happening) and concerns(happening, self._recording, self._line.label)
         ]
 
     def _markers(self, happenings: Sequence[Happening], rows: Sequence[int]) -> Iterable[Marker]:
@@ -272,9 +280,11 @@ def _path(points: Sequence[tuple[float, float]]) -> str:
     return f"M{start[0]:g} {start[1]:g}" + ("".join(f"L{x:g} {y:g}" for x, y in rest) or "h0.1")
 
 
-def _value_step(length: float) -> int:
-    steps = (int(f"{base}{'0' * power}") for power in range(1, 8) for base in (1, 2, 5))
-    return next(step for step in steps if step >= 50 and length / step <= 8)
+def _value_step(length: float) -> float:
+    """The smallest of 1, 2, 5 times a power of 10 of which at most eight make a length."""
+    power = math.floor(math.log10(length)) - 1
+    steps = (float(f"{base}e{power + more}") for more in range(4) for base in (1, 2, 5))
+    return next(step for step in steps if length / step <= 8)
 
 
 def _time_step(length: float, ticks: int) -> float:

@@ -47,19 +47,19 @@ def _write_credentials(folder: str, to: Address, local_port: int) -> None:
 
 
 @contextmanager
-def rover_folder(rover: str | None, module: str) -> Iterator[tuple[str, ...]]:
+def code_folder(code: str | None, module: str) -> Iterator[tuple[str, ...]]:
     """The folders that the path of the interpreter needs for the user's ``module``; a file of another name is copied.
 
     OSError: the file cannot be read.
     """
     name = f"{module}.py"
-    if rover is None:
+    if code is None:
         yield ()
         return
-    folder = os.path.dirname(os.path.abspath(rover))
-    if os.path.basename(rover) == name:
+    folder = os.path.dirname(os.path.abspath(code))
+    if os.path.basename(code) == name:
         yield (folder,)
         return
-    with tempfile.TemporaryDirectory(prefix="codegen-rover-") as copy:
-        shutil.copyfile(rover, os.path.join(copy, name))
+    with tempfile.TemporaryDirectory(prefix="codegen-code-") as copy:
+        shutil.copyfile(code, os.path.join(copy, name))
         yield (copy, folder)

@@ -1,54 +1,52 @@
-"""One program as a simulation runs it: where it lies, how its batteries are connected, and what it finds."""
+"""One program as a simulation runs it: where it lies, what it finds, and what is recorded of it."""
 
 import hashlib
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
 from codegen.frozen import dataclass
-from codegen.model.scenario import Event, Scenario, Stretch, battery_data, event_data
+from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
-from codegen.model.wiring import FIRST_PREFIX, BatteryInput, battery_inputs, first_number
+from codegen.sim.guards import Guard, guards
+from codegen.sim.line import Line, Watched, lines_of, watched
+from codegen.sim.told import Telling
 
-
-@dataclass(frozen=True, slots=True)
-class Connection:
-    """How one battery is connected: the GPIO of each ADC input (None: there is none) and what its volts stand for.
-
-    ``reference_mv`` is what full scale stands for, ``current_millionths`` are millionths of an ampere per volt.
-    """
-
-    gpio: int | None
-    reference_mv: int
-    prefix: str = FIRST_PREFIX
-    current_gpio: int | None = None
-    current_millionths: int = 1_000_000
+MODULE = "app"
+"""What the user's code is imported as where nothing else is named."""
 
 
 @dataclass(frozen=True, slots=True)
 class SimulatedProgram:
     """A program that runs: ``name`` is what it is called, ``key`` its name in the scenario, None for the vehicle's own.
 
-    ``first_number`` is the parameter with the id of its first battery. ``files`` and ``chunk`` are those of its
-    storage, in which ``parameters`` are before it starts. ``stretches`` are its boards, one after the other. ``rover``
-    is the file with the user's code, which the program imports as ``module``.
+    ``files`` and ``chunk`` are those of its storage, in which ``parameters`` are before it starts. ``stretches`` are
+    its boards, one after the other. ``code`` is the file with the user's code, which the program imports as ``module``.
+    ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
+    ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
+    ``mocked`` are the modules that stand in for what its sensors are connected to.
     """
 
     name: str
     key: str | None
     firmware: str
     mocks: str
-    connections: tuple[Connection, ...]
     stretches: tuple[Stretch, ...]
     seed: int = 1
-    first_number: str | None = None
     files: tuple[str, ...] = ()
     chunk: int = 64
     parameters: Mapping[str, float] = field(default_factory=dict)
     events: tuple[Event, ...] = ()
-    module: str = "rover"
-    rover: str | None = None
+    module: str = MODULE
+    code: str | None = None
+    messages: Mapping[int, str] = field(default_factory=dict)
+    telling: Telling = field(default_factory=Telling)
+    lines: tuple[Line, ...] = ()
+    watched: tuple[Watched, ...] = ()
+    actions: tuple[str, ...] = ()
+    guards: tuple[Guard, ...] = ()
+    mocked: tuple[str, ...] = ()
 
     @property
     def folder(self) -> str:
@@ -59,44 +57,31 @@ class SimulatedProgram:
         """What the mocks have to know about one board; times are those of the scenario."""
         stores = is_first_start and bool(self.parameters)
         store = {"files": self.files, "chunk": self.chunk, "parameters": dict(self.parameters)} if stores else None
+        # Each course has noise of its own, and the first the one that the scenario's seed alone makes.
+        seed = self.seed + 16 * (stretch.number - 1)
         return {
-            "batteries": self._batteries(stretch),
+            "courses": [course_data(course, seed + number) for number, course in enumerate(stretch.courses)],
             "events": [data for event in self.events if (data := event_data(event)) is not None],
             "unique_id": unique_id(self.key or "", stretch.number),
-            "instances": max(1, len(self.connections)),
-            "first_number": self.first_number,
+            "names": {str(number): name for number, name in self.messages.items()},
+            "told": self.telling.ids,
+            "watched": [[each.label, each.component, each.instance, each.name] for each in self.watched],
+            "actions": self.actions,
+            "mocked": self.mocked,
             "store": store,
         }
 
-    def _batteries(self, stretch: Stretch) -> list[dict[str, Any]]:
-        """The batteries of a board by instance; an instance that the scenario leaves out has none connected."""
-        found = []
-        for instance, battery in enumerate(stretch.batteries):
-            connected = self.connections[instance] if instance < len(self.connections) else Connection(None, 3300)
-            # Each battery has noise of its own, and the first the one that the scenario's seed alone makes.
-            data = battery_data(battery, self.seed + instance + 16 * (stretch.number - 1))
-            found.append(
-                data
-                | {
-                    "gpio": connected.gpio,
-                    "reference_mv": connected.reference_mv,
-                    "current_gpio": connected.current_gpio,
-                    "current_millionths": connected.current_millionths,
-                }
-            )
-        return found
-
 
 def simulated_programs(
-    scenario: Scenario, systems: Sequence[System], folders: Mapping[str, str], rover: str | None
+    scenario: Scenario, systems: Sequence[System], folders: Mapping[str, str], code: str | None
 ) -> tuple[SimulatedProgram, ...]:
     """The programs of a scenario, the vehicle's own first; ``folders`` are their output folders by their name.
 
-    ``systems`` are the programs of the project, the vehicle's own first.
+    ``systems`` are the programs of the project, the vehicle's own first; ``code`` is the file with the user's code.
     """
     main, *others = systems
     known = {system.spec.program: system for system in others}
-    programs = [_program(main, None, scenario, scenario.parameters, folders[""], rover)]
+    programs = [_program(main, None, scenario, scenario.parameters, folders[""], code)]
     for beside in scenario.beside:
         system = known[beside.program]
         programs.append(_program(system, beside.program, scenario, beside.parameters, folders[beside.program], None))
@@ -109,36 +94,38 @@ def _program(
     scenario: Scenario,
     parameters: Mapping[str, float],
     folder: str,
-    rover: str | None,
+    code: str | None,
 ) -> SimulatedProgram:
-    storage = system.program.spec.storage if system.program else None
+    program = system.program
+    storage = program.spec.storage if program else None
     return SimulatedProgram(
         name=key or system.spec.project.project,
         key=key,
         firmware=os.path.join(folder, "firmware"),
         mocks=os.path.join(folder, "mocks"),
-        connections=tuple(_connection(entry, parameters) for entry in battery_inputs(system)),
         stretches=scenario.stretches(key),
         seed=scenario.seed if key is None else scenario.seed + _number(key),
-        first_number=first_number(system),
         files=() if storage is None else tuple(storage.files),
         chunk=64 if storage is None else storage.chunk,
         parameters=parameters,
         events=scenario.events if key is None else (),
-        module=system.program.module if system.program else "rover",
-        rover=rover,
+        module=program.module if program else MODULE,
+        code=code,
+        messages={wire.id: wire.name for wire in system.wires},
+        telling=Telling(system.messages),
+        lines=lines_of(system, scenario, key),
+        watched=watched(system, scenario.expected if key is None else ()),
+        actions=tuple(dict.fromkeys(action.call for action in program.actions)) if program else (),
+        guards=guards(system),
+        mocked=tuple(_mocked(system)),
     )
 
 
-def _connection(entry: BatteryInput, parameters: Mapping[str, float]) -> Connection:
-    current = entry.current
-    return Connection(
-        gpio=entry.voltage.gpio_with(parameters),
-        reference_mv=round(entry.voltage.reference * 1000),
-        prefix=entry.prefix,
-        current_gpio=None if current is None else current.gpio_with(parameters),
-        current_millionths=1_000_000 if current is None else round(current.multiplier_with(parameters) * 1_000_000),
-    )
+def _mocked(system: System) -> Iterator[str]:
+    """The modules among the mocks of its sensors that are not about courses, each once."""
+    paths = dict.fromkeys(path for source in system.polled for path in source.mocks)
+    names = (os.path.basename(path).removesuffix(".py") for path in paths)
+    return (name for name in names if not name.startswith("sim_"))
 
 
 def unique_id(key: str, number: int) -> str:

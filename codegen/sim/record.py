@@ -1,48 +1,42 @@
 """The record of a simulation: what the firmware sent, said and did."""
 
-import re
 from collections import deque
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
-from codegen.model.scenario import AdcFault, Battery, Fault, Scenario
-from codegen.model.wiring import FIRST_PREFIX
+from codegen.model.scenario import Course, Fault, Scenario, is_number
+from codegen.sim.line import Line
+from codegen.sim.program import SimulatedProgram
 from codegen.sim.sample import Happening, Kind, Reading, Sample, Traffic
+from codegen.sim.told import Told
 
 _MOST_POINTS = 20_000
 _MOST_LINES = 500
 _MOST_TEXTS = 5_000
-
-
-FAILSAFE_TEXT = re.compile(r"([A-Z][\w ]* (\d+)) is (low|critical) -?\d+\.\d")
-"""How a text of a failsafe begins: its groups are what has failed, the number of the battery, and the level."""
+_ARMED, _STATUS, _MODE = "vehicle.armed", "vehicle.status", "vehicle.mode"
 
 
 class Recording:
     """Collects the records of one program of a simulation, over all its boards and their restarts.
 
-    ``name`` is that of the program where several run, else nothing; ``key`` its name in the scenario, None for the
-    vehicle's own, ``beside`` the recordings of the other programs, ``prefixes`` begin the names of the parameters of
-    each battery.
+    ``name`` is that of the program where several run, else nothing; ``beside`` the recordings of the other programs.
+    ``readings_of`` has what was told by the label of the quantity, ``states_of`` what changed in the state.
     """
 
     def __init__(
-        self,
-        scenario: Scenario,
-        name: str = "",
-        key: str | None = None,
-        prefixes: Sequence[str] = (FIRST_PREFIX,),
-        beside: Sequence["Recording"] = (),
+        self, scenario: Scenario, program: SimulatedProgram, name: str = "", beside: Sequence["Recording"] = ()
     ) -> None:
         """Begin with the faults that the scenario has."""
         self.scenario = scenario
         self.name = name
-        self.prefixes = tuple(prefixes)
         self.beside = tuple(beside)
-        self.key = key
-        self.stretches = scenario.stretches(key)
+        self.program = program
+        self.key = program.key
+        self.stretches = program.stretches
         self.runtime = ""
-        self.readings_of: dict[int, list[Reading]] = {0: []}
+        self.readings_of: dict[str, list[Reading]] = {}
+        self.states_of: dict[str, list[tuple[int, Any]]] = {}
         self.parameters: Mapping[str, float] = {}
         self.sample = Sample()
         self.at_ms = 0
@@ -57,7 +51,8 @@ class Recording:
         self._happenings: list[Happening] = []
         self._console: deque[Happening] = deque(maxlen=_MOST_LINES)
         self._texts = 0
-        self._spacing_ms: dict[int, int] = {}
+        self._spacing_ms: dict[str, int] = {}
+        self._at_start: Mapping[str, float] | None = None
         self._ended = Traffic()
         self._current = Traffic()
         self._ended_overruns = 0
@@ -74,18 +69,13 @@ class Recording:
         return self.key is None
 
     @property
-    def readings(self) -> list[Reading]:
-        """What was reported of the first battery."""
-        return self.readings_of[0]
-
-    @property
     def happenings(self) -> list[Happening]:
         """What happened, in the order of time, faults of the scenario included; of the console the last lines.
 
         It is what happened in all programs, where there are others beside this one.
         """
         faults = [
-            Happening(event.at_ms, Kind.FAULT, fault_text(event, len(self.scenario.batteries)), program=self.name)
+            Happening(event.at_ms, Kind.FAULT, fault_text(event), program=self.name, of=event.of)
             for event in self.scenario.events
             if self.is_main and isinstance(event, Fault) and event.at_ms <= self.at_ms
         ]
@@ -114,23 +104,66 @@ class Recording:
         """The largest load in d%."""
         return self._peak_load
 
-    def battery(self, instance: int, at_ms: float) -> Battery | None:
-        """The true battery of an instance at a time in ms; None while its board is out, or where there is none."""
+    def course(self, label: str, at_ms: float) -> Course | None:
+        """The course of a quantity at a time in ms; None while its board is out, or where there is none."""
         for stretch in self.stretches:
             if stretch.start_ms <= at_ms and (stretch.end_ms is None or at_ms <= stretch.end_ms):
-                return stretch.batteries[instance] if instance < len(stretch.batteries) else None
+                return stretch.course(label)
         return None
 
-    @property
-    def instances(self) -> range:
-        """The batteries that the scenario states or that were reported, from 0."""
-        stated = max(len(stretch.batteries) for stretch in self.stretches)
-        reported = max((instance + 1 for instance, readings in self.readings_of.items() if readings), default=0)
-        return range(max(stated, reported))
+    def has_course(self, label: str) -> bool:
+        """Whether the scenario says what is true of a quantity, at any time."""
+        return any(stretch.course(label) for stretch in self.stretches)
 
-    def add(self, kind: Kind, text: str, severity: int | None = None, at_ms: int | None = None) -> Happening:
+    def true(self, label: str, at_ms: float) -> float | None:
+        """What is true of a number in its unit; None where nothing is, or is said to be."""
+        course = self.course(label, at_ms)
+        value = None if course is None else course.value(at_ms)
+        return float(value) if is_number(value) else None
+
+    def told(self, label: str, at_ms: float) -> float | None:
+        """What was told last of a number by a time, in its unit; None for unknown, or nothing."""
+        before = [reading for reading in self.readings_of.get(label, ()) if reading.at_ms <= at_ms]
+        return before[-1].value if before else None
+
+    def state(self, label: str, at_ms: float) -> Any:
+        """What the state had for a quantity that is watched, at a time."""
+        before = [value for time, value in self.states_of.get(label, ()) if time <= at_ms]
+        return before[-1] if before else None
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """The numbers to tell of: those with a course, and those that were told and did not stay the same."""
+        return tuple(line for line in self.program.lines if self.has_course(line.label) or self._varied(line.label))
+
+    @property
+    def drawn(self) -> tuple[Line, ...]:
+        """Those of them that did not stay the same."""
+        return tuple(line for line in self.lines if self._varied(line.label))
+
+    @property
+    def tells_state(self) -> bool:
+        """Whether the program has a state to tell, armed or not."""
+        return any(watched.label in (_ARMED, _STATUS) for watched in self.program.watched)
+
+    def _varied(self, label: str) -> bool:
+        """Whether what was told or what is true changed; a noise around one value counts."""
+        told = {reading.value for reading in self.readings_of.get(label, ()) if reading.value is not None}
+        courses = [course for stretch in self.stretches if (course := stretch.course(label)) is not None]
+        true = {point.value for course in courses for point in course.points}
+        return len(told) > 1 or len(true) > 1 or bool(courses and told and told != true)
+
+    def add(
+        self,
+        kind: Kind,
+        text: str,
+        severity: int | None = None,
+        at_ms: int | None = None,
+        of: str = "",
+        word: str = "",
+    ) -> Happening:
         """Note that something happened (now, if no time is given), and return it."""
-        happening = Happening(self.at_ms if at_ms is None else at_ms, kind, text, severity, self.name)
+        happening = Happening(self.at_ms if at_ms is None else at_ms, kind, text, severity, self.name, of, word)
         if kind is Kind.CONSOLE:
             self._console.append(happening)
         elif kind is Kind.TEXT and self._texts == _MOST_TEXTS:
@@ -148,42 +181,51 @@ class Recording:
                 self._start(record["runtime"])
             case "sample":
                 self._take_sample(record)
-            case "battery":
-                reading = Reading(record["at"], record["millivolts"], record.get("milliamperes"))
-                self._take_reading(record.get("instance", 0), reading)
-            case "text":
-                kind = Kind.FAILSAFE if _is_failsafe(record["text"]) else Kind.TEXT
-                return self.add(kind, record["text"], record["severity"])
-            case "event":
-                return self.add(Kind(record["name"]), record["text"])
+            case "frame":
+                self._take_frame(bytes.fromhex(record["data"]))
             case "messages":
                 self._take_messages(record)
             case "failed":
                 self.traceback = record["traceback"].splitlines()
             case "end":
                 self.reason = record["reason"]
+        return self._happening(record)
+
+    def _happening(self, record: Mapping[str, Any]) -> Happening | None:
+        """What a record says has happened."""
+        match record["kind"]:
+            case "state":
+                return self._take_state(record["label"], record["value"])
+            case "failsafe":
+                return self._take_failsafe(record)
+            case "action":
+                return self.add(Kind.ACTION, record["name"])
+            case "text":
+                return self.add(Kind.TEXT, record["text"], record["severity"])
+            case "event":
+                return self.add(Kind(record["name"]), record["text"])
         return None
 
     def take_board_out(self, at_ms: int) -> Happening:
-        """Note that the board was taken out, with its battery."""
+        """Note that the board was taken out."""
         self.is_out = True
         self._break_lines(at_ms)
-        return self.add(Kind.SWAP, "The battery was taken out", at_ms=at_ms)
+        return self.add(Kind.SWAP, "The board was taken out", at_ms=at_ms)
 
     def take_new_board(self, at_ms: int) -> Happening:
         """Note that another board is in its place."""
         self.is_out = False
         self.boards += 1
         self.at_ms = max(self.at_ms, at_ms)
-        return self.add(Kind.SWAP, "Another battery was put in", at_ms=at_ms)
+        return self.add(Kind.SWAP, "Another board was put in", at_ms=at_ms)
 
-    def largest_difference(self, instance: int = 0) -> tuple[int, int] | None:
-        """The largest difference of a reported voltage from the true one in mV, and its time in ms."""
+    def largest_difference(self, label: str) -> tuple[float, int] | None:
+        """The largest difference of what was told of a number from what was true, in its unit, and its time in ms."""
         found = [
-            (abs(round(reading.millivolts - battery.millivolts(reading.at_ms))), reading.at_ms)
-            for reading in self.readings_of.get(instance, ())
-            if reading.millivolts is not None
-            if (battery := self.battery(instance, reading.at_ms)) is not None
+            (abs(reading.value - true), reading.at_ms)
+            for reading in self.readings_of.get(label, ())
+            if reading.value is not None
+            if (true := self.true(label, reading.at_ms)) is not None
         ]
         return max(found, key=lambda pair: (pair[0], -pair[1])) if found else None
 
@@ -193,6 +235,7 @@ class Recording:
         self._ended = self.traffic
         self._current = Traffic()
         self._ended_overruns = self.overruns
+        self._at_start = None
         self.sample = Sample(at_ms=self.at_ms)
         if self.starts > 1:
             self._break_lines(self.at_ms)
@@ -202,12 +245,9 @@ class Recording:
             readings.append(Reading(at_ms, None))
 
     def _take_sample(self, record: Mapping[str, Any]) -> None:
-        self.sample = Sample(
+        self.sample = replace(
+            self.sample,
             at_ms=record["at"],
-            true_mv=tuple(record["true"]),
-            reported_mv=tuple(record["reported"]),
-            is_armed=record["armed"],
-            state=record["state"],
             frames=record["frames"],
             size=record["bytes"],
             overruns=record["overruns"],
@@ -215,17 +255,55 @@ class Recording:
         )
         self._peak_load = max(self._peak_load, self.sample.load)
 
-    def _take_reading(self, instance: int, reading: Reading) -> None:
-        readings = self.readings_of.setdefault(instance, [])
-        spacing_ms = self._spacing_ms.get(instance, 0)
+    def _take_state(self, label: str, value: Any) -> Happening | None:
+        """A quantity of the state has another value; the first one after a start is no event."""
+        known = self.states_of.setdefault(label, [])
+        before = known[-1][1] if known else None
+        known.append((self.at_ms, value))
+        if label == _STATUS:
+            self.sample = replace(self.sample, state=value)
+        elif label == _ARMED:
+            was_armed, is_armed = self.sample.is_armed, bool(value)
+            self.sample = replace(self.sample, is_armed=is_armed)
+            if was_armed is not is_armed:
+                return self.add(Kind.ARMED if is_armed else Kind.DISARMED, "")
+        elif label == _MODE and before is not None and before != value:
+            return self.add(Kind.MODE, f"{value:g}")
+        return None
+
+    def _take_failsafe(self, record: Mapping[str, Any]) -> Happening:
+        """A failsafe has another level: its words, and the quantity that it watches, are those of the specification."""
+        level, index = record["level"], record["index"]
+        guard = next((each for each in self.program.guards if each.attribute == record["name"]), None)
+        words = guard.words if guard else ()
+        word = words[level - 1] if 0 < level <= len(words) else f"level {level}" if level else "over"
+        owner, _, name = (guard.path if guard else "").partition(".")
+        label = f"{owner}[{index}].{name}" if index else f"{owner}.{name}"
+        return self.add(Kind.FAILSAFE, f"{record['title']} {word}", of=label if guard else "", word=word)
+
+    def _take_frame(self, frame: bytes) -> None:
+        if self._at_start is None:
+            self._at_start = self.parameters  # numbers of instances are those of the start
+        for told in self.program.telling.read(frame, self._at_start):
+            self.take_told(told)
+
+    def take_told(self, told: Told) -> None:
+        """Note what was told now of a quantity."""
+        owner, _, name = told.path.partition(".")
+        label = f"{owner}[{told.instance}].{name}" if told.instance else told.path
+        self._take_reading(label, Reading(self.at_ms, told.value))
+
+    def _take_reading(self, label: str, reading: Reading) -> None:
+        readings = self.readings_of.setdefault(label, [])
+        spacing_ms = self._spacing_ms.get(label, 0)
         last = readings[-1] if readings else None
-        is_known = reading.millivolts is not None
-        if last and is_known == (last.millivolts is not None) and reading.at_ms - last.at_ms < spacing_ms:
+        is_known = reading.value is not None
+        if last and is_known == (last.value is not None) and reading.at_ms - last.at_ms < spacing_ms:
             return
         readings.append(reading)
         if len(readings) > _MOST_POINTS:  # a run without end: keep every second one
-            self.readings_of[instance] = readings[::2]
-            self._spacing_ms[instance] = max(1, 2 * spacing_ms, 2 * self.at_ms // _MOST_POINTS)
+            self.readings_of[label] = readings[::2]
+            self._spacing_ms[label] = max(1, 2 * spacing_ms, 2 * self.at_ms // _MOST_POINTS)
 
     def _take_messages(self, record: Mapping[str, Any]) -> None:
         counts = record["counts"]
@@ -240,21 +318,8 @@ class Recording:
         self.parameters = record["parameters"] or self.parameters
 
 
-def fault_text(fault: Fault, batteries: int = 1) -> str:
-    """A fault of the scenario in words; with several batteries it says of which."""
-    what = {
-        AdcFault.FAIL: "ADC readings fail",
-        AdcFault.ABSENT: "ADC absent",
-        AdcFault.SLOW: f"ADC readings take {fault.delay_us / 1000:g} ms",
-    }[fault.adc]
-    whose = f"Battery {fault.instance + 1}: " if batteries > 1 else ""
-    return (
-        whose
-        + what
-        + (" to the end" if fault.until_ms is None else f" for {(fault.until_ms - fault.at_ms) / 1000:g} s")
-    )
-
-
-def _is_failsafe(text: str) -> bool:
-    """Whether a text says that the failsafe fired, as ``Battery 1 is low 10.45V used 0 mAh``."""
-    return FAILSAFE_TEXT.match(text) is not None
+def fault_text(fault: Fault) -> str:
+    """A fault of the scenario in words."""
+    delay = f" {fault.delay_us / 1000:g} ms" if fault.delay_us else ""
+    lasts = " to the end" if fault.until_ms is None else f" for {(fault.until_ms - fault.at_ms) / 1000:g} s"
+    return f"{fault.of}: {fault.words}{delay}{lasts}"

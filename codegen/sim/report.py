@@ -1,18 +1,27 @@
 """The report of a simulation: one page of HTML that needs nothing else."""
 
-import os
-import tempfile
 from collections.abc import Iterable
 
 from codegen.frozen import dataclass
 from codegen.render import render_page
-from codegen.sim.chart import NARROW, WIDE, Chart, Shown, draw_chart, is_marked
+from codegen.sim.amount import amount, digits_of, seconds
+from codegen.sim.chart import NARROW, WIDE, Chart, draw_chart, is_marked
+from codegen.sim.expected import unmet
+from codegen.sim.line import Line
 from codegen.sim.record import Recording
 from codegen.sim.run import Simulation
-from codegen.sim.sample import SEVERITIES, Happening, Kind
-from codegen.sim.verdict import battery_name, seconds, verdict
+from codegen.sim.sample import SEVERITIES, Happening, Kind, state_words
+from codegen.sim.verdict import line_name, verdict
+from codegen.sim.written import write_whole
 
 _MOST_ROWS = 1000
+_PREFIXES = {
+    Kind.REFUSED: "Arming refused",
+    Kind.FAILSAFE: "Failsafe",
+    Kind.ACTION: "Action",
+    Kind.MODE: "Mode",
+}
+"""What stands in front of the texts of some happenings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,10 +50,11 @@ class MessageRow:
 
 @dataclass(frozen=True, slots=True)
 class FigureView:
-    """The charts of one battery: ``title`` says of which, where there are several; ``levels`` is the legend's part."""
+    """The charts of one quantity, ``title``; ``levels`` is the legend's part."""
 
     title: str
-    what: str
+    doc: str
+    has_true: bool
     summary: str
     charts: tuple[Chart, ...]
     levels: tuple[tuple[str, str], ...]
@@ -81,17 +91,7 @@ class ReportView:
 
 def write_report(path: str, simulation: Simulation, recording: Recording) -> None:
     """Write the page, whole or not at all. OSError: it cannot be written."""
-    text = render_page("sim/report.html.j2", report_view(simulation, recording))
-    folder = os.path.dirname(os.path.abspath(path))
-    handle, temporary = tempfile.mkstemp(dir=folder, prefix=".report-", suffix=".html")
-    try:
-        with open(handle, "w", encoding="utf-8", errors="replace") as file:
-            file.write(text)
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
+    write_whole(path, render_page("sim/report.html.j2", report_view(simulation, recording)))
 
 
 def report_view(simulation: Simulation, recording: Recording) -> ReportView:
@@ -118,28 +118,18 @@ def report_view(simulation: Simulation, recording: Recording) -> ReportView:
 
 def _figures(recording: Recording, listed: list[Happening], sentences: list[str]) -> Iterable[FigureView]:
     for record in recording.all:
-        for instance in record.instances:
-            yield _figure(record, instance, Shown.VOLTAGE, listed, sentences)
-            states_current = any(
-                instance < len(stretch.batteries) and stretch.batteries[instance].currents
-                for stretch in record.stretches
-            )
-            if states_current:
-                yield _figure(record, instance, Shown.CURRENT, listed, [])
+        for line in record.drawn:
+            yield _figure(record, line, listed, sentences)
 
 
-def _figure(
-    recording: Recording, instance: int, shown: Shown, listed: list[Happening], sentences: list[str]
-) -> FigureView:
-    wide = draw_chart(recording, listed, WIDE, "wide", instance, shown)
-    what = "voltage" if shown is Shown.VOLTAGE else "current"
-    name = battery_name(recording, instance)
-    has_title = bool(name) or shown is Shown.CURRENT
+def _figure(recording: Recording, line: Line, listed: list[Happening], sentences: list[str]) -> FigureView:
+    wide = draw_chart(recording, listed, WIDE, "wide", line)
     return FigureView(
-        title=f"{what.capitalize()} of {name or 'the battery'}" if has_title else "",
-        what=what,
-        summary=_summary(recording, instance, shown, sentences),
-        charts=(wide, draw_chart(recording, listed, NARROW, "narrow", instance, shown)),
+        title=line_name(recording, line),
+        doc=line.doc,
+        has_true=bool(wide.true),
+        summary=_summary(recording, line, sentences),
+        charts=(wide, draw_chart(recording, listed, NARROW, "narrow", line)),
         levels=tuple((level.style, level.label) for level in wide.levels),
         has_faults=bool(wide.bands),
     )
@@ -157,6 +147,8 @@ def _console_line(happening: Happening) -> str:
 def _mood(recording: Recording) -> str:
     if any(record.problem for record in recording.all):
         return "failed"
+    if unmet(recording):
+        return "failed"
     return "fired" if any(happening.kind is Kind.FAILSAFE for happening in recording.happenings) else "calm"
 
 
@@ -167,7 +159,7 @@ def _facts(simulation: Simulation, recording: Recording) -> tuple[tuple[str, str
         ("Runtime", recording.runtime or str(simulation.runtime)),
         ("Simulated time", f"{seconds(recording.at_ms)} of {_planned(simulation)}"),
         ("Speed", "real time" if simulation.speed == 1 else speed),
-        ("At the end", f"{'armed' if sample.is_armed else 'disarmed'}, {sample.state_name}"),
+        *((("At the end", state_words(sample)),) if recording.tells_state else ()),
         ("Restarts", str(sum(record.restarts for record in recording.all))),
         *((("Programs", ", ".join(record.name for record in recording.all)),) if recording.beside else ()),
     )
@@ -177,21 +169,16 @@ def _planned(simulation: Simulation) -> str:
     return "no limit" if simulation.duration_ms is None else seconds(simulation.duration_ms)
 
 
-def _summary(recording: Recording, instance: int, shown: Shown, sentences: list[str]) -> str:
+def _summary(recording: Recording, line: Line, sentences: list[str]) -> str:
     """What somebody is told who does not see the chart."""
     end_ms = recording.at_ms
-    batteries = [recording.battery(instance, at_ms) for at_ms in (0, end_ms)]
-    name = battery_name(recording, instance)
-    what = "voltage" if shown is Shown.VOLTAGE else "current"
-    of = f" of {name}" if name else ""
-    if batteries[0] is None or batteries[1] is None:
-        return " ".join([f"The true {what}{of}.", *sentences])
-    if shown is Shown.VOLTAGE:
-        values: list[float | None] = [batteries[0].millivolts(0), batteries[1].millivolts(end_ms)]
-    else:
-        values = [batteries[0].milliamperes(0), batteries[1].milliamperes(end_ms)]
-    start, end = (f"{(value or 0) / 1000:.2f} {shown.value}" for value in values)
-    return " ".join([f"The true {what}{of} goes from {start} to {end} in {seconds(end_ms)}.", *sentences])
+    name, is_true = line_name(recording, line), recording.has_course(line.label)
+    start, end = (recording.true(line.label, at_ms) if is_true else None for at_ms in (0, end_ms))
+    if start is None or end is None:
+        return " ".join([f"{name} over time.", *sentences])
+    digits = digits_of(max(abs(end - start), abs(end) / 100, 1e-9) / 10)
+    course = f"{amount(start, line.unit, digits)} to {amount(end, line.unit, digits)}"
+    return " ".join([f"The true {name} goes from {course} in {seconds(end_ms)}.", *sentences])
 
 
 def _event_row(number: int, event: Happening) -> EventRow:
@@ -202,8 +189,8 @@ def _event_row(number: int, event: Happening) -> EventRow:
         style = "marked" if is_marked(event) else ""
     words = {Kind.ARMED: "Armed", Kind.DISARMED: "Disarmed", Kind.REBOOT: "Reboot"}
     text = event.text or words.get(event.kind, event.kind.value)
-    if event.kind is Kind.REFUSED:
-        text = f"Arming refused: {event.text}"
+    if event.kind in _PREFIXES:
+        text = f"{_PREFIXES[event.kind]}: {event.text}"
     return EventRow(number, seconds(event.at_ms), event.program, severity, text, style)
 
 

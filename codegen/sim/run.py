@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from codegen.frozen import dataclass
 from codegen.model.scenario import Scenario
 from codegen.sim.address import Address
-from codegen.sim.course import Course, Watch
+from codegen.sim.passage import Passage, Watch
 from codegen.sim.process import Runtime
 from codegen.sim.program import SimulatedProgram
 from codegen.sim.record import Recording
@@ -44,13 +44,7 @@ class Simulation:
         """An empty record of it: that of the vehicle's own program, with those of the others beside it."""
         main, *others = self.programs
         name = main.name if others else ""
-        return Recording(
-            self.scenario,
-            name,
-            None,
-            _prefixes(main),
-            [Recording(self.scenario, other.name, other.key, _prefixes(other)) for other in others],
-        )
+        return Recording(self.scenario, main, name, [Recording(self.scenario, other, other.name) for other in others])
 
 
 def simulate(simulation: Simulation, recording: Recording, watch: Watch, silence_s: float = SILENCE_S) -> None:
@@ -60,48 +54,44 @@ def simulate(simulation: Simulation, recording: Recording, watch: Watch, silence
     """
     with ExitStack() as stack:
         work = stack.enter_context(tempfile.TemporaryDirectory(prefix="codegen-sim-"))
-        courses = [
-            Course(simulation, program, record, work, stack)
+        passages = [
+            Passage(simulation, program, record, work, stack)
             for program, record in zip(simulation.programs, recording.all, strict=True)
         ]
         try:
-            _run(courses, recording, watch, silence_s)
+            _run(passages, recording, watch, silence_s)
         except KeyboardInterrupt:
             for record in recording.all:
                 record.was_interrupted = True
-            for course in courses:
-                course.interrupt(watch)
+            for passage in passages:
+                passage.interrupt(watch)
         finally:
-            for course in courses:
-                course.close()
+            for passage in passages:
+                passage.close()
 
 
-def _run(courses: Sequence[Course], recording: Recording, watch: Watch, silence_s: float) -> None:
-    until_ms = TURN_MS if len(courses) > 1 else None
-    while not all(course.is_done for course in courses):
-        for course in courses:
-            if course.is_due(until_ms):
-                course.start(until_ms, watch)
-        streams = [stream for course in courses if course.process for stream in course.process.streams]
+def _run(passages: Sequence[Passage], recording: Recording, watch: Watch, silence_s: float) -> None:
+    until_ms = TURN_MS if len(passages) > 1 else None
+    while not all(passage.is_done for passage in passages):
+        for passage in passages:
+            if passage.is_due(until_ms):
+                passage.start(until_ms, watch)
+        streams = [stream for passage in passages if passage.process for stream in passage.process.streams]
         if streams:
             select.select(streams, [], [], _WAIT_S)
-        for course in courses:
-            course.take_in(watch, silence_s)
+        for passage in passages:
+            passage.take_in(watch, silence_s)
         watch(recording, None)
         if any(record.problem for record in recording.all):
-            for course in courses:  # what the others have done so far is counted
-                course.interrupt(watch)
+            for passage in passages:  # what the others have done so far is counted
+                passage.interrupt(watch)
             return
-        running = [course for course in courses if course.process]
-        if until_ms is not None and all(course.waits for course in running) and not _any_due(courses, until_ms):
+        running = [passage for passage in passages if passage.process]
+        if until_ms is not None and all(passage.waits for passage in running) and not _any_due(passages, until_ms):
             until_ms += TURN_MS
-            for course in running:
-                course.give_turn(until_ms)
+            for passage in running:
+                passage.give_turn(until_ms)
 
 
-def _any_due(courses: Sequence[Course], until_ms: int) -> bool:
-    return any(course.is_due(until_ms) for course in courses)
-
-
-def _prefixes(program: SimulatedProgram) -> tuple[str, ...]:
-    return tuple(connection.prefix for connection in program.connections)
+def _any_due(passages: Sequence[Passage], until_ms: int) -> bool:
+    return any(passage.is_due(until_ms) for passage in passages)

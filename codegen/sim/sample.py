@@ -18,6 +18,8 @@ class Kind(StrEnum):
 
     TEXT = "text"
     FAILSAFE = "failsafe"
+    ACTION = "action"
+    MODE = "mode"
     ARMED = "armed"
     DISARMED = "disarmed"
     REFUSED = "refused"
@@ -32,7 +34,8 @@ class Kind(StrEnum):
 class Happening:
     """Something that happened at a time of the scenario in ms; ``severity`` is a number of MAV_SEVERITY, or None.
 
-    ``program`` is the name of the program, where several run.
+    ``program`` is the name of the program, where several run; ``of`` the label of the quantity that it is about, if it
+    is about one alone. Of a failsafe ``word`` says which level it has reached.
     """
 
     at_ms: int
@@ -40,24 +43,23 @@ class Happening:
     text: str
     severity: int | None = None
     program: str = ""
+    of: str = ""
+    word: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What was reported of a battery at a time in ms: mV and mA, None for unknown, and where the line breaks."""
+    """What was told of a quantity at a time in ms, in its unit: None for unknown, and where the line breaks."""
 
     at_ms: int
-    millivolts: int | None
-    milliamperes: int | None = None
+    value: float | None
 
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """The latest state: voltages in mV by instance, None for unknown; counters since the board's start; load in d%."""
+    """The latest counters since the board's start, load in d%; whether it is armed, and its MAV_STATE."""
 
     at_ms: int = 0
-    true_mv: tuple[int | None, ...] = ()
-    reported_mv: tuple[int | None, ...] = ()
     is_armed: bool = False
     state: int | None = None
     frames: int = 0
@@ -67,9 +69,9 @@ class Sample:
 
     @property
     def state_name(self) -> str:
-        """MAV_STATE in words; "silent" before the first HEARTBEAT."""
+        """MAV_STATE in words; "starting" before it is known."""
         if self.state is None:
-            return "silent"
+            return "starting"
         return STATES[self.state] if self.state < len(STATES) else str(self.state)
 
 
@@ -94,3 +96,8 @@ class Traffic:
             crc_errors=self.crc_errors + other.crc_errors,
             gaps=self.gaps + other.gaps,
         )
+
+
+def state_words(sample: Sample) -> str:
+    """``disarmed, standby``."""
+    return f"{'armed' if sample.is_armed else 'disarmed'}, {sample.state_name}"

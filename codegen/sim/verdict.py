@@ -1,36 +1,26 @@
 """What came of a simulation, in sentences."""
 
-from codegen.sim.record import FAILSAFE_TEXT, Recording
+from codegen.sim.amount import amount, digits_of, seconds
+from codegen.sim.expected import unmet
+from codegen.sim.line import Line
+from codegen.sim.record import Recording
 from codegen.sim.sample import Happening, Kind
-
-
-def seconds(milliseconds: float) -> str:
-    """A time as people read it: ``12.3 s``."""
-    return f"{milliseconds / 1000:.1f} s"
-
-
-def volts(millivolts: float) -> str:
-    """A voltage as people read it: ``12.34 V``."""
-    return f"{millivolts / 1000:.2f} V"
 
 
 def verdict(recording: Recording) -> list[str]:
     """The sentences, the most important one first; of all programs, where several run."""
     happenings = recording.happenings
-    sentences = [*_endings(recording), *_failsafe(recording, happenings)]
+    sentences = [*_endings(recording), *unmet(recording), *_failsafe(recording, happenings)]
     for record in recording.all:
         sentences += _faults(record, happenings)
     for record in recording.all:
-        sentences += _voltages(record)
+        sentences += _differences(record)
     return sentences
 
 
-def battery_name(recording: Recording, instance: int) -> str:
-    """``battery 2``, ``battery 1 of pico-trail``, or nothing where there is only one battery at all."""
-    of = f" of {recording.name}" if recording.name else ""
-    if len(recording.instances) > 1:
-        return f"battery {instance + 1}{of}"
-    return f"the battery{of}" if of else ""
+def line_name(recording: Recording, line: Line) -> str:
+    """``battery[1].voltage``, ``battery.voltage of smart_battery``."""
+    return f"{line.label} of {recording.name}" if recording.name else line.label
 
 
 def _endings(recording: Recording) -> list[str]:
@@ -45,21 +35,13 @@ def _endings(recording: Recording) -> list[str]:
 
 def _failsafe(recording: Recording, happenings: list[Happening]) -> list[str]:
     fired = [happening for happening in happenings if happening.kind is Kind.FAILSAFE]
-    if not fired and not any(record.instances for record in recording.all):
-        return []  # nothing is measured that one could watch
+    guards = [guard for record in recording.all for guard in record.program.guards]
     if not fired:
-        return ["The failsafe did not fire."]
-    is_one = not recording.beside and len(recording.instances) == 1
-    return [
-        "The failsafe fired: " + ", ".join(f"{_level(f, is_one=is_one)} at {seconds(f.at_ms)}" for f in fired) + "."
-    ]
-
-
-def _level(happening: Happening, *, is_one: bool) -> str:
-    match = FAILSAFE_TEXT.match(happening.text)
-    if match is None:
-        return happening.text
-    return match[3] if is_one else f"{match[1]} {match[3]}"
+        return ["No failsafe fired." if len(guards) > 1 else "The failsafe did not fire."] if guards else []
+    of = {each.of for each in fired}
+    is_one = len(guards) == len(of) == 1 and not recording.beside and "[" not in fired[0].of
+    told = ", ".join(f"{each.word if is_one else each.text} at {seconds(each.at_ms)}" for each in fired)
+    return [f"The failsafe fired: {told}."]
 
 
 def _faults(recording: Recording, happenings: list[Happening]) -> list[str]:
@@ -82,15 +64,34 @@ def _times(number: int) -> str:
     return "once" if number == 1 else f"{number} times"
 
 
-def _voltages(recording: Recording) -> list[str]:
-    sentences = []
-    for instance in recording.instances:
-        name = battery_name(recording, instance)
-        of = f" of {name}" if name else ""
-        difference = recording.largest_difference(instance)
-        if difference is None:
-            sentences.append(f"No voltage{of} was reported.")
+def _differences(recording: Recording) -> list[str]:
+    """How far what was told of each quantity with a course was from what was true."""
+    sentences, right, silent = [], [], []
+    for line in recording.lines:
+        if not recording.has_course(line.label):
             continue
-        at = seconds(difference[1])
-        sentences.append(f"The reported voltage{of} was at most {volts(difference[0])} from the true one, at {at}.")
+        name = line_name(recording, line)
+        difference = recording.largest_difference(line.label)
+        if difference is None:
+            silent += [name] if line.is_told else []
+        elif difference[0] == 0:
+            right.append(name)
+        else:
+            apart = amount(difference[0], line.unit, _digits(difference[0]))
+            sentences.append(f"{name} was told at most {apart} from what was true, at {seconds(difference[1])}.")
+    if right:
+        sentences.append(f"{_listed(right)} told as {'it was' if len(right) == 1 else 'they were'}.")
+    if silent:
+        sentences.append(f"{_listed(silent)} never told.")
     return sentences
+
+
+def _listed(names: list[str]) -> str:
+    """``a, b and c were``, ``a was``."""
+    *front, last = names
+    return f"{', '.join(front)} and {last} were" if front else f"{last} was"
+
+
+def _digits(difference: float) -> int:
+    """Digits behind the point that show a difference with two that say something."""
+    return min(12, digits_of(difference) + (difference < 1))

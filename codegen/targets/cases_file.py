@@ -43,13 +43,13 @@ def cases_text(system: System, origin: dict[str, object]) -> str:
         for case in conversion_cases(system)
     ]
     parts = [f'"generated": {json.dumps(origin)}']
-    parts.append(f'"dialect": {json.dumps(_dialect_files(system))}')
+    parts.append(f'"dialect": {json.dumps(dialect_files(system))}')
     parts.append(f'"instances": {json.dumps(_instances(system.components))}')
     parts.append(f'"about": {json.dumps(_about(system))}')
-    sources = ",\n".join(map(_json, value_sources(system)))
+    sources = ",\n".join(map(json_line, value_sources(system)))
     parts.append(f'"sources": [\n{sources}\n]' if sources else '"sources": []')
     for key, cases in (("messages", messages), ("conversions", conversions)):
-        lines = ",\n".join(_json(case) for case in cases)
+        lines = ",\n".join(json_line(case) for case in cases)
         parts.append(f'"{key}": [\n{lines}\n]')
     return "{" + ",\n".join(parts) + "}\n"
 
@@ -65,7 +65,7 @@ def _about(system: System) -> dict[str, int]:
     return {name: len(told) for name, told in counts.items() if told}
 
 
-def _dialect_files(system: System) -> dict[str, object]:
+def dialect_files(system: System) -> dict[str, object]:
     """What pymavlink needs to make the same dialect: the one that it ships, and the project's own files.
 
     The paths of these are relative to the folder of the tests.
@@ -88,8 +88,8 @@ def _wire_changes(correction: Correction) -> dict[str, object]:
     return {**named, "set": changes} if changes else {}
 
 
-def _json(case: dict[str, object]) -> str:
-    """As UTF-8: MicroPython's json does not put together what stands for a character in two escapes."""
+def json_line(case: dict[str, object]) -> str:
+    """A record in one line, as UTF-8: MicroPython's json does not read a character in two escapes."""
     try:
         return json.dumps(case, allow_nan=False, ensure_ascii=False)
     except ValueError:
@@ -97,9 +97,9 @@ def _json(case: dict[str, object]) -> str:
 
 
 def _without_nan(value: object) -> object:
-    """JSON has no NaN: it is written as the text "nan"."""
-    if isinstance(value, float) and math.isnan(value):
-        return "nan"
+    """JSON has no NaN and nothing infinite: they are written as texts, "nan", "inf" and "-inf"."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
     if isinstance(value, dict):
         return {key: _without_nan(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

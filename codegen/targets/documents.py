@@ -4,13 +4,16 @@ from dataclasses import replace
 
 from codegen.frozen import dataclass
 from codegen.model.reach import Reach, reach_words, reaches
+from codegen.model.reception import Reception
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Citation, Parameter, Quantity, Stream
+from codegen.targets.firmware.receiving import call_name
 from codegen.targets.generation_table import GenerationTable, generation_tables, sent_at_once
 from codegen.targets.origin import origin_of, source_name
 from codegen.targets.parameter_uses import uses
 from codegen.targets.program_document import LinkRow, ProgramSection, StreamRow, link_rows, program_section, stream_rows
+from codegen.targets.reception_table import ReceivedRow, condition_words, received_rows, sender_words
 from codegen.targets.rendered import rendered
 from codegen.targets.table import FieldRow, field_rows, in_table, others_of, withheld_of
 
@@ -30,6 +33,19 @@ class MessageDocument:
     others: str
     withheld: str
     rows: tuple[FieldRow, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ReceptionDocument:
+    """One message that is received, with the fields that set something."""
+
+    title: str
+    sender: str
+    condition: str
+    call: str
+    citation: str
+    table: str
+    rows: tuple[ReceivedRow, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +91,7 @@ class TelemetryDocument:
     sources: tuple[str, ...]
     digest: str
     messages: tuple[MessageDocument, ...]
+    receptions: tuple[ReceptionDocument, ...]
     quantities: tuple[QuantityRow, ...]
     parameters: tuple[ParameterRow, ...]
     streams: tuple[StreamRow, ...]
@@ -86,7 +103,7 @@ class TelemetryDocument:
 
 def render_documents(system: System) -> dict[str, str]:
     """The files below ``docs/``."""
-    wires = [message.wire for message in system.messages]
+    wires = [message.wire for message in system.messages] + [table.wire for table in system.receptions]
     origin = origin_of(system, system.spec.files, wires)
     told = reaches(system)
     view = TelemetryDocument(
@@ -94,6 +111,7 @@ def render_documents(system: System) -> dict[str, str]:
         sources=origin.sources,
         digest=origin.open.digest,
         messages=tuple(_message(message, system) for message in system.messages),
+        receptions=tuple(_reception(table, system) for table in system.receptions),
         quantities=tuple(
             _quantity(quantity, told[quantity.path])
             for component in system.components.values()
@@ -122,6 +140,18 @@ def _message(message: PopulatedMessage, system: System) -> MessageDocument:
         others=others_of(message),
         withheld=withheld_of(message),
         rows=field_rows(message),
+    )
+
+
+def _reception(table: Reception, system: System) -> ReceptionDocument:
+    return ReceptionDocument(
+        title=table.title,
+        sender=sender_words(table),
+        condition=condition_words(table),
+        call=call_name(table) if table.spec.call else "",
+        citation=str(table.citation),
+        table=source_name(system, table.spec.place.file),
+        rows=received_rows(table),
     )
 
 
@@ -179,6 +209,10 @@ def _criteria(system: System) -> list[CitedCriterion]:
     for message in system.messages:
         for citation in (message.citation, *(answer.covers.citation for answer in message.answers)):
             cited[str(citation)] = citation
+    for table in system.receptions:
+        for each in (table.citation, *table.aspects.values(), *(taken.citation for taken in table.fields)):
+            if each is not None:
+                cited[str(each)] = each
     return [
         CitedCriterion(name, in_table(citation.criterion.text if citation.criterion else citation.requirement.title))
         for name, citation in sorted(cited.items())

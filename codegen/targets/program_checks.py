@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 from codegen.model.program import Program
 from codegen.model.system import System
-from codegen.targets.program_suite import LEFT_TO_THE_PROJECT, documents_of_topics
+from codegen.targets.check_criteria import check_criteria
+from codegen.targets.program_suite import LEFT_TO_THE_PROJECT
 from codegen.template_files import copied, plain_files
 
 ONLY_MICROPYTHON = ("heap", "steady")
@@ -20,36 +21,35 @@ _CHECKS = re.compile(r"^CHECKS = (\(.*?^\)|\(.*?\)$)", re.MULTILINE | re.DOTALL)
 
 
 class ProgramCheck(NamedTuple):
-    """A function of a script, with the criterion that it shows: ``number`` of ``document``, which is "" for none.
+    """A function of a script, with the criteria that it shows.
 
     ``identifier`` is what the suite calls the check: its name, and what it shows.
     """
 
     script: str
     name: str
-    topic: str
-    document: str
-    number: int
+    criteria: tuple[str, ...]
 
     @property
     def identifier(self) -> str:
-        """``low_after_the_timer-FR-00020.1``, or with the topic where no document is cited."""
-        return f"{self.name}-{self.document}.{self.number}" if self.document else f"{self.name}-{self.topic}"
+        """``low_after_the_timer-FR-00020.1``."""
+        return "-".join((self.name, *self.criteria))
 
 
 def program_checks(system: System, program: Program) -> Iterator[ProgramCheck]:
     """Every check of the scripts that the suite of a system has."""
-    documents = documents_of_topics(system, program)
+    named = check_criteria(system, program)
     left_out = LEFT_TO_THE_PROJECT if system.spec.program else ()
     for file in plain_files(_FOLDER):
         if file.endswith(_ENDING) and f"tests/{file}" not in left_out:
-            for topic, number, name in _listed(file):
-                yield ProgramCheck(file.removesuffix(_ENDING), name, topic, documents.get(topic, ""), number)
+            for name, aspects in _listed(file):
+                criteria = dict.fromkeys(each for aspect in aspects for each in named.get(aspect, ()))
+                yield ProgramCheck(file.removesuffix(_ENDING), name, tuple(criteria))
 
 
 @cache
-def _listed(file: str) -> tuple[tuple[str, int, str], ...]:
-    """Topic, number and name of each check of a script, without running it."""
+def _listed(file: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Name and aspects of each check of a script, without running it."""
     found = _CHECKS.search(copied(f"{_FOLDER}/{file}"))
     assert found is not None, file
     listed = ast.parse(found[1], mode="eval").body
@@ -57,8 +57,14 @@ def _listed(file: str) -> tuple[tuple[str, int, str], ...]:
     return tuple(_check(entry) for entry in listed.elts)
 
 
-def _check(entry: ast.expr) -> tuple[str, int, str]:
+def _check(entry: ast.expr) -> tuple[str, tuple[str, ...]]:
     assert isinstance(entry, ast.Tuple)
-    topic, number, check = entry.elts
+    check, *aspects = entry.elts
     assert isinstance(check, ast.Name)
-    return ast.literal_eval(topic), ast.literal_eval(number), check.id
+    return check.id, tuple(map(ast.literal_eval, aspects))
+
+
+def checked_aspects() -> frozenset[str]:
+    """Every aspect that a check of the program shows."""
+    files = [file for file in plain_files(_FOLDER) if file.endswith(_ENDING)]
+    return frozenset(aspect for file in files for _, aspects in _listed(file) for aspect in aspects)

@@ -8,6 +8,7 @@ from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Parameter, Stream
+from codegen.targets.command_document import CommandLine, ModeLine, command_lines, mode_lines
 from codegen.targets.table import in_table
 
 
@@ -67,11 +68,13 @@ class ActionRow:
 
 @dataclass(frozen=True, slots=True)
 class ProgramSection:
-    """The main loop, the failsafes, and ``notes``: sentences about arming, storage and services."""
+    """The main loop, the failsafes, commands and modes, and ``notes``: sentences about arming, storage and services."""
 
     loop: tuple[LoopRow, ...]
     levels: tuple[LevelRow, ...]
     actions: tuple[ActionRow, ...]
+    commands: tuple[CommandLine, ...]
+    modes: tuple[ModeLine, ...]
     notes: tuple[str, ...]
 
 
@@ -146,6 +149,8 @@ def program_section(system: System) -> ProgramSection | None:
         loop=tuple(loop),
         levels=tuple(row for failsafe in program.failsafes for row in _levels(failsafe)),
         actions=tuple(_action(action) for action in program.actions),
+        commands=command_lines(program),
+        modes=mode_lines(program.modes),
         notes=(*notes, *(sentence for failsafe in program.failsafes for sentence in _sentences(failsafe))),
     )
 

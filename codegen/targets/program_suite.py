@@ -5,6 +5,7 @@ from codegen.model.conversion import Conversion
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Reading, by_instance
+from codegen.targets.check_criteria import check_criteria
 from codegen.targets.component_facts import ComponentFacts, component_facts
 from codegen.targets.firmware.board import ReaderView, plain_readers
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
@@ -47,7 +48,7 @@ class InputView:
 
 @dataclass(frozen=True, slots=True)
 class ProgramSuiteView:
-    """What the checks of the program compare with; ``requirements`` are the documents of each topic of the checks."""
+    """What the checks of the program compare with; ``criteria`` are those of each aspect of the checks."""
 
     program: ProgramView
     components: tuple[ComponentFacts, ...]
@@ -64,7 +65,7 @@ class ProgramSuiteView:
     shared: dict[int, tuple[MessageFacts, ...]]
     known: tuple[KnownWord, ...]
     withheld: dict[int, tuple[tuple[str, str], ...]]
-    requirements: dict[str, str]
+    criteria: dict[str, tuple[str, ...]]
 
 
 def render_program_suite(system: System, program: Program) -> dict[str, str]:
@@ -91,7 +92,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         shared=shared_facts(system),
         known=known_words(system),
         withheld={each.id: each.quantities for each in withheld_messages(system) if each.is_alone and each.is_on},
-        requirements=documents_of_topics(system, program),
+        criteria=check_criteria(system, program),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)
@@ -122,40 +123,3 @@ def _inputs(system: System, component: Component, conversion: Conversion) -> tup
 
 def _attributes(parameter: Parameter | None) -> tuple[str, ...]:
     return tuple(map(parameter_attribute, parameter.siblings)) if parameter else ()
-
-
-def documents_of_topics(system: System, program: Program) -> dict[str, str]:
-    """The id of the document for each topic, or "" where nothing is cited: criteria are numbered within it."""
-    cited = {name: citation.requirement.id for name, citation in program.cited.items()}
-    failsafe = next(iter(program.failsafes), None)
-    measured = next(iter(system.measured()), None)
-    component = system.components[measured[0]] if measured else None
-    stream = next((stream for stream in system.streams.values() if stream.citation and stream.parameter), None)
-    return {
-        "instances": _instances(system),
-        "failsafe": failsafe.citation.requirement.id if failsafe else "",
-        "health": _document(failsafe.health.citation if failsafe and failsafe.health else None),
-        "reading": _document(measured[2].channel.citation if measured else None),
-        "update": _document(component.citation if component else None),
-        "telemetry": _document(stream.citation if stream else None),
-        "conversion": _document(measured[1].citation if measured else None),
-        "generations": _document(next((each.citation for each in system.generations), None)),
-        "announcements": _document(next((each.citation for each in system.messages if each.is_announced), None)),
-        "returns": _document(component.returns.count.citation if component and component.returns else None),
-        "services": cited.get("services", ""),
-        "loop": cited.get("control", ""),
-        "storage": cited.get("storage", ""),
-        "steady": _document(component.aspects.get("steady") if component else None),
-        "scenarios": _document(component.aspects.get("scenarios") if component else None),
-    }
-
-
-def _instances(system: System) -> str:
-    """The document on several instances: the one that asks for the level of each one's failsafe."""
-    failsafes = system.program.failsafes if system.program else ()
-    levels = [failsafe.level for failsafe in failsafes if failsafe.level and failsafe.component.instances > 1]
-    return _document(levels[0].citation) if levels else ""
-
-
-def _document(citation: object) -> str:
-    return str(citation).partition(".")[0] if citation is not None else ""

@@ -13,7 +13,9 @@ from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
 from codegen.targets.reading_facts import ReadingFacts, reading_facts
+from codegen.targets.reception_suite import render_reception_suite
 from codegen.targets.rendered import rendered
+from codegen.targets.source_suite import render_source_suite
 from codegen.targets.withheld import KnownWord, WithheldMessage, known_words, withheld_messages
 
 RENDERED = ("behaviour.py", "test_frames.py")
@@ -78,6 +80,8 @@ def render_suite(system: System) -> dict[str, str]:
         del files["tests/readings_checks.py"]
     for name in RENDERED:
         files[f"tests/{name}"] = headed(rendered(f"tests/{name}.j2", view), origin)
+    files |= render_source_suite(system)
+    files |= render_reception_suite(system)
     return files if system.program is None else files | render_program_suite(system, system.program)
 
 

@@ -9,6 +9,8 @@ from codegen.targets.behaviour_checks import checks_of_behaviour
 from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
 from codegen.targets.receiver.suite import shown_by_receiver_tests
+from codegen.targets.reception_cases import reception_cases
+from codegen.targets.source_suite import source_checks
 from codegen.targets.suite import suite_origin
 from codegen.trace.graph import Test
 
@@ -49,41 +51,34 @@ def _tests(system: System) -> Iterator[Test]:
     )
     checks = ((check.criterion, check.identifier) for check in checks_of_behaviour(system))
     yield from _grouped(f"{folder}/test_behaviour.py", "test_behaviour", checks)
+    received = ((case.requirement, case.identifier) for case in reception_cases(system))
+    yield from _grouped(f"{folder}/test_receives.py", "test_receives", received)
+    yield from _grouped(f"{folder}/test_sources.py", "test_source", source_checks(system))
     yield from _of_program(system, folder)
     yield from _of_receiver(system, folder)
 
 
 def _of_program(system: System, folder: str) -> Iterator[Test]:
-    """The checks of the program; one whose criterion a document does not have shows the document as a whole."""
     if system.program is None:
         return
     found: dict[str, list[str]] = {}
     for check in program_checks(system, system.program):
-        criterion = _criterion(system, check.document, check.number)
-        for interpreter in INTERPRETERS:
-            if criterion and (interpreter == "micropython" or check.script not in ONLY_MICROPYTHON):
-                found.setdefault(criterion, []).append(f"{interpreter}-{check.script}-{check.identifier}")
+        interpreters = INTERPRETERS[-1:] if check.script in ONLY_MICROPYTHON else INTERPRETERS
+        cases = [f"{interpreter}-{check.script}-{check.identifier}" for interpreter in interpreters]
+        for criterion in check.criteria:
+            found.setdefault(criterion, []).extend(cases)
     for criterion, cases in found.items():
         yield Test(f"{folder}/test_program.py", "test_program", criterion, tuple(cases))
 
 
 def _of_receiver(system: System, folder: str) -> Iterator[Test]:
     receiver = system.receiver
-    if receiver is None or receiver.citation is None:
+    if receiver is None:
         return
-    for function, numbers in shown_by_receiver_tests().items():
-        for number in numbers:
-            criterion = _criterion(system, receiver.citation.requirement.id, number)
+    for function, aspects in shown_by_receiver_tests().items():
+        shown = [receiver.aspects[aspect] for aspect in aspects if aspect in receiver.aspects]
+        for criterion in dict.fromkeys(map(str, shown)):
             yield Test(f"{folder}/test_receiver.py", function, criterion)
-
-
-def _criterion(system: System, document: str, number: int) -> str:
-    """``FR-00020.3``, or ``FR-00020`` where that has no such criterion: suites count as the shipped documents do."""
-    requirement = system.requirements.get(document)
-    if requirement is None:
-        return ""
-    has = any(criterion.number == number for criterion in requirement.criteria)
-    return f"{requirement.id}.{number}" if has else requirement.id
 
 
 def _grouped(file: str, function: str, cases: Iterable[tuple[str, str]]) -> Iterator[Test]:

@@ -23,15 +23,20 @@ class Kind(StrEnum):
 
     MESSAGE = "message"
     FIELD = "field"
+    RECEIVED = "received message"
+    RECEIVED_FIELD = "received field"
     PARAMETER = "parameter"
     STREAM = "stream"
     GENERATIONS = "generations"
     LINK = "link"
     ADC = "ADC channel"
+    SENSOR = "sensor"
     COMPONENT = "component"
     QUANTITY = "quantity"
     FAILSAFE = "failsafe"
     PROGRAM = "program"
+    COMMAND = "command"
+    MODE = "mode"
     RECEIVER = "receiver"
 
 
@@ -66,7 +71,8 @@ class Row:
         """``BATTERY_STATUS.voltages[1..9]``, ``battery.voltage (stale_after)``."""
         if not self.part:
             return self.name
-        return f"{self.name}{self.part}" if self.kind is Kind.FIELD else f"{self.name} ({self.part})"
+        is_field = self.kind in (Kind.FIELD, Kind.RECEIVED_FIELD)
+        return f"{self.name}{self.part}" if is_field else f"{self.name} ({self.part})"
 
 
 @dataclass(frozen=True, slots=True)

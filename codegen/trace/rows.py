@@ -14,7 +14,8 @@ def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
     """The rows of a project and of its further programs in the order of their files.
 
     What several programs make of one record is one row, with the symbols of all of them. A record that cites nothing,
-    and of which no aspect does, is a row with an empty criterion; a quantity may leave that to its component.
+    and of which no aspect does, is a row with an empty criterion; a quantity may leave that to its component, or to
+    the table of the message that sets it.
     """
     united: dict[tuple[Kind, str, str, str, Place], dict[Symbol, None]] = {}
     for system in systems:
@@ -28,6 +29,7 @@ def rows_of(systems: Iterable[System]) -> tuple[Row, ...]:
 def _rows(system: System) -> Iterator[Row]:
     symbols = symbols_of(system)
     yield from _messages(system, symbols)
+    yield from _receptions(system, symbols)
     yield from _state(system, symbols)
     yield from _board(system, symbols)
     for name, parameter in system.parameters.items():
@@ -38,22 +40,36 @@ def _rows(system: System) -> Iterator[Row]:
     for generations in system.generations:
         name = generations.component.name
         yield from _whole(Kind.GENERATIONS, name, generations.citation, generations.spec, symbols.generations())
+        yield from _aspects(Kind.GENERATIONS, name, generations.aspects, generations.spec, symbols.generations())
     yield from _program(system, symbols)
     if system.receiver is not None:
         receiver = system.receiver
         name = receiver.component.name
         yield from _whole(Kind.RECEIVER, name, receiver.citation, receiver.spec, symbols.whole_receiver())
+        yield from _aspects(Kind.RECEIVER, name, receiver.aspects, receiver.spec, symbols.whole_receiver())
 
 
 def _messages(system: System, symbols: Symbols) -> Iterator[Row]:
     for message in system.messages:
-        yield from _whole(Kind.MESSAGE, message.name, message.citation, message.population, symbols.message(message))
+        found = symbols.message(message)
+        yield from _whole(Kind.MESSAGE, message.name, message.citation, message.population, found)
+        yield from _aspects(Kind.MESSAGE, message.name, message.aspects, message.population, found)
         for answer in message.answers:
             covers = answer.covers
             name = f"{message.name}.{covers.field.name}"
             part = covers.label.removeprefix(covers.field.name)
             place = covers.written.place
             yield Row(Kind.FIELD, name, part, str(covers.citation), place, symbols.field(message, answer))
+
+
+def _receptions(system: System, symbols: Symbols) -> Iterator[Row]:
+    for table in system.receptions:
+        yield from _cited(Kind.RECEIVED, table.name, table, table.spec, symbols.reception(table))
+        for taken in table.fields:
+            name = f"{table.name}.{taken.field.name}"
+            part = taken.label.removeprefix(taken.field.name)
+            found = symbols.received(table, taken)
+            yield Row(Kind.RECEIVED_FIELD, name, part, str(taken.citation), taken.spec.place, found)
 
 
 def _state(system: System, symbols: Symbols) -> Iterator[Row]:
@@ -63,7 +79,8 @@ def _state(system: System, symbols: Symbols) -> Iterator[Row]:
         found = symbols.component(component)
         yield from _cited(Kind.COMPONENT, component.name, component, component.spec, found)
         for quantity in component.quantities.values():
-            if quantity.citation is None and not quantity.aspects and component.citation is not None:
+            is_asked_elsewhere = component.citation is not None or quantity.derivation.is_received
+            if quantity.citation is None and not quantity.aspects and is_asked_elsewhere:
                 continue
             yield from _cited(Kind.QUANTITY, quantity.path, quantity, quantity.spec, symbols.quantity(quantity))
 
@@ -72,6 +89,9 @@ def _board(system: System, symbols: Symbols) -> Iterator[Row]:
     for channel in system.channels.values():
         read = [reading for reading in system.readings() if reading.conversion.channel is channel]
         yield from _cited(Kind.ADC, channel.name, channel, channel.spec, symbols.readings(read))
+    for source in system.sources.values():
+        polling = source.polling
+        yield from _cited(Kind.SENSOR, source.name, polling, polling.spec, symbols.sensor(source))
     for link in system.links:
         yield from _whole(Kind.LINK, link.name, link.citation, link.spec, symbols.link(link))
 
@@ -89,10 +109,14 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
     }
     for name, citation in program.cited.items():
         yield from _whole(Kind.PROGRAM, name, citation, written[name] or program.spec, symbols.part_of_program(name))
+    for name, aspects in program.aspects.items():
+        section = written[name] or program.spec
+        yield from _aspects(Kind.PROGRAM, name, aspects, section, symbols.part_of_program(name))
     for failsafe in program.failsafes:
         name = failsafe.component.name
         found = symbols.failsafe(failsafe.component)
         yield from _whole(Kind.FAILSAFE, name, failsafe.citation, failsafe.spec, found)
+        yield from _aspects(Kind.FAILSAFE, name, failsafe.aspects, failsafe.spec, found)
         for part, level, spec in (
             ("low", failsafe.low, failsafe.spec.low),
             ("critical", failsafe.critical, failsafe.spec.critical),
@@ -100,6 +124,12 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
             if level.citation is not None:
                 used = [*found, *_attributes((level.below, level.action), symbols)]
                 yield Row(Kind.FAILSAFE, name, part, str(level.citation), spec.place, tuple(used))
+    for command in program.commands:
+        found = symbols.command(command)
+        yield from _whole(Kind.COMMAND, command.name, command.citation, command.spec, found)
+        yield from _aspects(Kind.COMMAND, command.name, command.aspects, command.spec, found)
+    for mode in program.modes:
+        yield from _whole(Kind.MODE, mode.name, mode.citation, mode.spec, symbols.mode())
 
 
 def _attributes(parameters: Iterable[Parameter], symbols: Symbols) -> Iterator[Symbol]:
@@ -116,5 +146,11 @@ def _whole(
 def _cited(kind: Kind, name: str, cited: Cited, written: Written, symbols: tuple[Symbol, ...]) -> Iterator[Row]:
     if cited.citation is not None or not cited.aspects:
         yield from _whole(kind, name, cited.citation, written, symbols)
-    for aspect, citation in cited.aspects.items():
+    yield from _aspects(kind, name, cited.aspects, written, symbols)
+
+
+def _aspects(
+    kind: Kind, name: str, aspects: Mapping[str, Citation], written: Written, symbols: tuple[Symbol, ...]
+) -> Iterator[Row]:
+    for aspect, citation in aspects.items():
         yield Row(kind, name, aspect, str(citation), written.at(f"criteria.{aspect}"), symbols)

@@ -8,9 +8,13 @@ from collections.abc import Iterable, Iterator
 
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer
+from codegen.model.command import Command
 from codegen.model.program import BoardLink, LinkKind
+from codegen.model.reception import ReceivedField, Reception
+from codegen.model.source_kind import Source
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Stream
+from codegen.targets.firmware.receiving import call_name
 from codegen.targets.naming import (
     builder_name,
     class_names,
@@ -29,7 +33,9 @@ FAILSAFE = "firmware/failsafe.py"
 MESSAGES = "firmware/messages.py"
 PARAMETERS = "firmware/parameters.py"
 STATE = "firmware/state.py"
+SOURCES = "firmware/sources.py"
 STREAMS = "firmware/streams.py"
+RECEIVING = "firmware/receiving_plain.py"
 PAYLOADS = "firmware/telemetry_plain.py"
 TELEMETRY = "firmware/telemetry.py"
 VEHICLE = "firmware/vehicle.py"
@@ -76,6 +82,15 @@ class Symbols:
             found += self._parameter(parameter)
         return self._all([*found, *self._read_by_receiver(message)])
 
+    def reception(self, table: Reception) -> tuple[Symbol, ...]:
+        """Its class, what takes it, and what is called then."""
+        found = [(MESSAGES, self.classes[table.wire.name]), (RECEIVING, f"take_{table.name.lower()}")]
+        return self._all([*found, *([(VEHICLE, f"Vehicle.{call_name(table)}")] if table.spec.call else [])])
+
+    def received(self, table: Reception, taken: ReceivedField) -> tuple[Symbol, ...]:
+        """What takes it, and the quantity."""
+        return self._all([(RECEIVING, f"take_{table.name.lower()}"), *self._quantity(taken.quantity)])
+
     def parameter(self, parameter: Parameter) -> tuple[Symbol, ...]:
         """Its attribute, and those of its family."""
         return self._all(self._parameter(parameter))
@@ -99,6 +114,11 @@ class Symbols:
             (INPUTS, "AdcInputs.read") if reading.is_first else (_module(reading), "connect") for reading in readings
         )
 
+    def sensor(self, source: Source) -> tuple[Symbol, ...]:
+        """What keeps and loses what it gives."""
+        name = source.name
+        return self._all([(SOURCES, f"_keep_{name}"), (SOURCES, f"_lose_{name}"), (SOURCES, "Sources")])
+
     def component(self, component: Component) -> tuple[Symbol, ...]:
         """Its class, and its update where it is measured."""
         found = [(STATE, state_class(component.name))]
@@ -117,6 +137,18 @@ class Symbols:
     def part_of_program(self, name: str) -> tuple[Symbol, ...]:
         """The modules of one part of the program, by its key in vehicle.yaml."""
         return self._all(PROGRAM.get(name, ()))
+
+    def command(self, command: Command) -> tuple[Symbol, ...]:
+        """The method that does it, and what looks at its parameters."""
+        method = command.spec.method
+        ends = ("_progress", "_cancel") if command.spec.long else ()
+        found = [(VEHICLE, f"Vehicle.{method}{end}") for end in ("", *ends)]
+        found += [("firmware/command_table.py", "COMMANDS"), ("firmware/own_commands.py", "OwnCommands")]
+        return self._all([*found, *([("firmware/long_commands.py", "LongCommands")] if command.spec.long else [])])
+
+    def mode(self) -> tuple[Symbol, ...]:
+        """What changes modes."""
+        return self._all([(VEHICLE, "Vehicle.MODES"), (VEHICLE, "Vehicle.set_mode")])
 
     def whole_receiver(self) -> tuple[Symbol, ...]:
         """The class of the receiver."""

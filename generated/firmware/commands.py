@@ -1,5 +1,5 @@
-# Generated from templates/firmware/program/commands.py, dialect common: do not edit.
-# Inputs: a0ed95717cb78c42
+# Generated from specs/vehicle.yaml, dialect common: do not edit.
+# Inputs: 45021648ef30c333
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 import messages
@@ -32,6 +32,7 @@ class Command:
 
     def __init__(self, message):
         names = ("x", "y", "z") if message.ID == messages.CommandInt.ID else ("param5", "param6", "param7")
+        self.message = message
         self.number = message.raw("command")
         self.system = message.source_system
         self.component = message.source_component
@@ -53,8 +54,8 @@ class Command:
 class Commands:
     """Does what commands ask for and acknowledges it.
 
-    A method of the table returns a MAV_RESULT, or that and what is to be sent after the COMMAND_ACK: a function that
-    returns whether the port took it, and its argument.
+    By the numbers of commands, `table` has what does them. That returns a MAV_RESULT and what is to be sent after the
+    COMMAND_ACK, if anything: a function that returns whether the port took it, and its argument.
     """
 
     def __init__(self, vehicle, connection):
@@ -62,7 +63,7 @@ class Commands:
         self._connection = connection
         self._ack = messages.CommandAck()
         self._interval = messages.MessageInterval(unknown=False)
-        self._table = {
+        self.table = {
             _MAV_CMD_REQUEST_MESSAGE: self._request_message,
             _MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,
             _MAV_CMD_GET_MESSAGE_INTERVAL: self._get_interval,
@@ -71,8 +72,6 @@ class Commands:
             _MAV_CMD_COMPONENT_ARM_DISARM: self._arm_disarm,
             _MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
         }
-        if not hasattr(vehicle, "arm"):  # a battery, say
-            del self._table[_MAV_CMD_COMPONENT_ARM_DISARM]
 
     def handle(self, message):
         """Do what a COMMAND_LONG or COMMAND_INT asks for and answer it."""
@@ -86,7 +85,7 @@ class Commands:
             self._connection.deliver(follow_up[0], follow_up[1])
 
     def _do(self, command):
-        method = self._table.get(command.number)
+        method = self.table.get(command.number)
         return (_MAV_RESULT_UNSUPPORTED, None) if method is None else method(command)
 
     def _send_ack(self, answer):

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 6d4accad1b304d62
+# Inputs: 085475eff43ab31b
 """Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 4f04cf11bcb2ecdf
+# Inputs: 45021648ef30c333
 """The program: what the board starts."""
 
 import asyncio

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 6d4accad1b304d62
+# Inputs: 085475eff43ab31b
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

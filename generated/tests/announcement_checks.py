@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: d7500f7ad55f86a8
+# Inputs: ff25fa86c1065e6b
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -276,17 +276,17 @@ def told_besides():
 
 
 CHECKS = (
-    ("announcements", 3, told_at_the_start),
-    ("announcements", 3, told_to_who_appears),
-    ("announcements", 3, told_again_after_a_silence),
-    ("announcements", 3, told_after_days_of_silence),
-    ("announcements", 3, a_port_that_takes_nothing_loses_none),
-    ("announcements", 3, only_what_is_on_is_told),
-    ("announcements", 3, not_told_what_was_switched_off),
-    ("announcements", 5, told_of_a_change),
-    ("announcements", 5, told_of_all_when_their_turn_comes),
-    ("announcements", 6, told_besides),
-    ("generations", 2, told_of_the_generation_that_is_chosen),
+    (told_at_the_start, "message.connection"),
+    (told_to_who_appears, "message.connection"),
+    (told_again_after_a_silence, "message.connection"),
+    (told_after_days_of_silence, "message.connection"),
+    (a_port_that_takes_nothing_loses_none, "message.connection"),
+    (only_what_is_on_is_told, "message.connection"),
+    (not_told_what_was_switched_off, "message.connection"),
+    (told_of_a_change, "message.change"),
+    (told_of_all_when_their_turn_comes, "message.change"),
+    (told_besides, "message.besides"),
+    (told_of_the_generation_that_is_chosen, "generations.choice"),
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/day_checks.py: do not edit.
-# Inputs: d46560c818bac28f
+# Inputs: 3c43d01d6bb211bb
 """A simulated day across the turn of ticks_ms(): no drift, no gap, and everything works after it.
 
 CPython, whose integers have no end that a sum could reach in a day, goes through an hour of it.
@@ -55,7 +55,7 @@ def day_across_the_wrap():
     assert sink.count > before
 
 
-CHECKS = (("loop", 1, day_across_the_wrap),)
+CHECKS = ((day_across_the_wrap, "control.grid"),)
 
 if __name__ == "__main__":
     main(CHECKS)

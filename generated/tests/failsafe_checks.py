@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: 83cfce1ae9379853
+# Inputs: fef77f659f25277a
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -255,21 +255,21 @@ def _let_run(rover, measured, value, seconds):
 
 
 CHECKS = (
-    ("failsafe", 1, low_after_the_timer),
-    ("failsafe", 1, default_timer_is_the_specified_one),
-    ("failsafe", 2, critical_goes_first),
-    ("failsafe", 2, each_level_has_its_own_timer),
-    ("failsafe", 3, one_good_reading_restarts),
-    ("failsafe", 3, unknown_neither_restarts_nor_advances),
-    ("failsafe", 4, zero_switches_off),
-    ("failsafe", 5, disarmed_it_rests),
-    ("failsafe", 6, nothing_clears_it),
-    ("failsafe", 7, text_of_each_escalation),
-    ("failsafe", 7, text_counts_the_charge_used),
-    ("failsafe", 8, each_action_is_its_call),
-    ("failsafe", 8, action_that_raises_does_no_harm),
-    ("failsafe", 9, heartbeat_says_critical),
-    ("scenarios", 2, counts_lead_to_both_levels),
+    (low_after_the_timer, "failsafe.first"),
+    (default_timer_is_the_specified_one, "failsafe.first"),
+    (critical_goes_first, "failsafe.second"),
+    (each_level_has_its_own_timer, "failsafe.second"),
+    (one_good_reading_restarts, "failsafe.timer"),
+    (unknown_neither_restarts_nor_advances, "failsafe.timer"),
+    (zero_switches_off, "failsafe.off"),
+    (disarmed_it_rests, "failsafe.disarmed"),
+    (nothing_clears_it, "failsafe.latch"),
+    (text_of_each_escalation, "failsafe.text"),
+    (text_counts_the_charge_used, "failsafe.text"),
+    (each_action_is_its_call, "failsafe.action"),
+    (action_that_raises_does_no_harm, "failsafe.action"),
+    (heartbeat_says_critical, "failsafe.status"),
+    (counts_lead_to_both_levels, "component.scenarios"),
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: b726e8b528c32a6b
+# Inputs: 1dbb7172030e929b
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -336,25 +336,24 @@ def good_count_is_good():
 
 
 CHECKS = (
-    ("health", 1, ramp_gives_its_slope),
-    ("health", 1, step_is_spread_over_the_window),
-    ("health", 2, unknown_until_the_window_is_full),
-    ("health", 2, failed_reading_keeps_the_window),
-    ("health", 3, health_by_thresholds),
-    ("health", 3, health_of_every_step),
-    ("health", 4, change_of_health_is_logged_once),
-    ("health", 4, health_is_told_after_days),
-    ("health", 5, remaining_charge),
-    ("reading", 1, pin_counts_from_the_next_start),
-    ("reading", 3, monitor_off_measures_nothing),
-    ("reading", 3, read_often_enough),
-    ("reading", 5, first_value_is_told_once),
-    ("reading", 5, runs_without_a_converter),
-    ("update", 1, read_often_enough),
-    ("update", 3, sensor_loss_is_noticed),
-    ("conversion", 5, high_value_is_warned_about_at_intervals),
-    ("steady", 2, late_reading_is_refused_in_the_program),
-    ("scenarios", 1, good_count_is_good),
+    (ramp_gives_its_slope, "quantity.slope"),
+    (step_is_spread_over_the_window, "quantity.slope"),
+    (unknown_until_the_window_is_full, "quantity.gaps"),
+    (failed_reading_keeps_the_window, "quantity.gaps"),
+    (health_by_thresholds, "failsafe.health"),
+    (health_of_every_step, "failsafe.health"),
+    (change_of_health_is_logged_once, "failsafe.health_text"),
+    (health_is_told_after_days, "failsafe.health_text"),
+    (remaining_charge, "quantity.estimate"),
+    (pin_counts_from_the_next_start, "reading.pin"),
+    (monitor_off_measures_nothing, "reading.monitor"),
+    (read_often_enough, "reading.rate", "component.rate"),
+    (first_value_is_told_once, "reading.first"),
+    (runs_without_a_converter, "reading.absence"),
+    (sensor_loss_is_noticed, "quantity.invalid_after", "quantity.stale_after"),
+    (high_value_is_warned_about_at_intervals, "quantity.warn_above"),
+    (late_reading_is_refused_in_the_program, "reading.read_limit"),
+    (good_count_is_good, "component.mock"),
 )
 
 if __name__ == "__main__":

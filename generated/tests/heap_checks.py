@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/heap_checks.py: do not edit.
-# Inputs: cfb49af6f57491dc
+# Inputs: 87022deb95ed6e0d
 """The heap over a simulated day of requests, answers and texts; only MicroPython has one to measure."""
 
 import gc
@@ -61,7 +61,7 @@ def heap_is_constant_over_a_day():
     assert rover.connections[0].faults == 0, rover.said()
 
 
-CHECKS = (("loop", 4, heap_is_constant_over_a_day),)
+CHECKS = ((heap_is_constant_over_a_day, "control.memory"),)
 
 if __name__ == "__main__":
     main(CHECKS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: 3d96e110e7d4c65c
+# Inputs: db5a33857b128d3d
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
@@ -215,14 +215,14 @@ def boards_own_ports():
 
 
 CHECKS = (
-    ("services", 10, partial_writes_keep_frames_whole),
-    ("services", 10, full_buffer_drops_whole_frames),
-    ("storage", 6, slow_line_takes_the_whole_list),
-    ("services", 10, faults_of_a_line_are_survived),
-    ("services", 10, absent_line_is_survived),
-    ("services", 10, one_broken_port_leaves_the_others_alone),
-    ("services", 10, datagrams_over_the_loopback),
-    ("services", 10, boards_own_ports),
+    (partial_writes_keep_frames_whole, "services.links"),
+    (full_buffer_drops_whole_frames, "services.links"),
+    (slow_line_takes_the_whole_list, "storage.read"),
+    (faults_of_a_line_are_survived, "services.links"),
+    (absent_line_is_survived, "services.links"),
+    (one_broken_port_leaves_the_others_alone, "services.links"),
+    (datagrams_over_the_loopback, "services.links"),
+    (boards_own_ports, "services.links"),
 )
 
 if __name__ == "__main__":

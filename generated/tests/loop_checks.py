@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 62d0801856aa06a9
+# Inputs: 31f5349a9e611b42
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -160,14 +160,13 @@ def faults_do_not_stop_the_loop():
 
 
 CHECKS = (
-    ("loop", 1, control_keeps_its_grid),
-    ("loop", 1, jitter_is_no_drift),
-    ("loop", 2, order_within_a_pass),
-    ("update", 2, order_within_a_pass),
-    ("loop", 3, missed_slots),
-    ("loop", 3, missed_slots_are_reported),
-    ("loop", 3, load_is_the_share_of_time),
-    ("loop", 1, faults_do_not_stop_the_loop),
+    (control_keeps_its_grid, "control.grid"),
+    (jitter_is_no_drift, "control.grid"),
+    (order_within_a_pass, "control.order", "component.order"),
+    (missed_slots, "control.missed"),
+    (missed_slots_are_reported, "control.missed"),
+    (load_is_the_share_of_time, "control.missed"),
+    (faults_do_not_stop_the_loop, "control.grid"),
 )
 
 if __name__ == "__main__":

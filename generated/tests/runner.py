@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: c19904b81171a6cc
+# Inputs: cfef5897ae71f959
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -116,7 +116,7 @@ def run(cases):
 
 def main(path):
     with open(path, encoding="utf-8") as file:
-        cases = json.load(file)
+        cases = json.loads(file.read())  # load() asks the system for every single byte
     print(json.dumps(run(cases)))
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 5ae09b8ceac79964
+# Inputs: 2a1acff870a8934d
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -315,19 +315,18 @@ def answers_across_the_wrap():
 
 
 CHECKS = (
-    ("services", 1, every_command_is_answered),
-    ("services", 1, others_are_left_alone),
-    ("services", 1, full_port_delays_but_does_not_reorder),
-    ("services", 1, answers_across_the_wrap),
-    ("services", 2, message_follows_the_acknowledgement),
-    ("services", 5, arming_by_command),
-    ("failsafe", 10, arming_by_command),
-    ("services", 6, restart_by_command),
-    ("services", 7, pings_are_answered),
-    ("services", 8, texts_in_chunks),
-    ("services", 8, texts_reach_every_link),
-    ("services", 9, garbage_is_survived),
-    ("services", 9, ground_stations_are_noted),
+    (every_command_is_answered, "services.commands"),
+    (others_are_left_alone, "services.commands"),
+    (full_port_delays_but_does_not_reorder, "services.commands"),
+    (answers_across_the_wrap, "services.commands"),
+    (message_follows_the_acknowledgement, "services.request"),
+    (arming_by_command, "arming.command", "arming.reasons"),
+    (restart_by_command, "services.restart"),
+    (pings_are_answered, "services.ping"),
+    (texts_in_chunks, "services.texts"),
+    (texts_reach_every_link, "services.texts"),
+    (garbage_is_survived, "services.garbage"),
+    (ground_stations_are_noted, "services.garbage"),
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 32cb6b85a1247da7
+# Inputs: 38261d0ebebcec87
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -310,19 +310,17 @@ def streams_go_on_across_the_wrap():
 
 
 CHECKS = (
-    ("telemetry", 2, rates_by_parameter),
-    ("telemetry", 9, rates_by_parameter),
-    ("telemetry", 2, default_rates),
-    ("telemetry", 8, fixed_rates),
-    ("telemetry", 8, streams_go_on_across_the_wrap),
-    ("telemetry", 1, nothing_is_reported_without_the_monitor),
-    ("storage", 7, rates_by_parameter),
-    ("services", 3, intervals_on_one_link),
-    ("services", 3, intervals_of_others),
-    ("services", 3, withheld_messages_are_rejected_for_now),
-    ("services", 3, tables_are_asked_for_together),
-    ("services", 4, data_streams_by_request),
-    ("services", 4, repeated_requests_keep_the_phase),
+    (rates_by_parameter, "streams.rate", "storage.reboot"),
+    (default_rates, "streams.rate"),
+    (fixed_rates, "streams.fixed"),
+    (streams_go_on_across_the_wrap, "streams.fixed"),
+    (nothing_is_reported_without_the_monitor, "component.reported"),
+    (intervals_on_one_link, "services.intervals"),
+    (intervals_of_others, "services.intervals"),
+    (withheld_messages_are_rejected_for_now, "services.intervals"),
+    (tables_are_asked_for_together, "services.intervals"),
+    (data_streams_by_request, "services.data_streams"),
+    (repeated_requests_keep_the_phase, "services.data_streams"),
 )
 
 if __name__ == "__main__":

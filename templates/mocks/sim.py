@@ -1,19 +1,23 @@
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
-The settings: `batteries` by instance (their true voltage and current, and the GPIO of the ADC input of each), `events`,
-`start_ms` and `duration_ms` in the time of the scenario (duration null: for ever), `speed` (1 real time, 0 as fast as
-it can), `unique_id` of the board in hex, `instances`: how many batteries the firmware has, `first_number`: the
-parameter with the id of the first one or null, `store`: parameters to be stored before the start, with `files` and
-`chunk` of the storage, or null, `turns`: the file that says how far time may go and `until_ms` where the first turn
-ends (null: the program is alone), and `records`: the file that gets a line of JSON for whatever happens, with the
-scenario's time in ms:
+The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
+`events`, `start_ms` and `duration_ms` in the time of the scenario (duration null: for ever), `speed` (1 real time, 0 as
+fast as it can), `unique_id` of the board in hex, `names` of messages by number, `told`: the numbers of those whose
+frames are recorded, `watched`: quantities of the state, see sim_watch, `actions`: methods of the vehicle, `mocked`:
+modules that stand in for what sensors are connected to, `store`:
+parameters to be stored before the start, with `files` and `chunk` of the storage, or null, `turns`: the file that says
+how far time may go and `until_ms` where the first turn ends (null: the program is alone), and `records`: the file that
+gets a line of JSON for whatever happens, with the scenario's time in ms:
 
     start      runtime                     the firmware is about to run
-    sample     true, reported, armed ...   ten times a second; `true` and `reported` are millivolts by instance
-    battery    instance, millivolts ...    a message about the state of a battery went out
+    sample     frames, bytes, load ...     ten times a second: what is counted
+    state      label, value                a quantity that is watched has changed
+    failsafe   name, index, level ...      a failsafe has another level
+    action     name                        a method that acts for a failsafe was called
+    frame      data                        a message that tells of quantities went out, in hex
     text       severity, text              the firmware said something
-    event      name, text                  what the scenario did: armed, disarmed, refused, reboot
-    messages   counts                      by name: frames and bytes that went out; also link statistics
+    event      name, text                  what the scenario did: refused, reboot
+    messages   counts                      by name: frames and bytes that went out; also parameters, link statistics
     turn                                   the end of the turn is reached: a line is waited for
     failed     traceback                   the firmware raised an exception that nobody caught (then this exits with 1)
     end        reason                      over, reset (then this exits with 3), returned, failed, stopped
@@ -32,9 +36,13 @@ import mock_asyncio  # noqa: E402  the clock has to be in place before anything 
 mock_asyncio.install()
 
 import machine  # noqa: E402
+import sim_machine  # noqa: E402
+from sim_course import Course  # noqa: E402
 from sim_records import Records, runtime, traceback_of  # noqa: E402
+from sim_watch import Watch  # noqa: E402
 from sim_wire import SilentPort, Wire  # noqa: E402
-from waveform import Waveform  # noqa: E402
+
+sim_machine.install()
 
 EXIT_RESET = 3
 SAMPLE_MS = 100
@@ -51,22 +59,23 @@ class Simulation:
     def __init__(self, settings):
         self._start_ms = settings["start_ms"]
         self._duration_ms = settings["duration_ms"]
-        self._events = [event for event in settings["events"] if "adc" not in event and self._is_ahead(event)]
-        self._faults = [event for event in settings["events"] if "adc" in event]
+        self._events = [event for event in settings["events"] if "fault" not in event and self._is_ahead(event)]
         self.records = Records(settings["records"], self.now_ms)
         self._turns = sim_pace.Turns(settings["turns"], settings["until_ms"], self.records)
         self._store = settings["store"]
-        self._first_parameter = settings["first_number"]
-        self._first_number = None
-        self._instances = settings["instances"]
-        self._wire = None
+        self._wire = Wire(self.records, settings["names"], settings["told"], self._sum_up)
+        self._watch = Watch(self.records, settings["watched"], settings["actions"])
+        self._watched = None
         self._main = None
         self._pace = None
         self._speed = settings["speed"]
         self._sample_ms = self._messages_ms = self._start_ms
         unique_id = bytes([int(settings["unique_id"][at : at + 2], 16) for at in range(0, 16, 2)])
         machine.unique_id = lambda: unique_id
-        self._waveforms = [self._connect(index, battery) for index, battery in enumerate(settings["batteries"])]
+        for name in settings["mocked"]:
+            __import__(name)
+        faults = [event for event in settings["events"] if "fault" in event]
+        self._inputs = self._connect([(data["kind"], Course(data, faults)) for data in settings["courses"]])
 
     def run(self):
         """Run the firmware until its time is over, and return the exit code."""
@@ -113,46 +122,23 @@ class Simulation:
         # What happened at the very time of a restart, as the restart itself, is not done again.
         return event["at_ms"] > self._start_ms or self._start_ms == 0
 
-    def _connect(self, instance, battery):
-        waveform = Waveform(battery, battery["reference_mv"])
-        absent = any(self._holds(fault, instance, "absent", self._start_ms) for fault in self._faults)
-        for gpio, count in ((battery["gpio"], waveform.count), (battery["current_gpio"], waveform.current_count)):
-            if gpio is not None:
-                analog = machine.analog(gpio)
-                analog.source = self._reader(instance, count)
-                analog.absent = absent
-        return waveform
-
-    def _reader(self, instance, count):
-        def read(_elapsed_us):
-            now_ms = self.now_ms()
-            for fault in self._faults:
-                if self._holds(fault, instance, "slow", now_ms):
-                    mock_time.advance_us(fault["delay_us"])
-                elif self._holds(fault, instance, "fail", now_ms) or self._holds(fault, instance, "absent", now_ms):
-                    return None
-            return count(now_ms)
-
-        return read
-
-    def _holds(self, fault, instance, kind, at_ms):
-        until_ms = fault["until_ms"]
-        is_meant = fault["adc"] == kind and fault["instance"] == instance
-        return is_meant and fault["at_ms"] <= at_ms and (until_ms is None or at_ms < until_ms)
-
-    def _number_of_first(self):
-        """Return the id of the first battery: what it is when the first message about one goes out."""
-        if self._first_number is None:
-            parameters = self._parameters() if self._first_parameter else {}
-            self._first_number = int(parameters.get(self._first_parameter, 0))
-        return self._first_number
+    def _connect(self, courses):
+        """Connect each course to its kind of input; return what has to be called again and again."""
+        turns = []
+        for kind in sorted({kind for kind, _ in courses}):
+            module = __import__("sim_" + kind)
+            turn = module.connect([course for of, course in courses if of == kind], self.now_ms, self._start_ms)
+            if turn is not None:
+                turns.append(turn)
+        return turns
 
     def _replace_ports(self):
-        self._wire = Wire(self.records, self._instances, self._number_of_first)
         self._is_bridged = False
         # The firmware's own modules, before its board takes names out of them.
         import serial_port  # noqa: PLC0415
         import udp_port  # noqa: PLC0415
+
+        hear = self.records.hear
 
         def open_serial(name, *_, **__):
             """Open nothing, or UDP in place of the first UART or USB of a board that has no UDP."""
@@ -161,13 +147,14 @@ class Simulation:
             if hasattr(board, "UdpPort") or self._is_bridged:
                 return SilentPort(name)
             self._is_bridged = True
-            return udp_port.UdpPort(name, None, 0, 0, "wifi.json", 1000, log=print)
+            return udp_port.UdpPort(
+                name, None, 0, 0, "wifi.json", 1000, log=lambda *words: hear(" ".join(map(str, words)))
+            )
 
         serial_port.open_uart = serial_port.open_usb = open_serial
         self._wire.listen(udp_port.UdpPort)
         import texts  # noqa: PLC0415
 
-        hear = self.records.hear
         plain = texts.Texts
 
         class HeardTexts(plain):
@@ -184,6 +171,8 @@ class Simulation:
     def _on_wait(self, wait_us):
         now_ms = self.now_ms()
         vehicle = self._vehicle()
+        if vehicle is not None:
+            self._look(vehicle, now_ms)
         while vehicle is not None and self._events and self._events[0]["at_ms"] <= now_ms:
             self._happen(self._events.pop(0), vehicle)
         if now_ms >= self._sample_ms:
@@ -197,13 +186,23 @@ class Simulation:
             raise KeyboardInterrupt
         self._pace.wait_until(mock_time.elapsed_us() + wait_us)
 
+    def _look(self, vehicle, now_ms):
+        """Let the inputs follow their courses, and record what the vehicle has done."""
+        if self._watched is not vehicle:
+            self._watched = vehicle
+            self._watch.begin(vehicle)
+        for turn in self._inputs:
+            turn(now_ms, vehicle)
+        self._watch.look(vehicle)
+
     def _happen(self, event, vehicle):
         if event.get("reboot"):
             self.records.put("event", name="reboot", text="")
             self._reset()
         problem = vehicle.arm() if event["arm"] else vehicle.disarm()
-        done = "armed" if event["arm"] else "disarmed"
-        self.records.put("event", name="refused" if problem else done, text=problem or "")
+        if problem:
+            self.records.put("event", name="refused", text=problem)
+        self._watch.look(vehicle)
 
     def _sample(self, vehicle, now_ms):
         self._sample_ms += SAMPLE_MS * ((now_ms - self._sample_ms) // SAMPLE_MS + 1)
@@ -211,13 +210,8 @@ class Simulation:
             machine.serial(number).sent = bytearray()  # the mock keeps what nobody reads
         wire = self._wire
         scheduler = getattr(vehicle, "scheduler", None)
-        instances = range(len(self._waveforms))
         self.records.put(
             "sample",
-            true=[waveform.millivolts(now_ms) for waveform in self._waveforms],
-            reported=[wire.millivolts.get(instance) for instance in instances],
-            armed=wire.is_armed,
-            state=wire.status,
             frames=wire.frames,
             bytes=wire.size,
             overruns=getattr(scheduler, "overruns", 0),
@@ -225,12 +219,9 @@ class Simulation:
         )
 
     def _sum_up(self):
-        if self._wire is None:  # the firmware has not got so far
-            return
-        self.records.put("messages", counts=self._wire.counts, parameters=self._parameters(), **self._statistics())
-
-    def _statistics(self):
-        return self._wire.status_of_links(self._vehicle())
+        vehicle = self._vehicle()
+        statistics = self._wire.status_of_links(vehicle)
+        self.records.put("messages", counts=self._wire.counts, parameters=self._parameters(), **statistics)
 
     def _parameters(self):
         parameters = getattr(self._vehicle(), "parameters", None)

@@ -251,9 +251,9 @@ CASES = [
     Case("bad-link", "board.yaml", "  wifi:\n", "  §Wi-Fi:\n", "cannot be the name of a link"),
     Case("bad-link", "board.yaml", "  wifi:\n", "  §class:\n", "cannot be the name of a link"),
     Case("bad-link", "board.yaml", "udp: 14550", "udp: §0", "1 to 65535"),
-    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:19:3"),
-    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:19:3"),
-    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:19:3"),
+    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:27:3"),
+    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:27:3"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:27:3"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    baud: §9600\n", "a link over udp"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    local_port: §65536\n", "0 to 65535"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    buffer: §279\n", "280 to 65536"),
@@ -354,7 +354,7 @@ CASES = [
     Case("unknown-key", "vehicle.yaml", "    health: health", "    §heath: health", "did you mean health"),
     Case("unknown-key", "vehicle.yaml", "low: {below: ", "low: {§belo: ", "did you mean below"),
     Case("unknown-key", "vehicle.yaml", "disarm: true", "§disarms: true", "did you mean disarm"),
-    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:22:3"),
+    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:33:3"),
     # failsafes
     Case("bad-failsafe", "vehicle.yaml", "  battery:\n", "  §batery:\n", "did you mean battery"),
     Case("bad-failsafe", "vehicle.yaml", "quantity: voltage", "quantity: §current", "not measured"),
@@ -422,13 +422,13 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:78:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:93:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:78:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:93:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
-    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:78:17"),
+    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:93:17"),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
@@ -466,19 +466,26 @@ CASES = [
     Case("scenario-points", "scenarios.yaml", "[[0 s, 12.3 V], [60 s, 12.1 V]]", "[[0 s, 12.3 V], §[60 s]]", "12.6 V"),
     Case("scenario-time", "scenarios.yaml", "duration: 60 s", "duration: §0 s", "from 1 ms to a day"),
     Case("scenario-time", "scenarios.yaml", "at: 5 s, arm", "at: §61 s, arm", "after the end"),
-    Case("scenario-event", "scenarios.yaml", "adc: slow, delay: 3 ms", "adc: §slow", "needs a delay"),
+    Case(
+        "scenario-event",
+        "scenarios.yaml",
+        "fault: slow, of: battery.voltage, delay: 3 ms",
+        "fault: §slow, of: battery.voltage",
+        "need a delay",
+    ),
     Case("scenario-event", "scenarios.yaml", "at: 5 s, arm: true", "at: 5 s, arm: true, for: §1 s"),
-    Case("scenario-battery", "scenarios.yaml", "noise: 10 mV", "noise: §11 V"),
+    Case("scenario-points", "scenarios.yaml", "noise: 10 mV", "noise: §-1 mV"),
+    Case("scenario-course", "scenarios.yaml", "battery.voltage:", "§battery.charging:", "makes it of others"),
     Case("unit-mismatch", "scenarios.yaml", "noise: 10 mV", "noise: §10 ms"),
     Case("unknown-key", "scenarios.yaml", "noise: 10 mV", "§nois: 10 mV", "did you mean noise"),
-    Case("unknown-choice", "scenarios.yaml", "adc: slow", "adc: §slw", "did you mean slow"),
+    Case("scenario-event", "scenarios.yaml", "fault: fail, of", "fault: §fial, of", "did you mean fail"),
     # an estimate
     Case("bad-estimate", "state.yaml", CHARGE, CHARGE + "        estimate_from: §volts\n", "did you mean voltage"),
     Case("unit-mismatch", "state.yaml", CHARGE, CHARGE + "        estimate_from: §current\n"),
     Case("unit-mismatch", "state.yaml", "unit: hJ\n", "unit: hJ\n        estimate_from: §voltage\n", "in %"),
 ]
 
-ESTIMATE = "state.yaml:51:24"
+ESTIMATE = "state.yaml:65:24"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 ESTIMATES = [
     Case(
@@ -629,12 +636,12 @@ def test_a_dialect_without_the_services(tmp_path, monkeypatch, capsys):
 
 def test_scenarios_are_checked_though_the_rest_is_broken(tmp_path, monkeypatch, capsys):
     """A specification that cannot be resolved does not hide what is wrong with the scenarios, and they may be absent."""
-    changed_copy(Case("", "scenarios.yaml", "noise: 10 mV", "noise: 11 V"), tmp_path)
+    changed_copy(Case("", "scenarios.yaml", "duration: 60 s", "duration: 0 s"), tmp_path)
     streams = tmp_path / "specs" / "streams.yaml"
     streams.write_text("streams: 3\n")
     monkeypatch.chdir(tmp_path)
     found = findings(capsys)
-    assert [line.split(" error ")[1].partition(":")[0] for line in found] == ["scenario-battery", "wrong-type"]
+    assert [line.split(" error ")[1].partition(":")[0] for line in found] == ["scenario-time", "wrong-type"]
     shutil.copy(ROOT / "specs" / "streams.yaml", streams)
     (tmp_path / "specs" / "scenarios.yaml").unlink()
     assert main(["check"]) == 0

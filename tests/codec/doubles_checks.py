@@ -55,5 +55,5 @@ def errors():
 
 
 has_single_floats = doubles.unpack_from is not struct.unpack_from
-cases = [[int(part) for part in case] for case in json.load(sys.stdin)]
+cases = [[int(part) for part in case] for case in json.loads(sys.stdin.read())]
 sys.stdout.write(json.dumps([[told(*case) for case in cases], errors(), has_single_floats]))

@@ -65,6 +65,7 @@ UNSEEN = {
     "BoardModel.pins": "what can be connected; what is connected is compared",
     "BoardModel.taken": "what can be connected; what is connected is compared",
     "BoardModel.uarts": "what can be connected; what is connected is compared",
+    "BoardModel.i2c": "what can be connected; what is connected is compared",
     "Converter.pins": "what can be connected; what is connected is compared",
     "Converter.bits": "a default, compared with the channels",
     "Converter.reference": "a default, compared with the channels",

@@ -65,8 +65,8 @@ CASES: dict[str, tuple[Edit, str, str]] = {
         "need",
     ),
     "criteria": (
-        replaced(STATUS, "requirement: FR-00068", "requirement: FR-00069"),
-        "error criterion-uncovered: FR-00068",
+        replaced("parameters.yaml", "requirement: FR-00073.6", "requirement: FR-00073.5"),
+        "error criterion-uncovered: FR-00073.6",
         "what a requirement asks for",
     ),
     "link": (

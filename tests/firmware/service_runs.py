@@ -16,7 +16,8 @@ from pymavlink.dialects.v20 import common
 from pymavlink.generator import mavparse
 
 BENCH = Path(__file__).with_name("service_bench")
-PLAIN = ("connection", "inbox", "services", "commands", "parameter_service")
+PLAIN = ("connection", "inbox", "services", "parameter_service")
+COMMANDS = Path(__file__).resolve().parents[2] / "generated" / "firmware" / "commands.py"
 GROUND = (255, 190)
 MESSAGES = (
     "HEARTBEAT,PING,PARAM_REQUEST_READ,PARAM_REQUEST_LIST,PARAM_VALUE,PARAM_SET,PARAM_ERROR,REQUEST_DATA_STREAM,COMMAND_INT,"
@@ -43,6 +44,7 @@ def prepare(folder: Path) -> tuple[Path, ...]:
     sources = [PROGRAM / f"{name}.py" for name in PLAIN] + sorted(BENCH.glob("*.py"))
     names = sorted({name for path in sources for name in re.findall(r"dialect\.(\w+)", path.read_text("utf-8"))})
     (codec / "dialect.py").write_text("".join(f"{name} = {getattr(common, name)}\n" for name in names), "utf-8")
+    shutil.copy(COMMANDS, codec)  # of the rover, with arming
     return BENCH, codec, PROGRAM, FIRMWARE, MOCKS
 
 

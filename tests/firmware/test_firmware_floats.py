@@ -208,7 +208,7 @@ from frames import address
 from micropython import mem_total
 
 with open(sys.argv[1]) as file:
-    cases = [(value, divisor, expected, bytes(named)) for value, divisor, expected, named in json.load(file)]
+    cases = [(value, divisor, expected, bytes(named)) for value, divisor, expected, named in json.loads(file.read())]
 wire = memoryview(bytearray(12))
 at = address(wire)
 for value, divisor, expected, named in cases:

@@ -58,7 +58,7 @@ except ImportError:
         return 0
 import reals_plain
 with open(sys.argv[1]) as file:
-    cases = json.load(file)
+    cases = json.loads(file.read())
 if sys.argv[2] == "viper":
     import reals_viper
     from uctypes import addressof

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from codegen.answers.halves import above, below, equal, float_within, next_float
+from codegen.answers.halves import float_within, next_float
+from codegen.model.halves import above, below, equal
 from codegen.model.population_spec import Rounding
 from codegen.model.scaling import Scaling
 from codegen.model.storage import Storage, storage_of

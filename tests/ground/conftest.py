@@ -18,15 +18,15 @@ scenarios:
   steady:
     doc: A good pack whose voltage does not change. 12 V are 3770 counts, which the firmware takes for 12.000 V.
     duration: 60 s
-    battery: {voltage: 12 V}
+    courses: {battery.voltage: {value: 12 V}}
   low:
     doc: A pack below BATT_LOW_VOLT.
     duration: 60 s
-    battery: {voltage: 10.2 V}
+    courses: {battery.voltage: {value: 10.2 V}}
   failing:
     doc: The rover drives while the pack is below BATT_LOW_VOLT, then below BATT_CRT_VOLT.
     duration: 60 s
-    battery: {voltage: [[0 s, 11 V], [5 s, 11 V], [6 s, 10.3 V], [25 s, 10.3 V], [26 s, 9.7 V]]}
+    courses: {battery.voltage: {points: [[0 s, 11 V], [5 s, 11 V], [6 s, 10.3 V], [25 s, 10.3 V], [26 s, 9.7 V]]}}
     events: [{at: 3 s, arm: true}]
 """
 

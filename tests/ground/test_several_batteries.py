@@ -27,12 +27,12 @@ scenarios:
     doc: Two packs.
     duration: 60 s
     parameters: {BATT2_MONITOR: 3}
-    batteries: [{voltage: 12 V}, {voltage: 11 V}]
+    courses: {battery.voltage: {value: 12 V}, 'battery[1].voltage': {value: 11 V}}
   smart:
     doc: A pack, and a smart battery.
     duration: 60 s
-    battery: {voltage: 12 V}
-    with: {smart_battery: {battery: {voltage: 11 V}, parameters: {BATT_ID: 3}}}
+    courses: {battery.voltage: {value: 12 V}}
+    with: {smart_battery: {courses: {battery.voltage: {value: 11 V}}, parameters: {BATT_ID: 3}}}
 """
 
 

@@ -122,5 +122,5 @@ def test_code_of_the_user_runs_in_the_simulation(tmp_path):
     page = (ROOT / "docs" / "rover.md").read_text()
     example = re.search(r"```python\n(.*?)```", page, re.DOTALL)
     (tmp_path / "rover.py").write_text(example[1])
-    done = simulate("low", "--speed", "max", "--rover", str(tmp_path / "rover.py"))
+    done = simulate("low", "--speed", "max", "--code", str(tmp_path / "rover.py"))
     assert "stopping, the battery is low" in done.stdout

@@ -14,8 +14,8 @@ def test_the_page_leads_to_what_it_shows(tmp_path: Path) -> None:
     """Its commands succeed without a finding; its texts go where it says; the simulation prints what it prints."""
     blocks = BLOCK.findall((ROOT / "docs" / "your-own-vehicle.md").read_text())
     kinds = [kind for kind, _ in blocks]
-    assert kinds == ["console", "yaml", "yaml", "markdown", "python", "console", "text"]
-    (begin, quantity, table, criterion, code, again, shown) = [text for _, text in blocks]
+    assert kinds == ["console", "yaml", "yaml", "markdown", "python", "console", "text", "yaml", "console", "text"]
+    (begin, quantity, table, criterion, code, again, shown, scenario, slower, told) = [text for _, text in blocks]
     environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
 
     def run(commands: str, folder: Path) -> str:
@@ -33,3 +33,6 @@ def test_the_page_leads_to_what_it_shows(tmp_path: Path) -> None:
     (project / "specs/messages/raw_rpm.yaml").write_text(table)
     (project / "app.py").write_text(code)
     assert run(again, project) == shown
+    with (project / "specs/scenarios.yaml").open("a") as file:
+        file.write(scenario)
+    assert run(slower, project) == told

@@ -17,9 +17,9 @@ from population.fields import Message, read_messages
 from population.whole import KNOWN, LARGEST, batches, included, unlisted
 from pymavlink.dialects.v20 import ardupilotmega
 
-from codegen.answers.filling import _scaled as scaled
 from codegen.answers.limits import Bounds
 from codegen.model.population_spec import Rounding
+from codegen.model.statements import scaled
 
 PARTS = 4
 

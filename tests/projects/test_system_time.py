@@ -20,7 +20,7 @@ sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
 from program_bench import Port, Rover, mock_time, run, run_passes
 
 results = []
-for frames in json.load(open("frames.json")):
+for frames in json.loads(open("frames.json").read()):
     rover = Rover(ports=[Port(), Port()])
     rover.state.clock.unix_us = None
     told = []

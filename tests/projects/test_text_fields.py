@@ -38,7 +38,7 @@ def frames(name, port=None, lens=None):
     ])
 
 
-for about in json.load(open("texts.json", encoding="utf-8")):
+for about in json.loads(open("texts.json", encoding="utf-8").read()):
     frames(*about)
 state.boat.notice = "Ahoy there"
 known = bytes(telemetry.encode_texts(link, state)).hex()

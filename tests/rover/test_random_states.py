@@ -41,7 +41,7 @@ class Sink:
         return len(data)
 
 with open(sys.argv[1]) as file:
-    states = json.load(file)
+    states = json.loads(file.read())
 links = [Link(Sink(), version=2), Link(Sink(), version=1)]
 state = SystemState(log=lambda *words: None)
 for values in states:

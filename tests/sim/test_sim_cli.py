@@ -39,9 +39,12 @@ def test_the_scenarios_are_listed(run: Any) -> None:
         (["low", "--out", "udp:127.0.0.1:1_0"], "not a port"),
         (["low", "--out", "udp:[::1]:14550"], "IPv4"),
         (["low", "--out", "udp:no.such.host.invalid:14550"], "not known"),
-        (["low", "--rover", "absent.py"], "--rover: there is no file absent.py"),
+        (["low", "--code", "absent.py"], "--code: there is no file absent.py"),
+        (["low", "--rover", "absent.py"], "--code: there is no file absent.py"),
         (["low", "--flash", "specs/state.yaml"], "--flash"),
         (["low", "--report", "absent/r.html"], "--report"),
+        (["low", "--record", "absent/r.csv"], "--record: "),
+        (["low", "--record", "r.txt"], "--record: r.txt ends neither"),
         (["low", "--report", "specs"], "--report: specs is a folder"),
         (["specs/scenarios.yaml"], "specs/scenarios.yaml:NAME"),
         (["specs/scenarios.yaml:lwo"], "did you mean low?"),
@@ -71,15 +74,16 @@ def test_without_micropython_it_says_what_to_do(project: Path, run: Any, monkeyp
 
 def test_a_broken_scenario_file_is_reported_with_all_its_places(project: Path, run: Any) -> None:
     (project / "own.yaml").write_text(
-        "scenarios:\n  own:\n    doc: d\n    duration: 4 V\n    battery: {voltage: 12}\n"
-        "  other:\n    doc: d\n    duration: 4 s\n    battery: {voltage: 12 V}\n    events: [{at: 5 s, arm: true}]\n"
+        "scenarios:\n  own:\n    doc: d\n    duration: 4 V\n    courses: {battery.voltage: {value: 12}}\n"
+        "  other:\n    doc: d\n    duration: 4 s\n    courses: {battery.voltage: {value: 12 V}}\n"
+        "    events: [{at: 5 s, arm: true}]\n"
     )
     code, out, _ = run("own.yaml")
     assert code == 1
     places = [line.split(": ")[:2] for line in out.splitlines() if line.startswith("own.yaml")]
     assert places == [
         ["own.yaml:4:15", "error unit-mismatch"],
-        ["own.yaml:5:24", "error wrong-type"],
+        ["own.yaml:5:40", "error bad-amount"],
         ["own.yaml:10:19", "error scenario-time"],
     ]
 
@@ -134,12 +138,12 @@ def test_a_status_line_changes_on_a_terminal(station: Any) -> None:
     assert running.stdout is not None
     running.stdout.close()
     assert shown.count(b"\r\x1b[Klow ") >= 3
-    assert re.search(rb"battery 11\.\d\d V, reported 11\.\d\d V  disarmed, standby", shown)
+    assert re.search(rb"battery\.voltage 11\.\d\d V, told 11\.\d\d V  disarmed, standby", shown)
     assert shown.endswith(b"\r\x1b[K")
 
 
 def test_help_says_what_there_is(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sim", "--help"]) == 0
     out = capsys.readouterr().out
-    options = "--runtime --out --speed --duration --report --flash --rover --list --quiet"
+    options = "--runtime --out --speed --duration --report --flash --code --record --list --quiet"
     assert [option for option in options.split() if option not in out] == []

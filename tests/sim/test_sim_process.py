@@ -8,17 +8,18 @@ import subprocess
 import sys
 import time
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
+from packs import VOLTAGE, program, steady, volts
 from pymavlink.dialects.v20 import common
 
-from codegen.model.scenario import Battery, Point, Scenario
+from codegen.model.scenario import Scenario
 from codegen.sim.address import Address
 from codegen.sim.flash import flash_folder
 from codegen.sim.process import Runtime, find_interpreter
-from codegen.sim.program import Connection, SimulatedProgram
 from codegen.sim.record import Recording
 from codegen.sim.run import Simulation, simulate
 from codegen.sim.sample import Kind
@@ -54,9 +55,10 @@ def test_both_runtimes_tell_the_same_story(run: Any, runtime: str) -> None:
     code, out, _ = run("critical", "--runtime", runtime)
     assert code == 0
     assert "The failsafe fired: low at 19.6 s, critical at 39.1 s." in out
-    assert "at most 0.01 V from the true one" in out
+    assert re.search(r"battery\.voltage was told at most 0\.0\d+ V from what was true", out)
     assert "\n    5.0 s  armed\n" in out
     assert "\n   19.6 s  warning   Battery 1 is low 10.19V used 0 mAh\n" in out
+    assert "\n   19.6 s  failsafe  Battery 1 low\n" in out
 
 
 def test_faults_of_the_adc_reach_the_firmware(run: Any, station: Any) -> None:
@@ -83,7 +85,7 @@ def test_a_restart_keeps_port_flash_and_time(project: Path, run: Any, station: A
         "            machine.reset()\n"
     )
     flash = project / "flash"
-    arguments = ("--duration", "8 s", "--runtime", runtime, "--rover", "rover.py", "--flash", str(flash))
+    arguments = ("--duration", "8 s", "--runtime", runtime, "--code", "rover.py", "--flash", str(flash))
     code, out, err = run("nominal", *arguments)
     assert code == 0, err
     assert "The board restarted once." in out
@@ -98,7 +100,7 @@ def test_a_restart_keeps_port_flash_and_time(project: Path, run: Any, station: A
 
 def test_a_scenario_restarts_the_board_once(project: Path, run: Any) -> None:
     (project / "own.yaml").write_text(
-        "scenarios:\n  own:\n    doc: d\n    duration: 4 s\n    battery: {voltage: 12 V}\n"
+        "scenarios:\n  own:\n    doc: d\n    duration: 4 s\n    courses: {battery.voltage: {value: 12 V}}\n"
         "    events: [{at: 1 s, arm: true}, {at: 2 s, reboot: true}]\n"
     )
     code, out, _ = run("own.yaml")
@@ -110,7 +112,7 @@ def test_a_scenario_restarts_the_board_once(project: Path, run: Any) -> None:
 
 def test_restarts_without_end_are_given_up(project: Path, run: Any) -> None:
     (project / "rover.py").write_text("import machine\nmachine.reset()\n")
-    code, out, err = run("nominal", "--rover", "rover.py")
+    code, out, err = run("nominal", "--code", "rover.py")
     assert code == 3
     assert "over and over" in err
     assert "Traceback" not in out + err
@@ -121,7 +123,7 @@ def test_a_crash_is_an_error_line_and_stands_in_the_report(project: Path, run: A
     (project / "mine.py").write_text(
         "import main\nclass Rover(main.Vehicle):\n    def control(self):\n        raise ValueError('wheels <off>')\n"
     )
-    code, out, err = run("nominal", "--rover", "mine.py", "--runtime", runtime, "--report", "r.html", "--quiet")
+    code, out, err = run("nominal", "--code", "mine.py", "--runtime", runtime, "--report", "r.html", "--quiet")
     assert code == 3
     assert re.search(
         r"^codegen sim: error: the firmware stopped: ValueError: wheels <off> \(.*rover\.py:4\)$", err, re.M
@@ -142,24 +144,42 @@ def test_a_crash_is_an_error_line_and_stands_in_the_report(project: Path, run: A
 )
 def test_a_program_that_does_not_even_start(project: Path, run: Any, program: str, says: str) -> None:
     (project / "rover.py").write_text(program)
-    code, out, err = run("nominal", "--rover", "rover.py", "--quiet")
+    code, out, err = run("nominal", "--code", "rover.py", "--quiet")
     assert code == 3
     assert says in err
     assert "Traceback" not in out + err
 
 
+@RUNTIMES
+def test_code_of_the_user_finds_pwm_and_spi(project: Path, run: Any, runtime: str) -> None:
+    """Whatever the file is called: a servo at 1.5 ms of 20 ms, and a bus on which nobody answers."""
+    (project / "anything.py").write_text(
+        "from machine import PWM, SPI, Pin\nimport main\n"
+        "class Rover(main.Vehicle):\n"
+        "    def __init__(self):\n"
+        "        main.Vehicle.__init__(self)\n"
+        "        servo, bus, buffer = PWM(Pin(5), freq=50), SPI(0, 1000000, sck=Pin(2)), bytearray(b'xx')\n"
+        "        servo.duty_ns(1500000)\n"
+        "        bus.write_readinto(b'\\x01\\x02', buffer)\n"
+        "        print(servo.freq(), servo.duty_u16(), servo.duty_ns(), bytes(bus.sent), bytes(buffer), bus.read(1))\n"
+    )
+    code, out, err = run("nominal", "--duration", "1 s", "--code", "anything.py", "--runtime", runtime)
+    assert code == 0, err
+    assert r"console   50 4915 1499961 b'\x01\x02' b'\x00\x00' b'\x00'" in out
+
+
 def test_what_the_program_prints_is_shown(project: Path, run: Any) -> None:
     (project / "rover.py").write_text("from main import Vehicle as Rover\nprint('hello <there>')\n")
-    code, out, _ = run("nominal", "--rover", "rover.py", "--duration", "1", "--report", "r.html")
+    code, out, _ = run("nominal", "--code", "rover.py", "--duration", "1", "--report", "r.html")
     assert code == 0
     assert "console   hello <there>" in out
     assert "hello &lt;there&gt;" in (project / "r.html").read_text()
 
 
-OWN = Scenario("own", "d", 1_000, 1, (Battery((Point(0, 12_000),), 0, 3_950_000),))
+OWN = Scenario("own", "d", 1_000, 1, (steady(12.0),))
 
 
-def simulation(project: Path, rover: str | None = None, **other: Any) -> Simulation:
+def simulation(project: Path, code: str | None = None, **other: Any) -> Simulation:
     scenario = OWN
     interpreter = find_interpreter(Runtime.MICROPYTHON)
     assert interpreter is not None
@@ -172,17 +192,7 @@ def simulation(project: Path, rover: str | None = None, **other: Any) -> Simulat
         "interpreter": interpreter,
         "to": Address("127.0.0.1", 9, "udp:127.0.0.1:9"),
         "flash": None,
-        "programs": (
-            SimulatedProgram(
-                "own",
-                None,
-                f"{folder}/firmware",
-                f"{folder}/mocks",
-                (Connection(26, 3300),),
-                scenario.stretches(),
-                rover=rover,
-            ),
-        ),
+        "programs": (program(scenario, folder, code=code),),
     }
     return Simulation(**values | other)
 
@@ -191,8 +201,8 @@ def test_a_program_that_blocks_is_given_up(project: Path) -> None:
     (project / "rover.py").write_text(
         "import main\nclass Rover(main.Vehicle):\n    def control(self):\n        while True:\n            pass\n"
     )
-    blocked = simulation(project, rover=str(project / "rover.py"))
-    recording = Recording(blocked.scenario)
+    blocked = simulation(project, code=str(project / "rover.py"))
+    recording = blocked.recording()
     simulate(blocked, recording, lambda *_: None, silence_s=0.5)
     assert recording.problem is not None
     assert "does not let time pass" in recording.problem
@@ -202,7 +212,7 @@ def test_time_passes_at_the_speed_that_is_asked_for(project: Path) -> None:
     """Virtual time is not ahead of real time; how late it is depends on the host, so only one side is held."""
     paced = simulation(project, duration_ms=4_000, speed=4.0)
     started = time.monotonic()
-    recording = Recording(paced.scenario)
+    recording = paced.recording()
     simulate(paced, recording, lambda *_: None)
     assert recording.at_ms >= 4_000
     assert time.monotonic() - started >= 1.0
@@ -251,19 +261,19 @@ def test_they_come_back_after_a_run_that_could_not_end(tmp_path: Path) -> None:
 
 
 def test_a_long_run_keeps_a_bounded_record() -> None:
-    recording = Recording(OWN)
+    recording = Recording(OWN, program(OWN))
     for at_ms in range(0, 40_000_000, 500):
-        recording.take({"kind": "battery", "at": at_ms, "millivolts": 12_000 + at_ms % 7})
-    assert 5_000 < len(recording.readings) <= 20_000
-    assert recording.readings[-1].at_ms > 39_900_000
-    spans = [
-        after.at_ms - before.at_ms for before, after in zip(recording.readings, recording.readings[1:], strict=False)
-    ]
+        recording.at_ms = at_ms
+        recording.take_told(volts(12 + at_ms % 7))
+    readings = recording.readings_of[VOLTAGE]
+    assert 5_000 < len(readings) <= 20_000
+    assert readings[-1].at_ms > 39_900_000
+    spans = [after.at_ms - before.at_ms for before, after in pairwise(readings)]
     assert max(spans) <= 4 * Fraction(sum(spans), len(spans))
 
 
 def test_counters_go_on_over_restarts() -> None:
-    recording = Recording(OWN)
+    recording = Recording(OWN, program(OWN))
     for at_ms in (0, 1_000):
         recording.take({"kind": "start", "at": at_ms, "runtime": "x"})
         counts = {"HEARTBEAT": [3, 63]}

@@ -13,13 +13,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from packs import FULL, SECOND, VOLTAGE, program, steady, volts
 from pymavlink.dialects.v20 import common
 
-from codegen.model.scenario import AdcFault, Battery, Beside, Fault, Point, Scenario, Swap
+from codegen.model.scenario import Beside, Fault, Scenario, Swap
 from codegen.sim.address import Address
 from codegen.sim.chart import WIDE, concerns, draw_chart
 from codegen.sim.process import FirmwareProcess, Runtime, find_interpreter
-from codegen.sim.program import Connection, SimulatedProgram, unique_id
+from codegen.sim.program import unique_id
 from codegen.sim.record import Recording
 from codegen.sim.run import TURN_MS, Simulation, simulate
 from codegen.sim.sample import Happening, Kind
@@ -28,14 +29,10 @@ from codegen.sim.verdict import verdict
 RUNTIMES = pytest.mark.parametrize("runtime", list(Runtime))
 
 
-def battery(millivolts: int) -> Battery:
-    return Battery((Point(0, millivolts),), 0, 3_950_000)
-
-
 def scenario(*events: Any, duration_ms: int = 5_000, **rest: Any) -> Scenario:
     """A vehicle with 12 V and a smart battery with 11 V."""
-    beside = (Beside("smart", (battery(11_000),)),)
-    return Scenario("own", "d", duration_ms, 1, (battery(12_000),), events, **{"beside": beside, **rest})
+    beside = (Beside("smart", (steady(11.0),)),)
+    return Scenario("own", "d", duration_ms, 1, (steady(12.0),), events, **{"beside": beside, **rest})
 
 
 def simulation(project: Path, station: Any, played: Scenario, runtime: Runtime, **rest: Any) -> Simulation:
@@ -44,20 +41,9 @@ def simulation(project: Path, station: Any, played: Scenario, runtime: Runtime, 
     programs = []
     for name, key in (("rover", None), ("smart", "smart")):
         own = project / f"{name}.py"
-        programs.append(
-            SimulatedProgram(
-                name,
-                key,
-                f"{folder}/firmware",
-                f"{folder}/mocks",
-                (Connection(26, 3300),),
-                played.stretches(key),
-                files=("parameters.0", "parameters.1"),
-                parameters=next((b.parameters for b in played.beside if b.program == key), played.parameters),
-                events=played.events if key is None else (),
-                rover=str(own) if own.exists() else None,
-            )
-        )
+        parameters = next((b.parameters for b in played.beside if b.program == key), played.parameters)
+        code = str(own) if own.exists() else None
+        programs.append(program(played, folder, key, name=name, parameters=parameters, code=code))
     interpreter = find_interpreter(runtime)
     assert interpreter is not None
     port = station.socket.getsockname()[1]
@@ -146,21 +132,18 @@ def test_no_program_is_ever_a_tenth_of_a_second_ahead(
 def test_a_turn_ends_where_it_has_to(project: Path, tmp_path: Path) -> None:
     """A program that gets no turn stays within the first one, and ends when it is told that there will be none."""
     played = scenario()
-    program = SimulatedProgram(
-        "a", None, str(project / "generated/firmware"), str(project / "generated/mocks"), (Connection(26, 3300),),
-        played.stretches(),
-    )  # fmt: skip
+    played_program = program(played, str(project / "generated"))
     flash = tmp_path / "flash"
     flash.mkdir()
     (flash / "wifi.json").write_text(json.dumps({"host": "127.0.0.1", "port": 9, "local_port": 0}))
     settings = tmp_path / "s.json"
     values = {"start_ms": 0, "duration_ms": 5_000, "until_ms": 70, "speed": 0}
-    settings.write_text(json.dumps(program.settings(played.stretches()[0], is_first_start=True) | values))
+    settings.write_text(json.dumps(played_program.settings(played.stretches()[0], is_first_start=True) | values))
     interpreter = find_interpreter(Runtime.MICROPYTHON)
     assert interpreter is not None
     process = FirmwareProcess(
-        Runtime.MICROPYTHON, interpreter, [program.firmware, program.mocks], str(flash),
-        f"{program.mocks}/sim.py", str(settings), takes_turns=True,
+        Runtime.MICROPYTHON, interpreter, [played_program.firmware, played_program.mocks], str(flash),
+        f"{played_program.mocks}/sim.py", str(settings), takes_turns=True,
     )  # fmt: skip
     try:
         ends = []
@@ -202,7 +185,7 @@ def test_a_restart_of_one_does_not_disturb_the_other(play: Any, station: Any, pr
     assert (main.restarts, smart.restarts) == (0, 1)
     assert main.traffic.gaps == 0
     assert "The board of smart restarted once." in verdict(recording)
-    battery_times = [reading.at_ms for reading in main.readings]
+    battery_times = [reading.at_ms for reading in main.readings_of[VOLTAGE]]
     assert max(after - before for before, after in pairwise(battery_times)) <= 520
     assert len(heard(station)) == 2, "it comes back at its port"
 
@@ -233,7 +216,7 @@ def test_a_swap_brings_another_board(play: Any, station: Any, project: Path, run
         "        print(binascii.hexlify(machine.unique_id()).decode(), 'been.txt' in os.listdir())\n"
         "        open('been.txt', 'w').close()\n"
     )
-    swap = Swap(2_000, "smart", 3_000, (battery(10_000),))
+    swap = Swap(2_000, "smart", 3_000, (steady(10.0),))
     recording = play(scenario(swap, duration_ms=6_000), runtime)
     main, smart = recording.all
     assert smart.problem is None
@@ -242,17 +225,17 @@ def test_a_swap_brings_another_board(play: Any, station: Any, project: Path, run
     assert unique_id("smart", 1) != unique_id("smart", 2) != unique_id("", 1)
     swaps = [(happening.at_ms, happening.program) for happening in recording.happenings if happening.kind is Kind.SWAP]
     assert swaps == [(2_000, "smart"), (3_000, "smart")]
-    known = [reading for reading in smart.readings if reading.millivolts is not None]
+    known = [reading for reading in smart.readings_of[VOLTAGE] if reading.value is not None]
     assert not [reading for reading in known if 2_000 < reading.at_ms < 3_000]
-    assert {round((reading.millivolts or 0) / 1000) for reading in known if reading.at_ms < 2_000} == {11}
-    assert {round((reading.millivolts or 0) / 1000) for reading in known if reading.at_ms > 3_000} == {10}
+    assert {round(reading.value or 0) for reading in known if reading.at_ms < 2_000} == {11}
+    assert {round(reading.value or 0) for reading in known if reading.at_ms > 3_000} == {10}
     assert main.restarts == smart.restarts == 0
-    assert len([reading for reading in main.readings if 2_000 <= reading.at_ms <= 3_000]) >= 2
+    assert len([reading for reading in main.readings_of[VOLTAGE] if 2_000 <= reading.at_ms <= 3_000]) >= 2
     assert "The board of smart was swapped once." in verdict(recording)
     assert len(heard(station)) == 3, "the new board has a port of its own"
-    chart = draw_chart(smart, recording.happenings, WIDE, "wide")
+    chart = draw_chart(smart, recording.happenings, WIDE, "wide", smart.lines[0])
     assert chart.true.count("M") == chart.reported.count("M") == 2, "both lines break"
-    assert [band.label for band in chart.bands] == ["no battery"]
+    assert [band.label for band in chart.bands] == ["no board"]
     assert len(chart.markers) == 2
 
 
@@ -311,46 +294,49 @@ def test_faults_of_one_input_leave_the_other_alone(project: Path, station: Any) 
         "            self.seen.add(count)\n"
         "            print('second', count)\n"
     )
-    played = Scenario(
-        "own", "d", 4_000, 1, (battery(12_000), battery(6_000)), (Fault(1_000, AdcFault.FAIL, 3_000, 0, 1),)
-    )
-    run = simulation(project, station, Scenario("x", "d", 1, 1, (battery(1),)), Runtime.MICROPYTHON)
-    folder = str(project / "generated")
-    program = SimulatedProgram(
-        "rover", None, f"{folder}/firmware", f"{folder}/mocks", (Connection(26, 3300), Connection(27, 3300, "BATT2_")),
-        played.stretches(), events=played.events, rover=str(project / "rover.py"),
-    )  # fmt: skip
-    run = Simulation(played, 4_000, 0.0, run.runtime, run.interpreter, run.to, None, (program,))
+    fault = Fault(1_000, "fail", SECOND, 3_000, "ADC readings fail")
+    played = Scenario("own", "d", 4_000, 1, (steady(12.0), steady(6.0, label=SECOND, gpio=27)), (fault,))
+    run = simulation(project, station, Scenario("x", "d", 1, 1, (steady(0.001),)), Runtime.MICROPYTHON)
+    both = program(played, str(project / "generated"), code=str(project / "rover.py"))
+    run = Simulation(played, 4_000, 0.0, run.runtime, run.interpreter, run.to, None, (both,))
     recording = run.recording()
     simulate(run, recording, lambda *_: None)
     assert recording.problem is None
     said = [happening.text.split()[1] for happening in recording.happenings if happening.kind is Kind.CONSOLE]
-    assert said == [str(round(6_000 / 3.95 / 3300 * 4095)), "-1"]
-    assert all(reading.millivolts for reading in recording.readings if reading.at_ms > 1_000), "the first goes on"
+    assert said == [str(round(6 / FULL * 4095)), "-1"]
+    assert all(reading.value for reading in recording.readings_of[VOLTAGE] if reading.at_ms > 1_000), (
+        "the first goes on"
+    )
     assert [happening.text for happening in recording.happenings if happening.kind is Kind.FAULT] == [
-        "Battery 2: ADC readings fail for 2 s"
+        "battery[1].voltage: ADC readings fail for 2 s"
     ]
-    assert recording.sample.true_mv == (12_000, 6_000)
+    assert [recording.true(label, 4_000) for label in (VOLTAGE, SECOND)] == [12.0, 6.0]
 
 
 def test_a_failsafe_is_told_and_marked_with_its_battery() -> None:
-    recording = Recording(
-        Scenario("own", "d", 10_000, 1, (battery(12_000), battery(7_000))), prefixes=("BATT_", "BATT2_")
-    )
-    recording.take({"kind": "battery", "at": 500, "instance": 1, "millivolts": 7_100, "milliamperes": 2_000})
+    """What its level says, and no text."""
+    played = Scenario("own", "d", 10_000, 1, (steady(12.0), steady(7.0, label=SECOND)))
+    recording = Recording(played, program(played))
+    recording.at_ms = 500
+    recording.take_told(volts(7.1, 1))
     counts = {"counts": {}, "dropped": 0, "received": 0, "crc_errors": 0, "gaps": 0}
     levels = {"BATT_LOW_VOLT": 10.5, "BATT2_LOW_VOLT": 7.0}
     recording.take({"kind": "messages", "at": 10_000, "parameters": levels, **counts})
-    text = "Battery 2 is low 6.95V used 0 mAh"
-    happening = recording.take({"kind": "text", "at": 10_000, "severity": 4, "text": text})
+    text = recording.take({"kind": "text", "at": 10_000, "severity": 4, "text": "Battery 1 is low 6.95V used 0 mAh"})
+    assert text is not None
+    assert text.kind is Kind.TEXT
+    assert "The failsafe did not fire." in verdict(recording)
+    fired = {"name": "battery_failsafes", "index": 1, "title": "Akku 2", "level": 1}
+    happening = recording.take({"kind": "failsafe", "at": 10_000, **fired})
     assert isinstance(happening, Happening)
-    assert happening.kind is Kind.FAILSAFE
-    assert [concerns(happening, recording, instance) for instance in (0, 1)] == [False, True]
+    assert (happening.kind, happening.of, happening.word) == (Kind.FAILSAFE, SECOND, "low")
+    assert [concerns(happening, recording, label) for label in (VOLTAGE, SECOND)] == [False, True]
     sentences = verdict(recording)
-    assert "The failsafe fired: Battery 2 low at 10.0 s." in sentences
-    assert "The reported voltage of battery 2 was at most 0.10 V from the true one, at 0.5 s." in sentences
-    assert "No voltage of battery 1 was reported." in sentences
-    charts = [draw_chart(recording, recording.happenings, WIDE, "wide", instance) for instance in (0, 1)]
+    assert "The failsafe fired: Akku 2 low at 10.0 s." in sentences
+    assert "battery[1].voltage was told at most 0.10 V from what was true, at 0.5 s." in sentences
+    assert "battery.voltage was never told." in sentences
+    assert [line.label for line in recording.lines] == [VOLTAGE, SECOND]
+    charts = [draw_chart(recording, [happening], WIDE, "wide", line) for line in recording.lines]
     assert [[level.label for level in chart.levels] for chart in charts] == [
         ["BATT_LOW_VOLT 10.5 V"],
         ["BATT2_LOW_VOLT 7 V"],
@@ -363,9 +349,9 @@ scenarios:
   own:
     doc: d
     duration: 20 s
-    batteries: [{voltage: 12 V, current: [[0 s, 1 A], [20 s, 3 A]]}]
-    with: {smart_battery: {battery: {voltage: 11 V}, parameters: {BATT_CAPACITY: 4000}}}
-    events: [{at: 5 s, swap: smart_battery, for: 2 s, battery: {voltage: 10 V}}]
+    courses: {battery.voltage: {value: 12 V}, battery.current: {points: [[0 s, 1 A], [20 s, 3 A]]}}
+    with: {smart_battery: {courses: {battery.voltage: {value: 11 V}}, parameters: {BATT_CAPACITY: 4000}}}
+    events: [{at: 5 s, swap: smart_battery, for: 2 s, courses: {battery.voltage: {value: 10 V}}}]
 """
 
 
@@ -382,16 +368,15 @@ def test_the_command_names_the_programs(project: Path, run: Any) -> None:
     code, out, err = run("own.yaml", "--report", "r.html")
     assert code == 0, err
     assert "pico-trail, smart_battery run" in err
-    assert re.search(r"^    5\.0 s  smart_battery  swap      The battery was taken out$", out, re.M)
-    assert re.search(r"^    7\.0 s  smart_battery  swap      Another battery was put in$", out, re.M)
+    assert re.search(r"^    5\.0 s  smart_battery  swap      The board was taken out$", out, re.M)
+    assert re.search(r"^    7\.0 s  smart_battery  swap      Another board was put in$", out, re.M)
     assert re.search(r"^  \d+ frames of pico-trail, \d+ bytes went out, [\d.]+ bytes/s$", out, re.M)
     assert re.search(r"^  \d+ frames of smart_battery, ", out, re.M)
     page = (project / "r.html").read_text()
-    for title in ("Voltage of the battery of pico-trail", "Current of the battery of pico-trail",
-                  "Voltage of the battery of smart_battery", "Link and loop of smart_battery"):  # fmt: skip
+    for title in ("battery.voltage of pico-trail", "battery.current of pico-trail",
+                  "battery.voltage of smart_battery", "Link and loop of smart_battery"):  # fmt: skip
         assert title in page
-    assert "2.00 A" not in page
-    assert "goes from 1.00 A to 3.00 A" in page
+    assert "goes from 1.0 A to 3.0 A" in page
 
 
 def test_the_result_is_the_same_with_each_run(project: Path, run: Any) -> None:

@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 from lxml import etree, html
+from packs import VOLTAGE, pack, program, volts
 
-from codegen.model.scenario import AdcFault, Battery, Fault, Point, Scenario
+from codegen.model.scenario import Fault, Scenario
 from codegen.sim.address import Address
 from codegen.sim.chart import NARROW, WIDE, draw_chart
 from codegen.sim.process import Runtime
-from codegen.sim.program import Connection, SimulatedProgram
 from codegen.sim.record import Recording
 from codegen.sim.report import write_report
 from codegen.sim.run import Simulation
@@ -21,17 +21,18 @@ HOSTILE = "<script>alert('x')</script> \"&amp;\" \u2028"
 
 
 def scenario(*events: Any, doc: str = "d") -> Scenario:
-    battery = Battery((Point(0, 12_000), Point(10_000, 10_000)), 0, 3_950_000)
-    return Scenario("own", doc, 10_000, 1, (battery,), events)
+    return Scenario("own", doc, 10_000, 1, (pack((0, 12.0), (10_000, 10.0)),), events)
 
 
 def recorded(*events: Any, doc: str = "d") -> Recording:
     """Ten seconds with a gap from 4 s to 6 s."""
-    recording = Recording(scenario(*events, doc=doc))
+    played = scenario(*events, doc=doc)
+    recording = Recording(played, program(played))
     recording.take({"kind": "start", "at": 0, "runtime": "MicroPython 1"})
     for at_ms in range(0, 10_001, 500):
         known = not 4_000 <= at_ms < 6_000
-        recording.take({"kind": "battery", "at": at_ms, "millivolts": 12_000 - at_ms // 5 if known else None})
+        recording.at_ms = at_ms
+        recording.take_told(volts(12 - at_ms / 5_000 if known else None))
     counts = {"HEARTBEAT": [10, 210], "BATTERY_STATUS": [20, 1000]}
     parameters = {"BATT_LOW_VOLT": 10.5, "BATT_CRT_VOLT": 9.9}
     statistics = {"dropped": 3, "received": 77, "crc_errors": 5, "gaps": 0}
@@ -40,10 +41,8 @@ def recorded(*events: Any, doc: str = "d") -> Recording:
 
 
 def written(path: Path, recording: Recording) -> str:
-    program = SimulatedProgram("own", None, "", "", (Connection(26, 3300),), recording.stretches)
-    simulation = Simulation(
-        recording.scenario, 10_000, 0.0, Runtime.MICROPYTHON, "", Address("", 1, ""), None, (program,)
-    )
+    own = (recording.program,)
+    simulation = Simulation(recording.scenario, 10_000, 0.0, Runtime.MICROPYTHON, "", Address("", 1, ""), None, own)
     write_report(str(path / "r.html"), simulation, recording)
     assert [entry.name for entry in path.iterdir()] == ["r.html"]
     return (path / "r.html").read_text(encoding="utf-8")
@@ -56,7 +55,7 @@ def rows(page: str) -> list[list[str]]:
 
 def test_the_page_is_well_formed(tmp_path: Path) -> None:
     """XML's parser takes it once the elements are closed that HTML does not close."""
-    page = written(tmp_path, recorded(Fault(1_000, AdcFault.FAIL, 2_000, 0)))
+    page = written(tmp_path, recorded(Fault(1_000, "fail", VOLTAGE, 2_000, "ADC readings fail")))
     closed = re.sub(r"<(meta[^>]*)>", r"<\1/>", page).replace("<!doctype html>", "")
     assert etree.fromstring(closed.encode()).tag == "html"
 
@@ -69,11 +68,11 @@ def test_the_page_needs_nothing_from_anywhere(tmp_path: Path) -> None:
 def test_the_data_is_there(tmp_path: Path) -> None:
     recording = recorded()
     recording.add(Kind.ARMED, "", at_ms=2_000)
-    recording.add(Kind.FAILSAFE, "Battery 1 is low 10.45V used 0 mAh", 4, at_ms=8_000)
+    recording.add(Kind.FAILSAFE, "Battery 1 low", at_ms=8_000, of=VOLTAGE, word="low")
     page = written(tmp_path, recording)
     found = rows(page)
     assert ["1", "2.0 s", "", "Armed"] in found
-    assert ["2", "8.0 s", "warning", "Battery 1 is low 10.45V used 0 mAh"] in found
+    assert ["2", "8.0 s", "", "Failsafe: Battery 1 low"] in found
     assert ["BATTERY_STATUS", "20", "2.00", "100.0", "1000"] in found
     assert ["all", "30", "3.00", "121.0", "1210"] in found
     assert ["Damaged frames received (CRC)", "5"] in found
@@ -81,7 +80,7 @@ def test_the_data_is_there(tmp_path: Path) -> None:
     assert "The failsafe fired: low at 8.0 s." in page
     for svg in html.fromstring(page).iter("svg"):
         if svg.get("role") == "img":
-            assert "The true voltage goes from 12.00 V to 10.00 V in 10.0 s." in svg.get("aria-label", "")
+            assert "The true battery.voltage goes from 12.0 V to 10.0 V in 10.0 s." in svg.get("aria-label", "")
 
 
 def test_everything_is_escaped(tmp_path: Path) -> None:
@@ -104,10 +103,10 @@ def test_lone_surrogates_do_not_stop_it(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("size", [WIDE, NARROW])
 def test_the_chart_lies_within_its_drawing(size: Any) -> None:
-    recording = recorded(Fault(1_000, AdcFault.SLOW, None, 5))
+    recording = recorded(Fault(1_000, "slow", VOLTAGE, None, "ADC readings take", 5))
     for at_ms in range(0, 10_000, 50):
         recording.add(Kind.ARMED, "", at_ms=at_ms)
-    chart = draw_chart(recording, recording.happenings, size, "wide")
+    chart = draw_chart(recording, recording.happenings, size, "wide", recording.lines[0])
     pairs = [tuple(map(float, pair)) for pair in re.findall(r"[ML]([\d.]+) ([\d.]+)", chart.true + chart.reported)]
     assert all(size.left <= x <= chart.size.width - size.right for x, _ in pairs)
     assert all(chart.size.top <= y <= chart.size.height - size.bottom for _, y in pairs)
@@ -119,7 +118,8 @@ def test_the_chart_lies_within_its_drawing(size: Any) -> None:
 
 
 def test_true_and_reported_lie_on_each_other() -> None:
-    chart = draw_chart(recorded(), [], WIDE, "wide")
+    recording = recorded()
+    chart = draw_chart(recording, [], WIDE, "wide", recording.lines[0])
     (start, end) = re.findall(r"([\d.]+) ([\d.]+)", chart.true)
     slope = (float(end[1]) - float(start[1])) / (float(end[0]) - float(start[0]))
     for x, y in re.findall(r"([\d.]+) ([\d.]+)", chart.reported):
@@ -128,10 +128,10 @@ def test_true_and_reported_lie_on_each_other() -> None:
 
 @pytest.mark.parametrize("at_ms", [0, 1, 999, 59_000, 3_600_000, 86_400_000])
 def test_a_chart_of_any_length_has_some_labels(at_ms: int) -> None:
-    recording = Recording(scenario())
+    recording = Recording(scenario(), program(scenario()))
     recording.at_ms = at_ms
     for size in (WIDE, NARROW):
-        chart = draw_chart(recording, [], size, "wide")
+        chart = draw_chart(recording, [], size, "wide", recording.lines[0])
         assert 1 <= len(chart.time_ticks) <= size.ticks + 1
         assert 2 <= len(chart.value_ticks) <= 12
         assert len({tick.label for tick in chart.value_ticks}) == len(chart.value_ticks)
@@ -139,7 +139,7 @@ def test_a_chart_of_any_length_has_some_labels(at_ms: int) -> None:
 
 def test_a_report_without_anything(tmp_path: Path) -> None:
     """The firmware did not even start."""
-    recording = Recording(scenario())
+    recording = Recording(scenario(), program(scenario()))
     recording.problem = "the firmware stopped"
     page = written(tmp_path, recording)
     assert "It failed at 0.0 s: the firmware stopped." in page

@@ -13,6 +13,13 @@ GOOD = {
         "links:\n  a: {uart: 0, tx: 0, rx: 1, baud: 57600}\n  b: {usb: true}\n"
         "  c: {udp: 14550, to: 10.0.0.1, credentials: w.json, retry: 5 s, local_port: 1, buffer: 512}\n"
         "discharge_curves:\n  LIPO: {4.2 V: 100, 3.27 V: 0}\n"
+        "sources:\n  sonar: {driver: user, class: a.B, unit: m, stored: mm, rate: 5 Hz, outputs: {}}\n"
+        "  own: {driver: mine, address: 0x40, gain: 2, on: true, limit: 2 ms}\n"
+    ),
+    "driver": (
+        "doc: d\nclass: C\nbus: i2c\nrate: 5 Hz\nkeys:\n  a: {doc: d, kind: pin, default: 3}\n"
+        "  b: {doc: d, min: 0, max: 1.5}\n"
+        "outputs:\n  x: {doc: d, unit: m, stored: mm, min: 0, max: 5}\n  y: {}\n"
     ),
     "parameters": "parameters:\n  MULT: {doc: d, default: 3.95, min: 1, max: 0x0a, step: 0.0001}\n"
     "  PIN: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int8, reboot: true, values: {0: Off, 1: On}}\n",
@@ -41,9 +48,10 @@ GOOD = {
         "     expires: 2030-01-31}\n"
     ),
     "scenarios": (
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 12 V, noise: 1 mV, divider: 4}}\n"
-        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    battery: {voltage: [[0 s, 12 V], [5 s, 11 V]]}\n"
-        "    events: [{at: 1 s, arm: false}, {at: 2 s, adc: slow, delay: 1 ms, for: 1 s}, {at: 3 s, reboot: true}]\n"
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: 12 V, noise: 1 mV, wired: {MULT: 4}}}}\n"
+        "  b:\n    doc: d\n    duration: 5 s\n    seed: 3\n    courses: {a.b: {points: [[0 s, 1 V], [5 s, unknown]]}}\n"
+        "    events: [{at: 1 s, arm: false}, {at: 2 s, fault: slow, of: a.b, delay: 1 ms, for: 1 s}, "
+        "{at: 3 s, reboot: true}]\n    expect: [{at: 1 s, state: a.b, between: [1 V, 2 V]}, {no_text: x}]\n"
     ),
 }
 
@@ -159,6 +167,11 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("vehicle", VEHICLE.replace("chunk: 64", "chunk: big"), [("wrong-type", 2, 33)], False),
     ("vehicle", VEHICLE.replace("[a, b]", "a"), [("wrong-type", 2, 18)], False),
     ("vehicle", VEHICLE.replace("services: {fastest: 10 Hz}\n", ""), [("missing-key", 1, 1)], False),
+    ("board", "sources: {a: {driver: user, class: a.B, rates: 1 Hz}}\n", [("unknown-key", 1, 41)], True),
+    ("board", "sources: {a: {driver: user, class: 1}}\n", [("wrong-type", 1, 36)], True),
+    ("board", "sources: {a: {driver: 3}}\n", [("wrong-type", 1, 23)], True),
+    ("board", "sources: {a: {class: a.B}}\n", [("missing-key", 1, 11)], True),
+    ("board", "sources: {a: {driver: mine, gain: [1]}}\n", [("wrong-type", 1, 35)], True),
     ("board", "board: b\nlinks: {a: {usb: false}}\n", [("wrong-type", 2, 18)], True),
     ("board", "board: b\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 2, 24)], True),
     ("board", "board: b\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 2, 9)], True),
@@ -171,28 +184,33 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ),
     (
         "scenarios",
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: 1 V}, events: [{at: 1 s, adc: broken}]}\n",
-        [("unknown-choice", 2, 79)],
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: 1 V}}, events: [{at: 1 s, adc: broken}]}\n",
+        [("one-of-keys", 2, 69), ("unknown-key", 2, 79)],
         True,
     ),
-    ("scenarios", "scenarios:\n  a: {doc: d, duration: 5 s, batery: {voltage: 1 V}}\n", [("unknown-key", 2, 30)], True),
+    (
+        "scenarios",
+        "scenarios:\n  a: {doc: d, duration: 5 s, corses: {a.b: {value: 1}}}\n",
+        [("unknown-key", 2, 30)],
+        True,
+    ),
     ("scenarios", "scenarios: [a]\n", [("wrong-type", 1, 12)], False),
     (
         "scenarios",
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: [0 s, [12 V, 3]]}}\n",
-        [("wrong-type", 2, 50), ("wrong-type", 2, 62)],
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {points: [0 s, [12 V, [3]]]}}}\n",
+        [("wrong-type", 2, 55), ("wrong-type", 2, 67)],
         True,
     ),
     (
         "scenarios",
-        "scenarios:\n  a: {doc: d, duration: 5 s, battery: {voltage: {at: 1 s}}}\n",
-        [("wrong-type", 2, 49)],
+        "scenarios:\n  a: {doc: d, duration: 5 s, courses: {a.b: {value: {at: 1 s}}}}\n",
+        [("wrong-type", 2, 53)],
         True,
     ),
     (
         "scenarios",
         (
-            "scenarios:\n  a: {doc: d, duration: 5, battery: {voltage: 12 V},\n"
+            "scenarios:\n  a: {doc: d, duration: 5, courses: {a.b: {value: 12 V}},\n"
             "    events: [{at: 1 s, arm: true, reboot: true}]}\n"
         ),
         [("one-of-keys", 3, 35), ("wrong-type", 2, 25)],

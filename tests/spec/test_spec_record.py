@@ -13,6 +13,7 @@ from codegen.decode.record import decode_record
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
 from codegen.model.derivation_spec import MeasuredSpec, WhileKnownSpec
+from codegen.model.driver_spec import DriverSpec
 from codegen.model.population_spec import FieldAnswer, PopulationSpec, Rounding
 from codegen.model.program_spec import VehicleSpec
 from codegen.model.receiver_spec import ReceiverSpec
@@ -27,6 +28,7 @@ MODELS: dict[str, type[Written]] = {
     "scenarios": ScenariosSpec,
     "waivers": WaiversSpec,
     "vehicle": VehicleSpec,
+    "driver": DriverSpec,
     "receiver": ReceiverSpec,
     "codegen": Project,
     "state": StateSpec,

@@ -254,6 +254,16 @@ class EachAnswer(KindOfAnswer):
         if takers[0] is self:
             yield from cell_readings(takers, answers)
 
+    @property
+    def told_quantities(self) -> tuple[Quantity, ...]:
+        """What goes out in place of the values, which is their sum: it can be told whichever of them went out."""
+        return self.fallback.told_quantities if self.fallback else ()
+
+    def told(self, wire: Sequence[int | float]) -> Iterator[tuple[Quantity, float | None]]:
+        """The same."""
+        if self.fallback:
+            yield from self.fallback.told(wire)
+
     def read_back(self) -> Iterator[ReadBack]:
         """The sum. Pages, and what is spread where single values are unknown, have tests of their own."""
         for one in self.fallback.read_back() if self.fallback else ():

@@ -7,12 +7,15 @@ from codegen.targets.codec.layout import messages_text
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
+from codegen.targets.firmware.commands import command_table_view
 from codegen.targets.firmware.further import further_module_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.program import dialect_text, program_view
 from codegen.targets.firmware.reading_view import readings_view
+from codegen.targets.firmware.receiving import receiving_view
+from codegen.targets.firmware.sources import sources_view
 from codegen.targets.firmware.state import state_view
 from codegen.targets.firmware.streams import streams_view
 from codegen.targets.firmware.telemetry import telemetry_view
@@ -20,6 +23,7 @@ from codegen.targets.firmware.words import Layout, word_layout
 from codegen.targets.naming import prose
 from codegen.targets.origin import Origin, copied_files, headed, origin_of, origin_of_text, specification_file
 from codegen.targets.rendered import rendered
+from codegen.targets.source_files import source_files
 from codegen.template_files import copied, plain_files
 
 _PROGRAM = "firmware/program"
@@ -53,11 +57,14 @@ def render_firmware(system: System) -> dict[str, str]:
             templates[name] = template
         for suffix in ("plain", *(["viper"] if machine_code else [])):
             views[f"samples_{suffix}.py"] = (board_view(system), [board, state], [])
+    if system.polled:
+        views["sources.py"] = (sources_view(system, layout), [board, state], [])
     if machine_code:
         fast = functions_view(system, layout, machine_code=True)
         views["telemetry_viper.py"] = (fast, written, wires)
     accelerated = [MACHINE_CODE] if machine_code else []
     files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
+    listens = any(source.silence_ms is not None for source in system.polled)
     optional = {
         "discharge": view.has_estimate,
         "adc_faults": view.is_measured,
@@ -69,6 +76,9 @@ def render_firmware(system: System) -> dict[str, str]:
         "reals_viper": plain.puts_reals and machine_code,
         **{name: name in view.modules for name in VIEWS.values()},
         "clock_viper": plain.ticks and machine_code,
+        "polling": bool(system.polled),
+        **dict.fromkeys(("listening", "turns_plain"), listens),
+        "turns_viper": listens and machine_code,
     }
     for name, is_used in optional.items():
         if not is_used:
@@ -82,7 +92,7 @@ def render_firmware(system: System) -> dict[str, str]:
     for name, (shown, paths, messages) in views.items():
         text = rendered(f"firmware/{templates.get(name, name)}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
-    return files | _program_files(system)
+    return files | source_files(system, "firmware") | _program_files(system, layout)
 
 
 def _reading_views(system: System, layout: Layout) -> dict[str, tuple[str, object]]:
@@ -102,24 +112,57 @@ def _reading_views(system: System, layout: Layout) -> dict[str, tuple[str, objec
     return found
 
 
-def _program_files(system: System) -> dict[str, str]:
+def _program_files(system: System, layout: Layout) -> dict[str, str]:
     program = system.program
     if program is None:
         return {}
-    files = {f"firmware/{name}": _program_file(system, program, name) for name in plain_files(_PROGRAM)}
-    if not program.takes_time:
-        del files["firmware/clock_service.py"]
+    takes_long = any(command.spec.long for command in program.commands)
+    optional = {
+        "clock_service": program.takes_time,
+        "heard": program.takes_time or bool(system.receptions) or bool(program.commands),
+        "reception": bool(system.receptions),
+        "own_commands": bool(program.commands),
+        "long_commands": takes_long,
+        "command_cancel": program.cancels,
+        "mode_service": bool(program.modes),
+    }
+    plain = [name for name in plain_files(_PROGRAM) if optional.get(name.removesuffix(".py"), True)]
+    files = {f"firmware/{name}": _program_file(system, program, name) for name in plain}
+    files |= _receiving_files(system, layout) if system.receptions else {}
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
     view = program_view(system, program)
     vehicle = specification_file(system, "vehicle.yaml")
-    read = {"main.py": [vehicle], "vehicle.py": paths, **({"failsafe.py": paths} if program.failsafes else {})}
-    for name, sources in read.items():
-        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", view), program.constants)
+    commands = specification_file(system, "commands.yaml")
+    if program.commands:
+        paths.append(commands)
+    read = {
+        "main.py": (view, [vehicle]),
+        "vehicle.py": (view, paths),
+        "commands.py": (view, [vehicle]),
+        **({"failsafe.py": (view, paths)} if program.failsafes else {}),
+        **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
+    }
+    for name, (shown, sources) in read.items():
+        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), program.constants)
         files[f"firmware/{name}"] = headed(text, origin_of(system, sources, program.services))
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files
+
+
+def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
+    """What puts messages that arrive into the state."""
+    view = receiving_view(system, layout)
+    names = [
+        "receiving.py",
+        "receiving_plain.py",
+        *(["receiving_viper.py"] if system.spec.project.machine_code else []),
+    ]
+    tables = [table.spec.place.file for table in system.receptions]
+    wires = [table.wire for table in system.receptions]
+    origin = origin_of(system, [*tables, specification_file(system, "state.yaml")], wires)
+    return {f"firmware/{name}": headed(rendered(f"{_PROGRAM}/{name}.j2", view), origin) for name in names}
 
 
 def _program_file(system: System, program: Program, name: str) -> str:

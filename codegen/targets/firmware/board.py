@@ -60,7 +60,8 @@ class BoardView:
     ``hardware`` is its name with that of the microcontroller, ``opened`` the expression that opens an input.
 
     ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
-    is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures.
+    is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures,
+    ``mocks`` modules that stand in for further hardware on a host.
     """
 
     board: str
@@ -74,6 +75,7 @@ class BoardView:
     has_pins: bool
     is_timed: bool
     adc_pins: tuple[int, ...]
+    mocks: tuple[str, ...] = ()
 
 
 def board_view(system: System) -> BoardView:

@@ -4,16 +4,22 @@ from codegen.frozen import dataclass
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.firmware.failsafe import FailsafeView
+from codegen.targets.firmware.phases import spread
+from codegen.targets.firmware.sources import WATCH_US
 
 
 @dataclass(frozen=True, slots=True)
 class CallView:
-    """A method that the main loop calls every ``period_us``, under which name, and what asks for it."""
+    """A method that the main loop calls every ``period_us``, under which name, and what asks for it.
+
+    ``phase_us`` is when it is called first.
+    """
 
     period_us: int
     method: str
     name: str
     citation: str
+    phase_us: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +65,7 @@ def _after_readings(system: System, program: Program) -> tuple[str, ...]:
 
 
 def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> tuple[CallView, ...]:
-    """The user's code first, then each component that is measured."""
+    """The user's code first, then the sensors, then each component that is measured."""
     measure = CallView(program.measure_us or 0, "measure", "measure", str(program.cited.get("measure", "")))
     readings = [
         CallView(
@@ -70,7 +76,26 @@ def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> t
         )
         for job in jobs
     ]
-    return (*([measure] if program.measure_us else []), *readings)
+    return (*([measure] if program.measure_us else []), *_sensors(system, program, jobs), *readings)
+
+
+def _sensors(system: System, program: Program, jobs: tuple[JobView, ...]) -> list[CallView]:
+    """The turns of the sensors, each in passes in which as little else as possible is done."""
+    busy = [(job.period_us, 0) for job in jobs]
+    phases = spread(system.polled, program.control_us, busy)
+    calls = [
+        CallView(
+            source.polling.period_us,
+            f"sources.{source.name}.turn",
+            source.name,
+            str(source.polling.citation or ""),
+            phases[source.name],
+        )
+        for source in system.polled
+    ]
+    if any(source.silence_ms is not None for source in system.polled):
+        calls.append(CallView(WATCH_US, "sources.watch", "sources", ""))
+    return calls
 
 
 def _has_load(system: System) -> bool:

@@ -1,14 +1,23 @@
 """View of vehicle.py, and of the modules around it: the program as a whole, the storage and what failsafes do."""
 
 from codegen.frozen import dataclass
+from codegen.model.command import BuiltInCommand
 from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.targets.firmware.commands import (
+    MethodView,
+    ModeView,
+    method_views,
+    mode_statements,
+    mode_views,
+)
 from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
+from codegen.targets.firmware.receiving import call_name, received_beside
 from codegen.targets.imports import import_lines
-from codegen.targets.naming import parameter_attribute, prose
+from codegen.targets.naming import class_names, parameter_attribute, prose
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,11 +33,22 @@ class ActionView:
 
 
 @dataclass(frozen=True, slots=True)
+class CallOnReceiving:
+    """What is called of the user's vehicle each time that a message has set quantities."""
+
+    name: str
+    message: str
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class ProgramView:
     """What the templates of the program need to know. Periods are in us or ms as their names say.
 
     ``force`` is None where nothing can be armed, ``measure_us`` where the user's code is not asked to measure.
-    ``order`` are the parts of a pass, ``calls`` those with a period of their own.
+    ``order`` are the parts of a pass, ``calls`` those with a period of their own. ``connecting`` are the
+    statements that make the connection of a port. ``commands`` are those that commands.py answers, ``methods`` those of
+    the vehicle that do the commands of the project.
     """
 
     imports: tuple[str, ...]
@@ -46,8 +66,6 @@ class ProgramView:
     module: str
     class_name: str
     silence_ms: int
-    system_parameter: str | None
-    component_parameter: str | None
     failsafes: tuple[FailsafeView, ...]
     families: tuple[str, ...]
     actions: tuple[ActionView, ...]
@@ -56,7 +74,14 @@ class ProgramView:
     jobs: tuple[JobView, ...]
     has_ports: bool
     has_usb: bool
-    takes_time: bool
+    has_sources: bool
+    connecting: tuple[str, ...]
+    received_calls: tuple[CallOnReceiving, ...]
+    commands: tuple[BuiltInCommand, ...]
+    methods: tuple[MethodView, ...]
+    takes_long: bool
+    modes: tuple[ModeView, ...]
+    mode_statements: tuple[str, ...]
     cited: dict[str, str]
 
 
@@ -80,34 +105,47 @@ def program_view(system: System, program: Program) -> ProgramView:
         measure_hz=(program.spec.code.measure or "") if program.spec.code else "",
         module=program.module,
         class_name=program.class_name,
-        system_parameter=_attribute(system.system_parameter),
-        component_parameter=_attribute(system.component_parameter),
         silence_ms=program.silence_ms,
         failsafes=failsafes,
         families=failsafe_families(program),
-        actions=tuple(_action(action) for action in program.actions),
+        actions=tuple(_action(action, has_modes=bool(program.modes)) for action in program.actions),
         order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
         calls=call_views(system, program, jobs),
         jobs=jobs,
         has_ports=bool(system.links),
-        takes_time=program.takes_time,
+        has_sources=bool(system.polled),
+        received_calls=tuple(
+            CallOnReceiving(call_name(table), table.title, str(table.citation))
+            for table in system.receptions
+            if table.spec.call
+        ),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
+        connecting=_connecting(system, program),
+        commands=tuple(command for command in program.built_in if command.method),
+        methods=method_views(program),
+        takes_long=_takes_long(program),
+        modes=mode_views(program.modes),
+        mode_statements=mode_statements(program.modes),
         cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
     )
 
 
 def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
-    modules = ["asyncio", "gc", "machine", "time", *(["dialect"] if program.spec.arming else [])]
+    dialect = ["dialect"] if program.spec.arming else []
+    modules = ["asyncio", "gc", "machine", *(["messages"] if program.received_besides else []), "time", *dialect]
     names = [
         ("board", "Board"),
+        *_answering(system, program).items(),
         ("connection", "Connection"),
         *(("failsafe", failsafe.class_name) for failsafe in failsafes),
         ("guard", "Guard"),
+        *([("long_commands", "LongCommands")] if _takes_long(program) else []),
         ("micropython", "const"),
         ("parameters", "Parameters"),
         ("scheduler", "Scheduler"),
-        ("clock_service" if program.takes_time else "services", "receivable"),
-        *([("clock_service", "follow_time")] if program.takes_time else []),
+        *([("sources", "Sources")] if system.polled else []),
+        ("services", "receivable"),
+        *([("receiving", "KINDS")] if received_beside(system) else []),
         ("state", "SystemState"),
         ("storage", "Storage"),
         ("streams", "Streams"),
@@ -118,24 +156,63 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
     return import_lines(modules, names)
 
 
-def _attribute(parameter: Parameter | None) -> str | None:
-    return parameter_attribute(parameter.name) if parameter else None
+def _answering(system: System, program: Program) -> dict[str, str]:
+    """The functions that let a connection answer more than every program does, by their modules."""
+    return {
+        **({"clock_service": "follow_time"} if program.takes_time else {}),
+        **({"receiving": "receive_into"} if system.receptions else {}),
+        **({"own_commands": "answer_commands"} if program.commands else {}),
+        **({"command_cancel": "answer_cancel"} if program.cancels else {}),
+        **({"mode_service": "answer_modes"} if program.modes else {}),
+    }
 
 
-def _action(action: ActionSpec) -> ActionView:
+def _connecting(system: System, program: Program) -> tuple[str, ...]:
+    """The statements that return the connection of a port, with all that it answers."""
+    ids = [f"self.parameters.{_attribute(system.system_parameter)}" if system.system_parameter else "SYSTEM_ID"]
+    if system.component_parameter:
+        ids.append(f"self.parameters.{_attribute(system.component_parameter)}")
+    link = f"link = open_link(port, receivable({', '.join(_received(system, program))}), {', '.join(ids)})"
+    connection = "Connection(self, port, link, Streams(self.state, link))"
+    answering = [
+        f"{name}(connection, {'self.state.clock' if module == 'clock_service' else 'self'})"
+        for module, name in _answering(system, program).items()
+    ]
+    if not answering:
+        return (link, f"return {connection}")
+    return (link, f"connection = {connection}", *answering, "return connection")
+
+
+def _received(system: System, program: Program) -> tuple[str, ...]:
+    """The classes of the messages that a link receives beside those that the services of every program answer."""
+    classes = class_names(wire.name for wire in system.wires)
+    own = [f"messages.{classes[name]}" for name in program.received_besides]
+    return (*own, *(["*KINDS"] if received_beside(system) else []))
+
+
+def _takes_long(program: Program) -> bool:
+    return any(command.spec.long for command in program.commands)
+
+
+def _attribute(parameter: Parameter) -> str:
+    return parameter_attribute(parameter.name)
+
+
+def _action(action: ActionSpec, *, has_modes: bool) -> ActionView:
     return ActionView(
         value=action.value,
         call=action.call,
         doc=prose(action.doc),
         mode=action.mode,
         disarm=action.disarm,
-        statements=_statements(action),
+        statements=_statements(action, has_modes=has_modes),
     )
 
 
-def _statements(action: ActionSpec) -> tuple[str, ...]:
+def _statements(action: ActionSpec, *, has_modes: bool) -> tuple[str, ...]:
     call = f"self.{action.call}()"
-    mode = [] if action.mode is None else [f"self.state.vehicle.mode_number = {action.mode}"]
+    enter = f"self._enter({action.mode})" if has_modes else f"self.state.vehicle.mode_number = {action.mode}"
+    mode = [] if action.mode is None else [enter]
     if not action.disarm:
         return (*mode, call)
     comment = "a fault in the user's code does not keep the motors turning"

@@ -23,7 +23,7 @@ def render_receiver_suite(system: System, receiver: Receiver, view: ReceiverView
     names_by_key = {quantity.key: quantity.name for quantity in view.quantities}
     facts = {
         "generated": {"from": list(origin.sources), "inputs": origin.digest},
-        "requirement": view.citation,
+        "criteria": {aspect: str(citation) for aspect, citation in receiver.aspects.items()},
         "module": view.module,
         "class": view.views_class,
         "component": view.component,
@@ -56,8 +56,8 @@ def _attributes(message: PopulatedMessage, receiver: Receiver) -> Iterator[tuple
 
 
 @cache
-def shown_by_receiver_tests() -> Mapping[str, tuple[int, ...]]:
-    """The tests by name, with the numbers of the criteria that they are marked with."""
+def shown_by_receiver_tests() -> Mapping[str, tuple[str, ...]]:
+    """The tests by name, with the aspects that they are marked with."""
     module = ast.parse(copied(f"{_SUITE}/test_receiver.py"))
     return {
         statement.name: tuple(map(ast.literal_eval, mark.args))

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 0c2449d9b61062c7
+# Inputs: 940407389e80b8d2
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import machine

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 6678c150d2079362
+# Inputs: a131f88903714b22
 """The program: what the board starts."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 6747eeaa4e38df33
+# Inputs: eeacf0f2ac5f83c7
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -64,13 +64,14 @@ class Scheduler:
         self._busy_us = 0
         self._window_us = 0  # when the second began that `load` is measured over
 
-    def every(self, period_us, job, name=None):
-        """Run a job too, after control and the jobs before it; jobs of one period run in the same pass.
+    def every(self, period_us, job, name=None, phase_us=0):
+        """Run a job too, after control and the jobs before it; jobs of one period and phase run in the same pass.
 
-        `name` is what the job is called where it fails.
+        `name` is what the job is called where it fails, `phase_us` when it runs first; it is below the period.
         """
         slot = _Slot(period_us, job, name or f"job {len(self._jobs) + 1}")
-        slot.due_us = self._next_us = self._control.due_us
+        self._next_us = self._control.due_us
+        slot.due_us = time.ticks_add(self._next_us, phase_us)
         self._shortest_us = min(self._shortest_us, period_us)
         self._jobs.append(slot)
 
@@ -114,7 +115,7 @@ class Scheduler:
         self._is_started = True
         self._window_us = self._control.due_us = self._next_us = now_us
         for job in self._jobs:
-            job.due_us = now_us
+            job.due_us = time.ticks_add(now_us, job.due_us)  # until here that is its phase
 
     def _wait_us(self):
         wait_us = time.ticks_diff(self._control.due_us, time.ticks_us())

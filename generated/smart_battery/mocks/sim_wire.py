@@ -1,41 +1,28 @@
 # Generated from templates/mocks/sim_wire.py: do not edit.
-# Inputs: 8bf7afb8c3030b5c
-"""What goes over the wire in a simulation: the frames that a port took, and what they say about the batteries."""
+# Inputs: fed86fbac60d5e7f
+"""What goes over the wire in a simulation: the frames that a port took."""
 
-import math
-
-ARMED_FLAG = 128  # MAV_MODE_FLAG_SAFETY_ARMED
-_READ = ("HEARTBEAT", "BATTERY_STATUS", "BATTERY_STATUS_V2")
+import binascii
 
 
 class Wire:
     """What goes out, taken from the frames that a port accepted.
 
-    `instances` is how many batteries the firmware has, and `first_number` returns the id of the first. `millivolts` is
-    what was reported last, by instance; None for unknown.
+    `names` are those of the messages by their numbers as text; frames of the `told` numbers are recorded whole.
+    `before` is called ahead of the first of these.
     """
 
-    def __init__(self, records, instances, first_number):
-        import messages  # noqa: PLC0415 - the firmware's own, after the clock
-        from receiver import Receiver  # noqa: PLC0415
-
-        classes = [getattr(messages, name) for name in dir(messages)]
-        classes = [cls for cls in classes if isinstance(cls, type) and getattr(cls, "NAME", "")]
-        self._names = {cls.ID: cls.NAME for cls in classes}
-        self._read_ids = [cls.ID for cls in classes if cls.NAME in _READ]
-        self._receiver = Receiver([cls() for cls in classes if cls.NAME in _READ])
+    def __init__(self, records, names, told, before):
         self._records = records
-        self._instances = instances
-        self._first_number = first_number
+        self._names = names
+        self._told = told
+        self._before = before
         self._next_sequence = {}
         self._port_class = None
         self.counts = {}
         self.frames = 0
         self.size = 0
         self.gaps = 0
-        self.is_armed = False
-        self.status = None
-        self.millivolts = {}
 
     def listen(self, port_class):
         """Take note of every frame that ports of this class accept."""
@@ -55,40 +42,21 @@ class Wire:
         is_new = frame[0] == 0xFD
         number = frame[7] | frame[8] << 8 | frame[9] << 16 if is_new else frame[5]
         self._check_sequence(port, frame[4] if is_new else frame[2])
-        count = self.counts.setdefault(self._names.get(number, str(number)), [0, 0])
+        count = self.counts.setdefault(self._names.get(str(number), str(number)), [0, 0])
         count[0] += 1
         count[1] += len(frame)
         self.frames += 1
         self.size += len(frame)
-        if number in self._read_ids:
-            self._receiver.put(bytes(frame))
-            message = self._receiver.receive()
-            while message is not None:
-                self._read(message)
-                message = self._receiver.receive()
+        if number in self._told:
+            if self._before is not None:
+                self._before()
+                self._before = None
+            self._records.put("frame", data=binascii.hexlify(bytes(frame)).decode())
 
     def _check_sequence(self, port, sequence):
         expected = self._next_sequence.get(id(port), sequence)
         self._next_sequence[id(port)] = (sequence + 1) & 0xFF
         self.gaps += (sequence - expected) & 0xFF
-
-    def _read(self, message):
-        if message.NAME == "HEARTBEAT":
-            self.is_armed = bool(message.base_mode & ARMED_FLAG)
-            self.status = message.system_status
-            return
-        instance = message.id - self._first_number() if self._instances > 1 else 0
-        if not 0 <= instance < self._instances:
-            return
-        if message.NAME == "BATTERY_STATUS":
-            millivolts = _millivolts(message)
-            current = message.current_battery
-            milliamperes = None if current is None else current * 10
-        else:
-            millivolts = _thousandths(message.voltage)
-            milliamperes = _thousandths(message.current)
-        self.millivolts[instance] = millivolts
-        self._records.put("battery", instance=instance, millivolts=millivolts, milliamperes=milliamperes)
 
     def status_of_links(self, vehicle):
         """Return the sums of the counters that the heard ports and their links keep."""
@@ -121,15 +89,3 @@ class SilentPort:
 
     def poll(self, now_ms):
         """Do nothing."""
-
-
-def _millivolts(status):
-    """Return the sum of the cells of a BATTERY_STATUS, None if none is known."""
-    cells = [cell for cell in status.voltages if cell is not None]
-    cells += [cell for cell in getattr(status, "voltages_ext", ()) if cell is not None]
-    return sum(cells) if cells else None
-
-
-def _thousandths(value):
-    """Return thousandths of a number, rounded; None for None and NaN."""
-    return None if value is None or math.isnan(value) else round(value * 1000)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/arming_checks.py: do not edit.
-# Inputs: 32629c9e1f1a8ffd
+# Inputs: 694586aec9b4aaaf
 """Arming: what it is refused for, in which order, and what the user's code has to do with it."""
 
 from failsafe_bench import TIMER, armed_watch, new_watch
@@ -95,11 +95,11 @@ def nothing_is_watched_without_the_monitor():
 
 
 CHECKS = (
-    ("failsafe", 10, reasons_not_to_arm),
-    ("failsafe", 10, latched_level_is_a_reason),
-    ("failsafe", 10, users_check_comes_last),
-    ("failsafe", 10, arming_calls_the_user),
-    ("reading", 3, nothing_is_watched_without_the_monitor),
+    (reasons_not_to_arm, "arming.reasons"),
+    (latched_level_is_a_reason, "arming.reasons"),
+    (users_check_comes_last, "arming.reasons"),
+    (arming_calls_the_user, "arming.reasons"),
+    (nothing_is_watched_without_the_monitor, "reading.monitor"),
 )
 
 if __name__ == "__main__":

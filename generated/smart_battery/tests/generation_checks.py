@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/generation_checks.py: do not edit.
-# Inputs: d06d76bea3aab7af
+# Inputs: 977574398d1abe1d
 """Generations of messages: what is chosen is streamed, what is not is sent on request, and each has its price."""
 
 from program_bench import SECOND_US, GroundStation, Port, main, messages, needs, new_rover, run, run_passes
@@ -194,13 +194,12 @@ def no_choice_costs_more_than_it_says():
 
 
 CHECKS = (
-    ("generations", 2, only_the_default_is_streamed),
-    ("generations", 2, a_choice_acts_at_once),
-    ("generations", 3, the_other_one_is_sent_on_request),
-    ("generations", 3, the_other_one_is_sent_in_an_interval),
-    ("generations", 3, data_streams_do_not_reach_the_other_one),
-    ("generations", 7, no_choice_costs_more_than_it_says),
-    ("announcements", 4, the_other_one_is_sent_on_request),
+    (only_the_default_is_streamed, "generations.choice"),
+    (a_choice_acts_at_once, "generations.choice"),
+    (the_other_one_is_sent_on_request, "generations.other", "message.request"),
+    (the_other_one_is_sent_in_an_interval, "generations.other"),
+    (data_streams_do_not_reach_the_other_one, "generations.other"),
+    (no_choice_costs_more_than_it_says, "generations.price"),
 )
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: 1a2a3345042294d3
+# Inputs: f0917c8077eaddf6
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -323,18 +323,18 @@ def _passes(rover):
 
 
 CHECKS = (
-    ("instances", 3, each_is_read_at_its_pin),
-    ("instances", 3, each_is_told_once),
-    ("instances", 2, each_has_its_own_multiplier),
-    ("instances", 3, each_fails_by_itself),
-    ("instances", 7, one_that_is_off_is_left_out),
-    ("instances", 4, each_that_is_on_is_reported),
-    ("instances", 5, failsafe_of_one_is_its_own),
-    ("instances", 5, highest_of_two_acts),
-    ("instances", 5, lower_level_does_not_act_later),
-    ("instances", 5, arming_says_which),
-    ("instances", 5, health_of_each_is_its_own),
-    ("instances", 1, several_allocate_nothing),
+    (each_is_read_at_its_pin, "component.own_readings"),
+    (each_is_told_once, "component.own_readings"),
+    (each_has_its_own_multiplier, "component.own_parameters"),
+    (each_fails_by_itself, "component.own_readings"),
+    (one_that_is_off_is_left_out, "component.off"),
+    (each_that_is_on_is_reported, "component.own_messages"),
+    (failsafe_of_one_is_its_own, "component.own_failsafe"),
+    (highest_of_two_acts, "component.own_failsafe"),
+    (lower_level_does_not_act_later, "component.own_failsafe"),
+    (arming_says_which, "component.own_failsafe"),
+    (health_of_each_is_its_own, "component.own_failsafe"),
+    (several_allocate_nothing, "component.several"),
 )
 
 if __name__ == "__main__":

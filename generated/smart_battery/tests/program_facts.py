@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 0ba1341fb063ef1e
+# Inputs: 9958778158fbd028
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -26,23 +26,56 @@ SYSTEM_ID = 1
 COMPONENT_ID = 180
 VERSION = 2
 
-# The document that each topic's criteria are numbered in; "" where the specification cites none.
-REQUIREMENTS = {
-    "instances": "",
-    "failsafe": "",
-    "health": "",
-    "reading": "FR-00066",
-    "update": "FR-00067",
-    "telemetry": "FR-00074",
-    "conversion": "FR-00069",
-    "generations": "FR-00072",
-    "announcements": "FR-00074",
-    "returns": "FR-00073",
-    "services": "FR-00070",
-    "loop": "FR-00071",
-    "storage": "NFR-00061",
-    "steady": "NFR-00060",
-    "scenarios": "NFR-00062",
+# The criteria that the specification names for each aspect of the program; a check of another one is no evidence.
+CRITERIA = {
+    "component.allocation": ("FR-00067.4",),
+    "component.mock": ("NFR-00062.1",),
+    "component.rate": ("FR-00067.1",),
+    "component.reported": ("FR-00068.1",),
+    "component.robustness": ("FR-00067.5",),
+    "component.scenarios": ("NFR-00062.2",),
+    "component.steady": ("NFR-00060.3",),
+    "control.missed": ("FR-00071.3",),
+    "generations.choice": ("FR-00072.2",),
+    "generations.other": ("FR-00072.3",),
+    "generations.price": ("FR-00072.7",),
+    "message.besides": ("FR-00076.6",),
+    "message.change": ("FR-00076.5",),
+    "message.connection": ("FR-00076.3",),
+    "message.request": ("FR-00076.4",),
+    "quantity.calibration": ("FR-00069.6",),
+    "quantity.invalid_after": ("FR-00067.3",),
+    "quantity.multiplier": ("FR-00069.2",),
+    "quantity.rounding": ("FR-00069.7",),
+    "quantity.stale_after": ("FR-00067.3",),
+    "quantity.warn_above": ("FR-00069.5",),
+    "reading.absence": ("FR-00066.5",),
+    "reading.failure": ("FR-00066.4",),
+    "reading.first": ("FR-00066.5",),
+    "reading.monitor": ("FR-00066.3",),
+    "reading.pin": ("FR-00066.1",),
+    "reading.rate": ("FR-00066.3",),
+    "reading.read_limit": ("NFR-00060.2",),
+    "reading.samples": ("FR-00066.2",),
+    "services.commands": ("FR-00070.1",),
+    "services.data_streams": ("FR-00070.4",),
+    "services.garbage": ("FR-00070.9",),
+    "services.intervals": ("FR-00070.3",),
+    "services.links": ("FR-00070.10",),
+    "services.ping": ("FR-00070.7",),
+    "services.request": ("FR-00070.2",),
+    "services.restart": ("FR-00070.6",),
+    "services.texts": ("FR-00070.8",),
+    "storage.defaults": ("NFR-00061.2",),
+    "storage.kept": ("NFR-00061.1",),
+    "storage.over_link": ("NFR-00061.8",),
+    "storage.power_cut": ("NFR-00061.3",),
+    "storage.read": ("NFR-00061.6",),
+    "storage.reboot": ("NFR-00061.7",),
+    "storage.set": ("NFR-00061.5",),
+    "storage.steps": ("NFR-00061.4",),
+    "streams.fixed": ("FR-00074.1", "FR-00074.4"),
+    "streams.rate": ("FR-00074.3",),
 }
 
 # Measured components: where they are read, how counts become stored steps, and when a value is given up.

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 7f2a6cc61326c9d0
+# Inputs: 8b9c2e52229adf1c
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -313,21 +313,21 @@ def restart_saves_first():
 
 
 CHECKS = (
-    ("storage", 1, all_values_survive),
-    ("storage", 2, absent_files_give_defaults),
-    ("storage", 2, damaged_files_give_defaults_and_a_warning),
-    ("storage", 2, what_is_not_understood_is_skipped),
-    ("storage", 3, power_cut_leaves_old_or_new),
-    ("storage", 3, sequence_wraps),
-    ("storage", 3, failed_write_keeps_the_old_values),
-    ("storage", 4, save_is_done_in_steps),
-    ("storage", 4, saving_waits_while_armed),
-    ("storage", 8, set_over_the_link_survives_a_restart),
-    ("services", 6, restart_saves_first),
-    ("services", 6, no_arming_before_a_restart),
-    ("storage", 4, save_waits_while_armed),
-    ("storage", 3, failed_save_is_tried_again),
-    ("storage", 1, lack_of_memory_does_not_end_the_program),
+    (all_values_survive, "storage.kept"),
+    (absent_files_give_defaults, "storage.defaults"),
+    (damaged_files_give_defaults_and_a_warning, "storage.defaults"),
+    (what_is_not_understood_is_skipped, "storage.defaults"),
+    (power_cut_leaves_old_or_new, "storage.power_cut"),
+    (sequence_wraps, "storage.power_cut"),
+    (failed_write_keeps_the_old_values, "storage.power_cut"),
+    (save_is_done_in_steps, "storage.steps"),
+    (saving_waits_while_armed, "storage.steps"),
+    (set_over_the_link_survives_a_restart, "storage.over_link"),
+    (restart_saves_first, "services.restart"),
+    (no_arming_before_a_restart, "services.restart"),
+    (save_waits_while_armed, "storage.steps"),
+    (failed_save_is_tried_again, "storage.power_cut"),
+    (lack_of_memory_does_not_end_the_program, "storage.kept"),
 )
 
 if __name__ == "__main__":

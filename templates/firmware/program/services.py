@@ -1,6 +1,7 @@
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
+from struct import calcsize
 
 import dialect
 import messages
@@ -23,19 +24,39 @@ class FtpHead(messages.FileTransferProtocol):
     FIELDS = "target_network:B target_system:B target_component:B payload:13B"
 
 
-def receivable():
-    """Return a new message of each kind that Services answers, for a link to receive into."""
-    return (
-        messages.Heartbeat(unknown=False),
-        messages.Ping(unknown=False),
-        messages.ParamRequestRead(unknown=False),
-        messages.ParamRequestList(unknown=False),
-        messages.ParamSet(unknown=False),
-        messages.RequestDataStream(unknown=False),
-        messages.CommandInt(unknown=False),
-        messages.CommandLong(unknown=False),
-        FtpHead(unknown=False),
+def receivable(*others):
+    """Return a new message of each kind that Services answers, and of other classes, for a link to receive into."""
+    kinds = (
+        messages.Heartbeat,
+        messages.Ping,
+        messages.ParamRequestRead,
+        messages.ParamRequestList,
+        messages.ParamSet,
+        messages.RequestDataStream,
+        messages.CommandInt,
+        messages.CommandLong,
+        FtpHead,
     )
+    return [kind(unknown=False) for kind in kinds + others]
+
+
+def _place(kind, *names):
+    """Return where the payload of a kind of message has the field of one of these names, -1 if it has none."""
+    at = 0
+    for word in kind.FIELDS.split():
+        name, form = word.split(":", 1)
+        if name in names:
+            return at
+        at += calcsize("<" + form.split("=")[0])
+    return -1
+
+
+def _both(first, second):
+    def take(message):
+        first(message)
+        second(message)
+
+    return take
 
 
 class Services:
@@ -43,28 +64,41 @@ class Services:
 
     `ground_station` is (system, component) of the ground station that was heard last, None before the first, and
     `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all that are heard.
-    `for_all` are those who take messages that have no target, by id.
+    What arrives goes to those who take it: take() adds one.
     """
 
     def __init__(self, vehicle, connection):
         self._connection = connection
-        self._commands = Commands(vehicle, connection)
+        self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
         self.ground_station = None
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
-        self.for_all = {messages.Heartbeat.ID: self._hear, messages.Ping.ID: self._answer_ping}
-        self._for_target = {
-            messages.CommandLong.ID: self._commands.handle,
-            messages.CommandInt.ID: self._commands.handle,
-            messages.ParamRequestList.ID: self.parameters.list,
-            messages.ParamRequestRead.ID: self.parameters.read,
-            messages.ParamSet.ID: self.parameters.set,
-            messages.RequestDataStream.ID: self._request_stream,
-            FtpHead.ID: self._refuse_file,
-        }
+        self._takers = {}
+        for kind, taker in (
+            (messages.Heartbeat, self._hear),
+            (messages.Ping, self._answer_ping),
+            (messages.CommandLong, self.commands.handle),
+            (messages.CommandInt, self.commands.handle),
+            (messages.ParamRequestList, self.parameters.list),
+            (messages.ParamRequestRead, self.parameters.read),
+            (messages.ParamSet, self.parameters.set),
+            (messages.RequestDataStream, self._request_stream),
+            (FtpHead, self._refuse_file),
+        ):
+            self.take(kind, taker)
+
+    def take(self, kind, taker):
+        """Call taker(message) with each message of a class that is for this vehicle, after those who take it already.
+
+        The link has to receive it, see receivable(). What is for everybody, or names no target, is for this vehicle.
+        """
+        found = self._takers.get(kind.ID)
+        if found is not None:
+            taker = _both(found[2], taker)
+        self._takers[kind.ID] = _place(kind, "target_system", "target"), _place(kind, "target_component"), taker
 
     def run(self):
         """Go on with what takes several passes."""
@@ -72,21 +106,23 @@ class Services:
         self.listeners.forget_silent(time.ticks_ms())
 
     def handle(self, message):
-        """Answer a message, if it is for this vehicle and not its own."""
-        connection = self._connection
-        if message.source_system == connection.system_id and message.source_component == connection.component_id:
+        """Give a message to who takes it, if it is for this vehicle and not its own; 0 addresses everybody."""
+        taker = self._takers.get(message.ID)
+        if taker is None:
             return
-        handler = self.for_all.get(message.ID)
-        if handler is None and self._is_addressed(message):
-            handler = self._for_target.get(message.ID)
-        if handler is not None:
-            handler(message)
-
-    def _is_addressed(self, message):
-        # 0 addresses every system, or every component.
-        if message.ID not in self._for_target or message.raw("target_system") not in (0, self._connection.system_id):
-            return False
-        return message.raw("target_component") in (0, self._connection.component_id)
+        connection = self._connection
+        own = connection.system_id
+        sent = message._image  # frames_plain says what it holds
+        if sent[7] == own and sent[8] == connection.component_id:
+            return
+        sent = message.wire
+        at = taker[0]
+        if at >= 0 and sent[at] != 0 and sent[at] != own:
+            return
+        at = taker[1]
+        if at >= 0 and sent[at] != 0 and sent[at] != connection.component_id:
+            return
+        taker[2](message)
 
     def _hear(self, message):
         if message.raw("type") == dialect.MAV_TYPE_GCS:

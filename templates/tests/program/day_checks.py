@@ -53,7 +53,7 @@ def day_across_the_wrap():
     assert sink.count > before
 
 
-CHECKS = (("loop", 1, day_across_the_wrap),)
+CHECKS = ((day_across_the_wrap, "control.grid"),)
 
 if __name__ == "__main__":
     main(CHECKS)

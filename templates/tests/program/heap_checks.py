@@ -59,7 +59,7 @@ def heap_is_constant_over_a_day():
     assert rover.connections[0].faults == 0, rover.said()
 
 
-CHECKS = (("loop", 4, heap_is_constant_over_a_day),)
+CHECKS = ((heap_is_constant_over_a_day, "control.memory"),)
 
 if __name__ == "__main__":
     main(CHECKS)

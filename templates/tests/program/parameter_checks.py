@@ -174,17 +174,15 @@ def system_id_counts_from_the_next_start():
 
 
 CHECKS = (
-    ("storage", 5, set_answers_with_the_value),
-    ("storage", 5, refused_values_change_nothing),
-    ("storage", 5, values_are_rounded_to_steps),
-    ("storage", 5, unknown_names_are_refused),
-    ("storage", 6, list_is_complete),
-    ("storage", 6, read_by_name_and_by_index),
-    ("storage", 5, change_is_announced_on_other_links),
-    ("storage", 7, multiplier_counts_from_the_next_start),
-    ("conversion", 6, multiplier_counts_from_the_next_start),
-    ("conversion", 2, set_answers_with_the_value),
-    ("storage", 7, system_id_counts_from_the_next_start),
+    (set_answers_with_the_value, "storage.set", "quantity.multiplier"),
+    (refused_values_change_nothing, "storage.set"),
+    (values_are_rounded_to_steps, "storage.set"),
+    (unknown_names_are_refused, "storage.set"),
+    (list_is_complete, "storage.read"),
+    (read_by_name_and_by_index, "storage.read"),
+    (change_is_announced_on_other_links, "storage.set"),
+    (multiplier_counts_from_the_next_start, "storage.reboot", "quantity.calibration"),
+    (system_id_counts_from_the_next_start, "storage.reboot"),
 )
 
 if __name__ == "__main__":

@@ -205,13 +205,13 @@ def one_that_is_gone_allocates_nothing():
 
 
 CHECKS = (
-    ("returns", 8, gone_and_back_counts_once),
-    ("returns", 8, only_what_is_below_the_limit_is_gone),
-    ("returns", 8, a_failed_reading_says_nothing),
-    ("returns", 8, put_in_after_the_start),
-    ("returns", 8, counting_begins_anew),
-    ("returns", 8, its_info_is_sent_at_once),
-    ("returns", 8, one_that_is_gone_allocates_nothing),
+    (gone_and_back_counts_once, "quantity.returns"),
+    (only_what_is_below_the_limit_is_gone, "quantity.returns"),
+    (a_failed_reading_says_nothing, "quantity.returns"),
+    (put_in_after_the_start, "quantity.returns"),
+    (counting_begins_anew, "quantity.returns"),
+    (its_info_is_sent_at_once, "quantity.returns"),
+    (one_that_is_gone_allocates_nothing, "quantity.returns"),
 )
 
 if __name__ == "__main__":

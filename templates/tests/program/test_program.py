@@ -1,24 +1,24 @@
-"""The checks of the program, each script in one run of each interpreter; a test is named by its check and criterion."""
+"""The checks of the program, each script in one run of each interpreter; a test is named by its check and criteria."""
 
 import ast
 import socket
 
 import pytest
 from interpreters import HERE
-from program_facts import REQUIREMENTS
+from program_facts import CRITERIA
 
 LONG = ("day", "heap")  # simulated days: they take longer than all others together
 ONLY_MICROPYTHON = ("heap", "steady")  # what they measure, CPython does not have
 
 
 def _checks(script):
-    """Return criterion, topic and name of each check of a script, without running it."""
+    """Return the name of each check of a script, and the criteria that it shows, without running it."""
     module = ast.parse((HERE / f"{script}_checks.py").read_text())
     for statement in module.body:
         if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
-            for topic, number, check in (entry.elts for entry in statement.value.elts):
-                document = REQUIREMENTS.get(topic.value, "")
-                yield f"{document}.{number.value}" if document else "", topic.value, check.id
+            for check, *aspects in (entry.elts for entry in statement.value.elts):
+                criteria = [each for aspect in aspects for each in CRITERIA.get(aspect.value, ())]
+                yield check.id, list(dict.fromkeys(criteria))
 
 
 def _cases():
@@ -26,9 +26,9 @@ def _cases():
     for script in sorted(scripts, key=lambda name: name in LONG):
         for interpreter in ("cpython", "micropython"):
             if interpreter == "micropython" or script not in ONLY_MICROPYTHON:
-                for criterion, topic, name in _checks(script):
-                    shows = [pytest.mark.requirement(criterion)] if criterion else []
-                    case = f"{interpreter}-{script}-{name}-{criterion or topic}"
+                for name, criteria in _checks(script):
+                    shows = [pytest.mark.requirement(*criteria)] if criteria else []
+                    case = "-".join((interpreter, script, name, *criteria))
                     yield pytest.param(interpreter, script, name, id=case, marks=shows)
 
 

@@ -21,10 +21,10 @@ CASES = [
 CHECKS = 4
 
 
-def shows(*numbers):
-    """Mark a test with criteria of the document that asks for the receiver."""
-    document = FACTS["requirement"].partition(".")[0]
-    return pytest.mark.requirement(*(f"{document}.{number}" for number in numbers if document))
+def shows(*aspects):
+    """Mark a test with the criteria that the specification names for aspects of the receiver."""
+    criteria = [FACTS["criteria"][aspect] for aspect in aspects if aspect in FACTS["criteria"]]
+    return pytest.mark.requirement(*dict.fromkeys(criteria))
 
 
 @pytest.fixture(scope="session")
@@ -71,7 +71,7 @@ def test_cases_are_here():
     assert {case["message"] for case in CASES} == set(FACTS["messages"])
 
 
-@shows(1, 7)
+@shows("units", "wire")
 def test_the_state_comes_back(results, frames):
     """Every quantity of every case, and None for what was unknown."""
     assert len(results["said"]) == len(frames)
@@ -86,7 +86,7 @@ def test_the_state_comes_back(results, frames):
             assert agrees(said[name], kept[about["stored"]], about), (case["name"], name, said[name], kept)
 
 
-@shows(2, 5, 6)
+@shows("views", "age", "interpreters")
 @pytest.mark.parametrize("check", range(CHECKS))
 def test_frames_together(check, results):
     """Cut frames, noise, silence, and one view for all messages, under both interpreters."""

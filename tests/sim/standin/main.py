@@ -28,6 +28,13 @@ class Levels(Parameters):
         return LEVELS[name] if name in LEVELS else Parameters.get(self, name)
 
 
+class Failsafe:
+    """What a simulation sees of a failsafe."""
+
+    title = "Battery 1"
+    level = 0
+
+
 class Scheduler:
     overruns = 0
     load = 0
@@ -61,7 +68,7 @@ class Vehicle:
         self.connections = [Connection(UdpPort("wifi", None, 14550, 0, "wifi.json", 5000, self.texts), self.state)]
         self.is_armed = False
         self._below = {}
-        self._fired = set()
+        self.battery_failsafes = [Failsafe()]
         self._update_ms = 0
 
     def arm(self, force=False):
@@ -95,11 +102,12 @@ class Vehicle:
 
     def _watch(self, now_ms):
         voltage = self._first().voltage
-        for name, level in (("low", 10.5), ("critical", 9.9)):
+        failsafe = self.battery_failsafes[0]
+        for number, (name, level) in enumerate((("low", 10.5), ("critical", 9.9)), 1):
             if not self.is_armed or (voltage and voltage >= level):
                 self._below.pop(name, None)
-            elif voltage and now_ms - self._below.setdefault(name, now_ms) >= TIMER_MS and name not in self._fired:
-                self._fired.add(name)
+            elif voltage and now_ms - self._below.setdefault(name, now_ms) >= TIMER_MS and failsafe.level < number:
+                failsafe.level = number
                 self.state.vehicle.status = 5
                 self.texts(f"warning: Battery 1 is {name} {voltage:.2f}V used 0 mAh")
 

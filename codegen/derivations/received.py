@@ -1,0 +1,64 @@
+"""What a message that arrives sets, and nothing else."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from codegen.derivations.surroundings import Surroundings
+from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.vehicle import Quantity
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+SET_TWICE = Rule(
+    "received-elsewhere",
+    "A table of a received message sets a quantity that something else sets, too: another table, a reading, the clock, "
+    "or another quantity from which it follows. Each quantity has one source.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Received(Derivation):
+    """Set by a field of the message of a table in ``receives/``."""
+
+    table: str
+    message: str
+    field: str
+
+    @property
+    def is_received(self) -> bool:
+        return True
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        yield DerivationFact("received from", self._source, "")
+
+    def words(self, quantity: Quantity) -> str:
+        return f"received from {self._source}"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        for table in system.receptions:
+            for taken in table.fields:
+                if table.name == self.table and taken.quantity.path == quantity.path:
+                    unknown = f", {taken.sentinel_words} sets it unknown" if taken.sentinel_words else ""
+                    yield "taken", f"{taken.range_words or 'ASCII'} from {table.spec.sender.value}{unknown}"
+
+    @property
+    def _source(self) -> str:
+        table = "" if self.table == self.message else f" ({self.table})"
+        return f"{self.message}.{self.field}{table}"
+
+
+def resolve_received(around: Surroundings) -> Received:
+    """The field that sets it; a second one is a finding at the second."""
+    table, key = around.received[0]
+    for other, second in around.received[1:]:
+        place = other.fields[second].at("state")
+        related = [(table.fields[key].at("state"), "the first table is here")]
+        message = f"{around.path} is set by {table.name}.{key} already"
+        around.report.add(SET_TWICE, place, message, "give each table quantities of its own", related)
+    if around.spec.restarts_with is not None:
+        message = f"{around.name} is received from {table.receive}, so it cannot begin anew with a count"
+        around.bad("restarts_with", message, SET_TWICE)
+    return Received(table.name, table.receive, key)

@@ -1,0 +1,113 @@
+"""The commands that the vehicle answers, resolved: those of the project, those of every program, and its modes."""
+
+from enum import Enum
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.affine import AffineMap
+from codegen.model.command_spec import CommandParamSpec, CommandSpec
+from codegen.model.dialect import EnumDefinition
+from codegen.model.program_spec import ModeSpec
+from codegen.model.unit import Unit
+from codegen.model.vehicle import Citation, Cited, Quantity
+
+
+class Axis(Enum):
+    """Which coordinate of a position a parameter is."""
+
+    LATITUDE = 90
+    LONGITUDE = 180
+
+
+@dataclass(frozen=True, slots=True)
+class CommandParam:
+    """A parameter of a command: ``number`` 1 to 7.
+
+    A value on the wire, which is in ``wire_unit``, becomes the method's argument, which is in ``unit``, by ``scale``.
+    ``minimum`` and ``maximum`` are limits on the wire, floats of 32 bits, None where there is none; ``limits`` says
+    them in words and in ``unit``. ``default`` is the argument for NaN. Of an ``enum`` the value is an entry or, where
+    that is a bitmask, a sum of them. COMMAND_INT carries a position (``axis``) as a whole number of 1e-7 degrees.
+    """
+
+    number: int
+    name: str
+    unit: Unit
+    wire_unit: Unit
+    scale: AffineMap
+    minimum: Fraction | None
+    maximum: Fraction | None
+    limits: str
+    is_whole: bool
+    enum: EnumDefinition | None
+    default: Fraction | None
+    axis: Axis | None
+    spec: CommandParamSpec
+
+
+@dataclass(frozen=True, slots=True)
+class Command(Cited):
+    """A command of the project: ``name`` is its entry of MAV_CMD, ``number`` the entry's value."""
+
+    name: str
+    number: int
+    params: tuple[CommandParam, ...]
+    spec: CommandSpec
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """A mode of the vehicle: ``number`` is its custom_mode, ``base`` what is true of the vehicle in it."""
+
+    number: int
+    name: str
+    base: tuple[Quantity, ...]
+    citation: Citation | None
+    spec: ModeSpec
+
+
+class Needs(Enum):
+    """What a project has to have, so that a command of every program is answered."""
+
+    NOTHING = "nothing"
+    ARMING = "arming"
+    MODES = "modes"
+
+
+@dataclass(frozen=True, slots=True)
+class BuiltInCommand:
+    """A command that programs answer by themselves.
+
+    ``method`` is the one of templates/firmware/program/commands.py.j2, None for a command that another module answers.
+    ``configured`` says where a project decides about it.
+    """
+
+    name: str
+    doc: str
+    method: str | None
+    needs: Needs = Needs.NOTHING
+    configured: str = "every program answers it by itself"
+
+
+BUILT_IN = (
+    BuiltInCommand("MAV_CMD_REQUEST_MESSAGE", "Sends a message once.", "_request_message"),
+    BuiltInCommand("MAV_CMD_SET_MESSAGE_INTERVAL", "Sets how often a message is sent.", "_set_interval"),
+    BuiltInCommand("MAV_CMD_GET_MESSAGE_INTERVAL", "Tells how often a message is sent.", "_get_interval"),
+    BuiltInCommand("MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES", "Sends AUTOPILOT_VERSION once.", "_request_capabilities"),
+    BuiltInCommand("MAV_CMD_REQUEST_PROTOCOL_VERSION", "Sends PROTOCOL_VERSION once.", "_request_protocol_version"),
+    BuiltInCommand(
+        "MAV_CMD_COMPONENT_ARM_DISARM",
+        "Arms or disarms the vehicle.",
+        "_arm_disarm",
+        Needs.ARMING,
+        "arming in vehicle.yaml says how the vehicle is armed, and check_arming() of its code what speaks against it",
+    ),
+    BuiltInCommand("MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN", "Restarts the board.", "_reboot"),
+    BuiltInCommand(
+        "MAV_CMD_DO_SET_MODE",
+        "Changes to one of the modes.",
+        None,
+        Needs.MODES,
+        "modes in vehicle.yaml declares them, and check_mode() of the vehicle's code says what speaks against one",
+    ),
+)
+"""The commands that programs answer by themselves, in the order of the firmware's table."""

@@ -1,0 +1,42 @@
+"""UARTs, buses and addresses that two parts take, though only one can have them."""
+
+from collections.abc import Iterator
+
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.model.source_kind import Source
+from codegen.model.system import System
+from codegen.source import Place
+
+RULE = Rule(
+    "shared-port",
+    "Two parts take what only one can have: a UART, by a link to ground stations or a sensor; an address on an I2C "
+    "bus; or one bus is said to be on different pins. Give each its own.",
+)
+
+
+def check(system: System) -> Iterator[Diagnostic]:
+    """Every sensor against the links and the sensors before it."""
+    owners: dict[str, tuple[str, Place]] = {}
+    lines: dict[str, tuple[int, Source, Place]] = {}
+    for link in system.links:
+        if link.spec.uart is not None:
+            owners[f"UART {link.spec.uart}"] = link.name, link.spec.at("uart")
+    for source in system.sources.values():
+        spec = source.polling.spec
+        for port, key in ((source.port, "uart"), (source.place, "address")):
+            if not port:
+                continue
+            place = spec.at(key)
+            owner, first = owners.setdefault(port, (source.name, place))
+            if first is not place:
+                message = f"{owner} and {source.name} both take {port}"
+                yield Diagnostic(place, RULE, message, related=((first, f"{owner} takes it here"),))
+        for pin in source.pins():
+            if not pin.shared:
+                continue
+            place = spec.at(pin.key)
+            gpio, other, first = lines.setdefault(pin.shared, (pin.gpio, source, place))
+            if gpio != pin.gpio:
+                message = f"{pin.shared} is GPIO {gpio} for {other.name}, and GPIO {pin.gpio} for {source.name}"
+                hint = f"{pin.key}: {gpio}"
+                yield Diagnostic(place, RULE, message, hint, ((first, f"{other.name} says it here"),))

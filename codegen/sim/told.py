@@ -1,0 +1,112 @@
+"""What the messages of a program tell of its quantities: frames as they went out, read back by the specification."""
+
+import struct
+from collections.abc import Iterator, Mapping, Sequence
+
+from codegen.frozen import dataclass
+from codegen.model.answer import Answer
+from codegen.model.dialect import Kind
+from codegen.model.system import PopulatedMessage, System
+
+_NEW = 0xFD
+"""The first byte of a frame of MAVLink 2."""
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A number that a message told: of an instance from 0, in the unit of the quantity; None for unknown."""
+
+    path: str
+    instance: int
+    value: float | None
+
+
+class Telling:
+    """Reads what frames tell; ``tables`` are all that a program sends."""
+
+    def __init__(self, tables: Sequence[PopulatedMessage] = ()) -> None:
+        """Those of the tables count that tell of any quantity."""
+        self._tables: dict[int, list[PopulatedMessage]] = {}
+        for table in tables:
+            self._tables.setdefault(table.wire.id, []).append(table)
+        self.ids = tuple(
+            number for number, found in sorted(self._tables.items()) if any(paths_of(table) for table in found)
+        )
+
+    def read(self, frame: bytes, parameters: Mapping[str, float]) -> Iterator[Told]:
+        """What a whole frame tells; ``parameters`` are those that the program has."""
+        is_new = frame[0] == _NEW
+        number = int.from_bytes(frame[7:10], "little") if is_new else frame[5]
+        tables = self._tables.get(number, [])
+        if not tables:
+            return
+        payload = frame[10 if is_new else 6 :][: frame[1]].ljust(tables[0].wire.length, b"\0")
+        for table in tables:
+            if len(tables) == 1 or _is_meant(table, payload):
+                yield from _read(table, payload, parameters)
+                return
+
+
+def paths_of(table: PopulatedMessage) -> tuple[str, ...]:
+    """The quantities that a table tells, of instances that its messages name."""
+    quantities = (quantity for answer in table.answers for quantity in answer.told_quantities)
+    return tuple(
+        quantity.path
+        for quantity in quantities
+        if quantity.component not in table.represents
+        and (table.component is None or table.component.name == quantity.component)
+    )
+
+
+def told_paths(system: System) -> tuple[str, ...]:
+    """The quantities that the messages of a program tell, each once."""
+    return tuple(dict.fromkeys(path for table in system.messages for path in paths_of(table)))
+
+
+def _read(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, float]) -> Iterator[Told]:
+    paths = paths_of(table)
+    instance = _instance(table, payload, parameters)
+    for answer in table.answers:
+        if answer.told_quantities:
+            for quantity, value in answer.told(_numbers(answer, payload)):
+                if quantity.path in paths and instance is not None:
+                    yield Told(quantity.path, instance, value)
+
+
+def _instance(table: PopulatedMessage, payload: bytes, parameters: Mapping[str, float]) -> int | None:
+    """Whose message it is, from 0; None where no instance has its number."""
+    component = table.component
+    if component is None:
+        return 0
+    answer = next((each for each in table.answers if each.is_instance_number), None)
+    if answer is None or component.instances == 1:
+        return 0
+    first = component.first_number
+    begin = 0 if first is None else round(parameters.get(first.name, float(first.default * first.step)))
+    instance = int(_numbers(answer, payload)[0]) - begin
+    return instance if 0 <= instance < component.instances else None
+
+
+def _is_meant(table: PopulatedMessage, payload: bytes) -> bool:
+    """Whether all that a table always says stands in a message: several tables may share its number."""
+    for answer in table.answers:
+        always = answer.always
+        if always is None:
+            continue
+        field = answer.covers.field
+        if field.type.kind is Kind.CHAR:
+            text = payload[field.offset : field.offset + field.size].split(b"\0")[0]
+            if text != str(always[0]).encode()[: field.size]:
+                return False
+        elif any(
+            struct.pack(f"<{field.type.code}", number) != struct.pack(f"<{field.type.code}", expected)
+            for number, expected in zip(_numbers(answer, payload), always, strict=True)
+        ):
+            return False
+    return True
+
+
+def _numbers(answer: Answer, payload: bytes) -> tuple[int | float, ...]:
+    """The elements of an answer in a payload that is filled up with zeros."""
+    covers = answer.covers
+    return struct.unpack_from(f"<{covers.count}{covers.field.type.code}", payload, covers.offset)

@@ -1,0 +1,1 @@
+"""What devices on an I2C bus have in common: access to registers, and a bus of the mocks."""

@@ -1,0 +1,131 @@
+"""A receiver of satellites that speaks NMEA 0183 on a UART: GGA, RMC, GSA and VTG."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.measure import read_time
+from codegen.model.described import Amount, described
+from codegen.model.simulated import SimulatedInput
+from codegen.model.source_kind import Output, PinUse, Polling, Source, SourceFact
+from codegen.model.source_spec import SourceSpec
+from codegen.model.unit import NUMBER, unit_named
+from codegen.sources.kind import Around, KindOfSource
+from codegen.sources.wires import Serial, serial
+
+_HUNDREDTHS = replace(NUMBER, name="steps of 1E-2", scale=Fraction(1, 100))
+_DEGREES = unit_named("degE7")
+OUTPUTS = (
+    Output("fix", NUMBER, 0, 6, "Kind of fix, as GPS_FIX_TYPE."),
+    Output("satellites", NUMBER, 0, 99, "Satellites in use."),
+    Output("latitude", _DEGREES, -900000000, 900000000, "To the north."),
+    Output("longitude", _DEGREES, -1800000000, 1800000000, "To the east."),
+    Output("altitude", unit_named("mm"), -1000000, 90000000, "Above mean sea level."),
+    Output("speed", unit_named("cm/s"), 0, 60000, "Over ground."),
+    Output("course", unit_named("cdeg"), 0, 35999, "Over ground, from true north."),
+    Output("hdop", _HUNDREDTHS, 0, 9998, "Dilution of precision in the plane."),
+    Output("vdop", _HUNDREDTHS, 0, 9998, "Dilution of precision in height."),
+)
+"""What it gives, in the order of the driver's values."""
+
+
+SAID = {
+    "fail": "the receiver says nothing",
+    "absent": "the UART is absent",
+    "garbled": "lines arrive garbled",
+    "stuck": "the receiver says what it said",
+}
+"""What can be wrong with it in a simulation."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NmeaSpec(SourceSpec):
+    """A receiver of satellites on a UART."""
+
+    uart: int = described("Number of the UART.")
+    tx: int = described("GPIO number of the UART's output.")
+    rx: int = described("GPIO number of the UART's input.")
+    baud: int = described("Bits per second.", default=9600)
+    buffer: int = described("Bytes that wait between two turns.", default=512)
+    silence: Amount | None = described("Time without a line after which it has failed. Default: 3 s.", default=None)
+
+
+@dataclass(frozen=True, slots=True)
+class NmeaReceiver(Source):
+    """On a UART; silent for ``silent_ms`` it has failed."""
+
+    polling: Polling
+    line: Serial
+    silent_ms: int
+
+    @property
+    def outputs(self) -> tuple[Output, ...]:
+        return OUTPUTS
+
+    @property
+    def module(self) -> str:
+        return "nmea"
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        return ("nmea/firmware/nmea.py",)
+
+    @property
+    def clock_modules(self) -> tuple[str, ...]:
+        return ("nmea/firmware/satellite_clock.py",)
+
+    @property
+    def opened(self) -> str:
+        return f"Nmea(lambda: {self.line.opened})"
+
+    @property
+    def cause(self) -> str:
+        return f"UART {self.line.number} does not work"
+
+    @property
+    def sets_clock(self) -> bool:
+        return True
+
+    @property
+    def tells_new(self) -> bool:
+        return True
+
+    @property
+    def silence_ms(self) -> int | None:
+        return self.silent_ms
+
+    def pins(self) -> Iterator[PinUse]:
+        return self.line.pins()
+
+    @property
+    def port(self) -> str:
+        return self.line.port
+
+    @property
+    def mocks(self) -> tuple[str, ...]:
+        return ("nmea/mocks/sim_nmea.py",)
+
+    def simulated(self, output: Output, steps: Fraction) -> SimulatedInput:
+        settings = {"uart": self.line.number, "output": output.name, "steps": float(steps)}
+        return SimulatedInput("nmea", settings, SAID)
+
+    def facts(self) -> Iterator[SourceFact]:
+        yield SourceFact("UART", self.line.opened, "uart")
+        yield SourceFact("silent after", f"{self.silent_ms} ms", "silence")
+
+    def words(self) -> str:
+        return f"NMEA 0183 on UART {self.line.number}, {self.line.baud} bits per second"
+
+
+def resolve_nmea(spec: NmeaSpec, polling: Polling, around: Around) -> NmeaReceiver | None:
+    """The UART; None after a finding."""
+    line = serial(spec, spec.baud, spec.buffer, around)
+    silent = 3000
+    if spec.silence is not None:
+        silent = read_time(spec.silence, unit_named("ms"), spec.at("silence"), around.report) or 0
+        around.failed = around.failed or not silent
+    return None if line is None else NmeaReceiver(polling, line, silent)
+
+
+NMEA = KindOfSource("nmea", NmeaSpec, resolve_nmea, "20 Hz")

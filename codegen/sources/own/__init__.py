@@ -1,0 +1,1 @@
+"""Drivers of the project's own, in specs/drivers."""

@@ -1,0 +1,164 @@
+"""A sensor whose driver is a file of the project: ``specs/drivers/NAME.yaml`` declares its keys and its outputs."""
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+from fractions import Fraction
+
+from codegen.diagnostics import did_you_mean
+from codegen.frozen import dataclass
+from codegen.model.described import Verbatim
+from codegen.model.driver_spec import BusKind, DriverKeySpec, KeyKind, OwnDriver
+from codegen.model.source_kind import Output, PinUse, Polling, Source, SourceFact
+from codegen.model.source_spec import OwnSourceSpec
+from codegen.sources.declared import declared_output
+from codegen.sources.kind import BAD_SOURCE, Around
+from codegen.sources.wires import Bus, Serial, bus, serial
+
+_CLASS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_WHOLE = re.compile(r"[-+]?(0x[0-9a-fA-F]{1,8}|\d{1,10})")
+_OF_BUS: Mapping[BusKind | None, tuple[str, ...]] = {
+    None: (),
+    BusKind.I2C: ("i2c", "sda", "scl"),
+    BusKind.UART: ("uart", "tx", "rx", "baud"),
+}
+_USUAL_BAUD = "9600"
+
+
+@dataclass(frozen=True, slots=True)
+class OwnSource(Source):
+    """A sensor with the driver ``name``; ``arguments`` are those that its class is made with, by name."""
+
+    polling: Polling
+    outputs: tuple[Output, ...]
+    driver: OwnDriver
+    wires: Bus | Serial | None
+    arguments: tuple[tuple[str, str], ...]
+    inputs: tuple[PinUse, ...]
+
+    @property
+    def module(self) -> str:
+        return self.polling.spec.driver
+
+    @property
+    def own_modules(self) -> Mapping[str, str]:
+        return {self.driver.path: self.driver.text}
+
+    @property
+    def mocks(self) -> tuple[str, ...]:
+        return ("i2c/mocks/mock_i2c.py",) if isinstance(self.wires, Bus) else ()
+
+    @property
+    def opened(self) -> str:
+        first = [f"lambda: {self.wires.opened}"] if self.wires else []
+        arguments = ", ".join([*first, *(f"{name}={value}" for name, value in self.arguments)])
+        return f"{self.driver.spec.class_name}({arguments})"
+
+    @property
+    def port(self) -> str:
+        return self.wires.port if isinstance(self.wires, Serial) else ""
+
+    def pins(self) -> Iterator[PinUse]:
+        if self.wires is not None:
+            yield from self.wires.pins()
+        yield from self.inputs
+
+    def facts(self) -> Iterator[SourceFact]:
+        if self.wires is not None:
+            yield SourceFact("connected by", self.wires.opened, "driver")
+        for name, value in self.arguments:
+            yield SourceFact(name, value, f"keys.{name}")
+
+    def words(self) -> str:
+        return self.driver.spec.doc.rstrip(".")
+
+
+def resolve_own(spec: OwnSourceSpec, polling: Polling, around: Around, driver: OwnDriver) -> OwnSource | None:
+    """Its keys by what the driver declares; None after a finding."""
+    declared = driver.spec
+    if not _CLASS.fullmatch(declared.class_name):
+        around.report.add(BAD_SOURCE, declared.at("class"), f"{declared.class_name} is no name of a class")
+        around.failed = True
+    of_bus = _OF_BUS[declared.bus]
+    unknown = [name for name in spec.keys if name not in declared.keys and name not in of_bus]
+    for name in unknown:
+        hint = did_you_mean(name, (*declared.keys, *of_bus))
+        around.bad(f"keys.{name}", f"the driver {spec.driver} has no key {name}", hint)
+    arguments, inputs = [], []
+    for name, key in declared.keys.items():
+        if name not in spec.keys and get_close_matches(name, unknown, n=1):
+            continue  # a misspelt key is one mistake
+        value = _value(name, key, spec, around)
+        if value is not None:
+            arguments.append((name, value))
+            board = around.known_board(f"the pin {name}") if key.kind is KeyKind.PIN else None
+            if board is not None:
+                around.pin(f"keys.{name}", int(value), board.free, name, board)
+                inputs.append(PinUse(int(value), f"keys.{name}", board.free))
+    found = [declared_output(name, output, around) for name, output in declared.outputs.items()]
+    wires = _wires(declared.bus, spec, around)
+    if around.failed or (declared.bus is not None and wires is None) or None in found:
+        return None
+    outputs = tuple(each[0] for each in found if each is not None)
+    return OwnSource(polling, outputs, driver, wires, tuple(arguments), tuple(inputs))
+
+
+def _value(name: str, key: DriverKeySpec, spec: OwnSourceSpec, around: Around) -> str | None:
+    """The value of a key as the generated Python has it; None after a finding."""
+    written: str | None = spec.keys.get(name)
+    if written is None:
+        if key.default is None:
+            around.bad("driver", f"{name} is missing, which the driver {spec.driver} needs", f"{name}: {key.doc}")
+            return None
+        written = str(key.default).lower() if isinstance(key.default, bool) else str(key.default)
+    match key.kind:
+        case KeyKind.TEXT:
+            return json.dumps(written)
+        case KeyKind.BOOLEAN if written in ("true", "false"):
+            return written.capitalize()
+        case KeyKind.WHOLE | KeyKind.PIN if _WHOLE.fullmatch(written):
+            return _limited(name, Fraction(int(written, 0)), key, around)
+        case KeyKind.NUMBER:
+            try:
+                return _limited(name, Fraction(written), key, around)
+            except (ValueError, ZeroDivisionError):
+                pass
+    around.bad(f"keys.{name}", f"{name} is {written}, no {key.kind}")
+    return None
+
+
+def _limited(name: str, value: Fraction, key: DriverKeySpec, around: Around) -> str | None:
+    if (key.min is not None and value < key.min) or (key.max is not None and value > key.max):
+        around.bad(f"keys.{name}", f"{name} is {float(value):g}, not {key.min} to {key.max}")
+        return None
+    return str(int(value)) if value.denominator == 1 else repr(float(value))
+
+
+class _Keys:
+    """The keys of a bus as numbers."""
+
+    def __init__(self, given: Mapping[str, int]) -> None:
+        self._given = given
+
+    def __getattr__(self, name: str) -> int:
+        return self._given[name]
+
+
+def _wires(kind: BusKind | None, spec: OwnSourceSpec, around: Around) -> Bus | Serial | None:
+    """What the device is connected to; None without, and after a finding."""
+    given = {}
+    for name in _OF_BUS[kind]:
+        written: Verbatim | str | None = spec.keys.get(name, _USUAL_BAUD if name == "baud" else None)
+        if written is None or not _WHOLE.fullmatch(written):
+            problem = "is missing" if written is None else f"is {written}, no whole number"
+            around.bad("driver" if written is None else f"keys.{name}", f"{name} {problem}")
+            continue
+        given[name] = int(written, 0)
+    if kind is None or len(given) < len(_OF_BUS[kind]):
+        return None
+    keys = _Keys(given)
+    around.prefix = "keys."
+    found = bus(keys, 400000, around) if kind is BusKind.I2C else serial(keys, given["baud"], 512, around)
+    around.prefix = ""
+    return found

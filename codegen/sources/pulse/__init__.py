@@ -1,0 +1,1 @@
+"""Pulses at a digital input."""

@@ -1,0 +1,1 @@
+"""A sensor that code of the user's reads."""

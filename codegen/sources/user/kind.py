@@ -1,0 +1,82 @@
+"""A class of the user's code whose ``read()`` returns a number, or several, in the units that board.yaml states."""
+
+import re
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.described import described
+from codegen.model.driver_spec import OutputSpec
+from codegen.model.source_kind import Output, Polling, Source, SourceFact
+from codegen.model.source_spec import SourceSpec
+from codegen.sources.declared import declared_output, in_tuple
+from codegen.sources.kind import Around, KindOfSource
+
+_CLASS = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)+", re.ASCII)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UserSpec(SourceSpec):
+    """A class of the user's code: read() returns a number, a tuple of them in the order of outputs, or None."""
+
+    class_name: str = described("Module and class, such as sonar.Sonar; it is made without arguments.", key="class")
+    unit: str | None = described("Unit of the one number that it gives, where it has no outputs.", default=None)
+    stored: str | None = described("Unit of one step that this is rounded to. Default: unit.", default=None)
+    min: Fraction | None = described("Smallest plausible value of it, in unit.", default=None)
+    max: Fraction | None = described("Largest plausible value of it, in unit.", default=None)
+    outputs: Mapping[str, OutputSpec] = described(
+        "The numbers that it gives, by name, in the order of the tuple that read() returns.", default_factory=dict
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class User(Source):
+    """``steps`` steps of an output make one of the units that the code gives it in."""
+
+    polling: Polling
+    outputs: tuple[Output, ...]
+    class_name: str
+    steps: tuple[Fraction, ...]
+
+    @property
+    def module(self) -> str:
+        return "user_source"
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        return ("user/firmware/user_source.py",)
+
+    @property
+    def opened(self) -> str:
+        module, _, name = self.class_name.rpartition(".")
+        scales = in_tuple(f"({steps.numerator}, {steps.denominator})" for steps in self.steps)
+        limits = in_tuple(f"({output.low}, {output.high})" for output in self.outputs)
+        return f'UserSource("{module}", "{name}", {scales}, {limits})'
+
+    def facts(self) -> Iterator[SourceFact]:
+        yield SourceFact("class", self.class_name, "class")
+        yield SourceFact("steps", ", ".join(map(str, self.steps)), "outputs")
+
+    def words(self) -> str:
+        return f"read() of {self.class_name}"
+
+
+def resolve_user(spec: UserSpec, polling: Polling, around: Around) -> User | None:
+    """The class and what it gives; None after a finding."""
+    if not _CLASS.fullmatch(spec.class_name):
+        around.bad("class", f"{spec.class_name} is no class of a module", "write module and class: sonar.Sonar")
+    single = {key: getattr(spec, key) for key in ("unit", "stored", "min", "max")}
+    if spec.outputs:
+        for key, value in single.items():
+            if value is not None:
+                around.bad(key, f"{key} is that of a single number, and there are outputs", "write it in outputs")
+        found = [declared_output(name, each, around) for name, each in spec.outputs.items()]
+    else:
+        found = [declared_output("", OutputSpec(place=spec.place, places=spec.places, doc=spec.doc, **single), around)]
+    if around.failed or None in found:
+        return None
+    outputs = [each for each in found if each is not None]
+    return User(polling, tuple(each for each, _ in outputs), spec.class_name, tuple(steps for _, steps in outputs))
+
+
+USER = KindOfSource("user", UserSpec, resolve_user, "10 Hz")

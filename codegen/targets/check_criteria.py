@@ -1,0 +1,52 @@
+"""The criteria that the checks of the program show: only those that the specification names for their aspects.
+
+A check knows aspects such as ``control.grid``, and no number of any document: ``criteria:`` at the sections of the
+specification says which criterion asks for each. A check of an aspect that nobody names is run, and is no evidence.
+"""
+
+from collections.abc import Iterator, Mapping
+
+from codegen.model.program import Failsafe, Program
+from codegen.model.system import System
+from codegen.model.vehicle import Citation
+
+_Cited = tuple[str, Citation]
+
+
+def check_criteria(system: System, program: Program) -> dict[str, tuple[str, ...]]:
+    """By aspect, ``section.aspect``, the criteria that its checks show."""
+    found: dict[str, dict[str, None]] = {}
+    for aspect, citation in _cited(system, program):
+        found.setdefault(aspect, {})[str(citation)] = None
+    return {aspect: tuple(criteria) for aspect, criteria in sorted(found.items())}
+
+
+def _cited(system: System, program: Program) -> Iterator[_Cited]:
+    for section, aspects in program.aspects.items():
+        yield from _named(section, aspects)
+    for failsafe in program.failsafes:
+        yield from _of_failsafe(failsafe)
+    for name, _, conversion in system.measured():
+        component = system.components[name]
+        yield from _named("component", component.aspects)
+        yield from _named("reading", conversion.channel.aspects)
+        for quantity in component.quantities.values():
+            yield from _named("quantity", quantity.aspects)
+    for stream in system.streams.values():
+        if stream.citation is not None:
+            yield f"streams.{'fixed' if stream.parameter is None else 'rate'}", stream.citation
+    for generations in system.generations:
+        yield from _named("generations", generations.aspects)
+    for message in system.messages:
+        yield from _named("message", message.aspects)
+
+
+def _of_failsafe(failsafe: Failsafe) -> Iterator[_Cited]:
+    yield from _named("failsafe", failsafe.aspects)
+    for aspect, level in (("first", failsafe.low), ("second", failsafe.critical)):
+        if level.citation is not None:
+            yield f"failsafe.{aspect}", level.citation
+
+
+def _named(section: str, aspects: Mapping[str, Citation]) -> Iterator[_Cited]:
+    return ((f"{section}.{aspect}", citation) for aspect, citation in aspects.items())

@@ -1,0 +1,241 @@
+"""View of sources.py: how each sensor is opened, and how what it gives gets into the words of the state."""
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.model.clock import CLOCK
+from codegen.model.payload_code import indented
+from codegen.model.source_kind import Output, Source
+from codegen.model.storage import SMALL_INT_MAX, Storage
+from codegen.model.system import System
+from codegen.model.vehicle import Quantity
+from codegen.targets.firmware.summing import CLOCK_MASK
+from codegen.targets.firmware.words import ConstantView, Layout, age_word
+from codegen.targets.imports import LINE_LENGTH, import_lines
+from codegen.targets.naming import prose, quoted
+from codegen.targets.source_files import module_name
+
+_CLOCK = "_CLOCK"
+WATCH_US = 1000000
+"""How often it is looked whether sensors that speak by themselves are silent."""
+
+
+@dataclass(frozen=True, slots=True)
+class GivenView:
+    """What one instance of a quantity takes from a sensor: the ``place`` of the output among its values.
+
+    ``word`` and ``expires`` are the constants of the words that it has in the state.
+    """
+
+    quantity: Quantity
+    output: Output
+    place: int
+    factor: Fraction
+    instance: int
+    word: str
+    expires: str
+
+
+@dataclass(frozen=True, slots=True)
+class SourceView:
+    """One sensor: the lines that keep and lose its values, and the expression that makes it."""
+
+    name: str
+    attribute: str
+    about: str
+    gives: str
+    keep: tuple[str, ...]
+    lost: str
+    lose: tuple[str, ...]
+    made: str
+    uses_time: bool
+    loses: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SourcesView:
+    """The module; ``listeners`` are the sensors that speak by themselves."""
+
+    imports: tuple[str, ...]
+    constants: tuple[ConstantView, ...]
+    sources: tuple[SourceView, ...]
+    listeners: tuple[str, ...]
+
+
+def sources_view(system: System, layout: Layout) -> SourcesView:
+    """The view of the whole module."""
+    constants: dict[str, int] = {}
+    sources = tuple(_source(source, given_by(source, system, layout, constants), system) for source in system.polled)
+    clocked = [source for source in system.polled if clock_is_set(source, system)]
+    if clocked:
+        constants[_CLOCK] = layout.blocks[CLOCK].base
+    listeners = tuple(source.name for source in system.polled if source.silence_ms is not None)
+    names = {("micropython", "const")}
+    names |= {(source.module, source.opened.partition("(")[0]) for source in system.polled}
+    names |= {("listening", "Listener")} if listeners else set()
+    names |= {("polling", "Poller")} if len(listeners) < len(sources) else set()
+    names |= {(module_name(source.clock_modules[0]), "set_clock") for source in clocked}
+    modules = ["machine"] if any("machine." in source.opened for source in system.polled) else []
+    modules += ["time"] if listeners else []
+    return SourcesView(
+        imports=import_lines(modules, names),
+        constants=tuple(ConstantView(name, value) for name, value in constants.items()),
+        sources=sources,
+        listeners=listeners,
+    )
+
+
+def clock_is_set(source: Source, system: System) -> bool:
+    """Whether a sensor sets the clock of the state."""
+    return source.sets_clock and CLOCK in system.components
+
+
+def given_by(source: Source, system: System, layout: Layout, constants: dict[str, int]) -> list[GivenView]:
+    """What the quantities of the state take from a sensor; the words of these are added to the constants."""
+    places, at = {}, 0
+    for output in source.outputs:
+        places[output.name] = at
+        at += output.storage.words
+    found = []
+    for component in system.components.values():
+        block = layout.blocks[component.name]
+        for quantity in component.quantities.values():
+            for instance, (name, output, factor) in enumerate(quantity.derivation.gives):
+                if name != source.name:
+                    continue
+                number = f"_{instance + 1}" if component.instances > 1 else ""
+                words = [quantity.attribute, *([age_word(quantity)] if quantity.ages else [])]
+                shown = [f"{block.constant(word)}{number}" for word in words]
+                for word, constant in zip(words, shown, strict=True):
+                    constants[constant] = layout.places(component.name, word)[instance]
+                found.append(GivenView(quantity, output, places[output.name], factor, instance, shown[0], shown[-1]))
+    return found
+
+
+def _source(source: Source, given: list[GivenView], system: System) -> SourceView:
+    polling = source.polling
+    keep = list(_keep(source, given, sets_clock=clock_is_set(source, system)))
+    lose = [line for each in given for line in _losing(each)]
+    after = _listed(
+        dict.fromkeys(
+            f"{each.quantity.path} after {each.quantity.trust.invalid_after}"
+            for each in given
+            if each.quantity.trust.invalid_after is not None
+        )
+    )
+    functions = f"(words, _keep_{source.name}, _lose_{source.name})"
+    arguments = [quoted(source.name), source.opened, functions]
+    arguments += [str(polling.limit_us), str(polling.retry_ms), quoted(source.cause), "log"]
+    maker = "Poller"
+    if source.silence_ms is not None:
+        maker, arguments = "Listener", [str(source.silence_ms), *arguments]
+    cited = f" ({polling.citation})" if polling.citation else ""
+    return SourceView(
+        name=source.name,
+        attribute=f"self.{source.name}",
+        about=prose(polling.spec.doc or source.words()).rstrip(".") + cited,
+        gives=_listed(dict.fromkeys(each.quantity.path for each in given)),
+        keep=tuple(keep) or ("pass",),
+        lost=f"Forget what failures in a row make unknown: {after}." if lose else "Failures make nothing unknown.",
+        lose=tuple(lose) or ("pass",),
+        made=_call(maker, arguments),
+        uses_time=any(each.quantity.ages for each in given),
+        loses=bool(lose),
+    )
+
+
+def _listed(paths: Iterable[str]) -> str:
+    """The quantities, or how many they are where one line has no room."""
+    text = ", ".join(paths) or "nothing"
+    return text if len(text) < 70 else f"{len(text.split(', '))} quantities"
+
+
+def _call(maker: str, arguments: list[str]) -> str:
+    """A call as the formatter prints it in a method."""
+    inside = ", ".join(arguments)
+    if len(inside) + len(maker) + 30 <= LINE_LENGTH:
+        return f"{maker}({inside})"
+    return f"{maker}(\n            " + ",\n            ".join(arguments) + ",\n        )"
+
+
+def _keep(source: Source, given: list[GivenView], *, sets_clock: bool) -> Iterator[str]:
+    """Put all values into their words; where not all of them are new at once, those that are."""
+    behind = sum(output.storage.words for output in source.outputs)
+    if not source.tells_new:
+        for each in given:
+            yield from _keeping(each)
+        return
+    mask = behind + (4 if source.sets_clock else 0)
+    yield f"new = values[{mask}]"
+    for each in given:
+        yield f"if new & {1 << source.outputs.index(each.output)}:"
+        yield from indented(list(_keeping(each)))
+    if sets_clock:
+        yield f"if new & {1 << len(source.outputs)}:"
+        yield f"    set_clock(words, {_CLOCK}, values, {behind})"
+
+
+def _keeping(given: GivenView) -> Iterator[str]:
+    """Put one value into its words; what is unknown or cannot be makes the quantity unknown."""
+    quantity, output = given.quantity, given.output
+    unit = output.unit.name
+    what = f"{output.name or quantity.name}{f' [{unit}]' if unit else ''}"
+    yield f"value = values[{given.place}]  # {what}"
+    if output.storage is not Storage.SMALL:
+        known = ["if value != _UNKNOWN:"]
+        put = [f"words[{given.word}] = value"]
+        more = range(1, output.storage.words)
+        put += [f"words[{given.word} + {half}] = values[{given.place + half}]" for half in more]
+    else:
+        known = [f"if {_plausible(output)}:"]
+        put = [f"words[{given.word}] = {_scaled(given.factor, output)}"]
+    yield from known
+    yield from indented(put)
+    if quantity.ages:
+        back = (1 << 30) - (quantity.trust.stale_after_ms or 0)
+        yield f"    words[{given.expires}] = now_ms - {back} & {CLOCK_MASK}  # in {quantity.trust.stale_after_ms} ms"
+    yield "else:"
+    yield from indented(list(_unknown(given)))
+
+
+def _plausible(output: Output) -> str:
+    if (output.low, output.high) == (-SMALL_INT_MAX, SMALL_INT_MAX):
+        return "value != _UNKNOWN"
+    return f"{output.low} <= value <= {output.high}"
+
+
+def _scaled(factor: Fraction, output: Output) -> str:
+    """``value`` times a factor, to the nearest, a half away from zero, without a product beyond 30 bits."""
+    numerator, denominator = factor.numerator, factor.denominator
+    if denominator == 1:
+        return "value" if numerator == 1 else f"value * {numerator}"
+    times = "" if numerator == 1 else f" * {numerator}"
+    half = denominator // 2
+    up = f"value // {denominator}{times} + (value % {denominator}{times} + {half}) // {denominator}"
+    if output.low >= 0:
+        return up
+    down = f"-(-value // {denominator}{times} + (-value % {denominator}{times} + {half}) // {denominator})"
+    return f"{up} if value >= 0 else {down}"
+
+
+def _unknown(given: GivenView) -> Iterator[str]:
+    """Make a quantity unknown, or what it is initially."""
+    quantity = given.quantity
+    initial = quantity.initial
+    if initial is None:
+        yield f"words[{given.word}] = _UNKNOWN"
+        if quantity.ages:
+            yield f"words[{given.expires}] = _UNKNOWN"
+        return
+    assert not isinstance(initial, str)
+    halves = (int(initial),) if quantity.storage is Storage.SMALL else quantity.storage.split(int(initial))
+    for at, half in enumerate(halves):
+        yield f"words[{given.word}{f' + {at}' if at else ''}] = {half}"
+
+
+def _losing(given: GivenView) -> Iterator[str]:
+    lasting = given.quantity.trust.invalid_after
+    if lasting is not None:
+        yield f"if failures >= {lasting}:"
+        yield from indented(list(_unknown(given)))

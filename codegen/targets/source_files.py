@@ -1,0 +1,31 @@
+"""The files that kinds of sensors bring along, drivers and mocks: copied where a project has such a sensor."""
+
+import os
+
+from codegen.model.clock import CLOCK
+from codegen.model.system import System
+from codegen.targets.origin import headed, origin_of, origin_of_text
+from codegen.template_files import driver_text
+
+
+def module_name(path: str) -> str:
+    """The name of the module in a file."""
+    return os.path.basename(path).removesuffix(".py")
+
+
+def mock_paths(system: System) -> tuple[str, ...]:
+    """The files that stand in for the hardware of sensors, once each."""
+    return tuple(dict.fromkeys(path for source in system.polled for path in source.mocks))
+
+
+def source_files(system: System, folder: str) -> dict[str, str]:
+    """The files below ``folder``, which is firmware or mocks: ``{path in the output: text}``."""
+    files = {}
+    for source in system.polled:
+        clock = source.clock_modules if CLOCK in system.components else ()
+        for path in (*source.modules, *clock) if folder == "firmware" else source.mocks:
+            text = driver_text(path)
+            files[f"{folder}/{os.path.basename(path)}"] = headed(text, origin_of_text(f"codegen/sources/{path}", text))
+        for path, text in source.own_modules.items() if folder == "firmware" else ():
+            files[f"{folder}/{os.path.basename(path)}"] = headed(text, origin_of(system, [path]))
+    return files

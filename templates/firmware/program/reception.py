@@ -1,0 +1,78 @@
+"""A message that sets quantities of the state, on one link: who may send it, and what is counted of it."""
+
+import time
+from array import array
+
+from heard import is_heard
+from micropython import const
+
+ANY = const(0)
+GROUND_STATION = const(1)  # a system of which a ground station's HEARTBEAT is heard on this link
+OWN_SYSTEM = const(2)  # another component of this vehicle
+
+_QUIET_MS = const(10000)  # between two texts about implausible numbers
+_FIELDS = const(3)  # where the counts of fields begin
+
+
+class Reception:
+    """A table of specs/receives.
+
+    `counts` is what the functions of receiving write, and read: [0] the number of the last field that was implausible,
+    from 1, or 0, and -1 for a message that is not for this table; [1] how many messages were taken; [2] whether this
+    one came by MAVLink 1, which has no extensions; then for each field how many of its numbers were implausible. They
+    start anew after 2 ** 30.
+    """
+
+    def __init__(self, name, fields, take, is_extended, sender, called, connection, vehicle):
+        self._name = name
+        self._fields = fields
+        self._take = take
+        self._state = connection.link._state if is_extended else None  # frames_plain says what it holds
+        self._sender = sender
+        self._called = called
+        self._system_id = connection.system_id
+        self._listeners = connection.services.listeners
+        self._words = vehicle.state.words
+        self._log = vehicle.texts
+        self._told_ms = None
+        self.counts = array("i", [0] * (_FIELDS + len(fields)))
+
+    @property
+    def taken(self):
+        """How many messages were taken."""
+        return self.counts[1]
+
+    @property
+    def refused(self):
+        """How many numbers of each field were implausible, by the names of those of which any was."""
+        found = {}
+        for at in range(len(self._fields)):
+            if self.counts[_FIELDS + at]:
+                found[self._fields[at]] = self.counts[_FIELDS + at]
+        return found
+
+    def take(self, message):
+        """Set the quantities, if the sender may."""
+        if self._sender == GROUND_STATION:
+            if not is_heard(self._listeners, message._image[7]):
+                return
+        elif self._sender == OWN_SYSTEM and message._image[7] != self._system_id:
+            return
+        counts = self.counts
+        if self._state is not None:
+            counts[2] = 1 if self._state[4] - self._state[3] == 6 else 0  # the bytes of a header
+        self._take(message.wire, self._words, counts, time.ticks_ms())
+        if counts[0] > 0:
+            self._tell(message)
+        if counts[0] >= 0 and self._called is not None:
+            self._called()
+
+    def _tell(self, message):
+        now_ms = time.ticks_ms()
+        if self._told_ms is None or time.ticks_diff(now_ms, self._told_ms) >= _QUIET_MS:
+            self._told_ms = now_ms
+            name, _, element = self._fields[self.counts[0] - 1].partition("[")
+            value = message.raw(name)
+            if element:
+                value = value[int(element[:-1])]
+            self._log(f"warning: {self._name}.{self._fields[self.counts[0] - 1]} not plausible:", value)

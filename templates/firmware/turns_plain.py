@@ -1,0 +1,18 @@
+"""The turn of a sensor for which nothing waits, most of the time; turns_viper is the same in machine code."""
+
+
+def turning(poll):
+    """Return what is called in each slot, and what tells it which function says whether something waits."""
+
+    def waiting():
+        return True
+
+    def turn():
+        if waiting():
+            poll()
+
+    def listen(function):
+        nonlocal waiting
+        waiting = function
+
+    return turn, listen

@@ -1,0 +1,113 @@
+"""What has to become of messages that arrive, by the tables alone: exact arithmetic, and nothing of the firmware."""
+
+import math
+import struct
+from fractions import Fraction
+
+GROUND_STATION = 6  # MAV_TYPE_GCS
+FLOATS = {"float": "<f", "double": "<d"}
+
+
+class Model:
+    """A vehicle that knows what was received: `known` by component and attribute, `taken` and `refused` by table."""
+
+    def __init__(self, facts):
+        self._facts = facts
+        self._now_ms = 0
+        self._heard = set()
+        self._until_ms = {}
+        self.known = {}
+        self.taken = {table["name"]: 0 for table in facts["tables"]}
+        self.refused = {table["name"]: {} for table in facts["tables"]}
+        for table in facts["tables"]:
+            for field in table["fields"]:
+                self.known[_path(field)] = False if field["kind"] == "boolean" else None
+
+    def passes(self, duration_ms):
+        """Let time pass: what is older than it may be is forgotten."""
+        self._now_ms += duration_ms
+        for path, until_ms in self._until_ms.items():
+            if self._now_ms > until_ms:
+                self.known[path] = None
+
+    def receives(self, message, values, sender, version, types):
+        """Take a message; `values` are by field, those of arrays as lists, `types` of the wire by field."""
+        if sender == self._facts["own"]:
+            return
+        if message == "HEARTBEAT" and values["type"] == GROUND_STATION:
+            self._heard.add(sender[0])
+        for table in self._facts["tables"]:
+            if table["message"] == message and self._is_for(table, values, sender):
+                self.taken[table["name"]] += 1
+                for field in table["fields"]:
+                    self._take(table["name"], field, values, version, types)
+
+    def _is_for(self, table, values, sender):
+        for name, own in zip(table["target"], self._facts["own"], strict=True):
+            if name is not None and values[name] not in (0, own):
+                return False
+        if any(values[name] != number for name, number in table["where"].items()):
+            return False
+        if table["sender"] == "ground_station":
+            return sender[0] in self._heard
+        return table["sender"] == "any" or sender[0] == self._facts["own"][0]
+
+    def _take(self, table, field, values, version, types):
+        path = _path(field)
+        if version == 1 and field["is_extension"]:
+            outcome = None
+        elif field["kind"] == "text":
+            outcome = _text(field, values[field["field"]])
+        else:
+            outcome = _number(field, values[field["field"]], types[field["field"]])
+        if outcome is None:
+            self.known[path] = self.known[path] if field["kind"] == "boolean" else None
+        elif outcome is Ellipsis:
+            refused = self.refused[table]
+            refused[field["label"]] = refused.get(field["label"], 0) + 1
+        else:
+            self.known[path] = outcome
+            if field["stale_ms"] is not None:
+                self._until_ms[path] = self._now_ms + field["stale_ms"]
+
+
+def _path(field):
+    return field["component"] + "." + field["attribute"]
+
+
+def _text(field, value):
+    """The text, None for unknown, or Ellipsis: it is not taken."""
+    value = value.split("\0")[0]
+    if not value.isascii():
+        return Ellipsis
+    return None if value == "" and field["sentinel"] is not None else value
+
+
+def _number(field, value, kind):
+    """What is kept of a number on the wire, None for unknown, or Ellipsis: it is not taken."""
+    speaking = value if field["element"] is None else value[field["speaking"]]
+    value = value if field["element"] is None else value[field["element"]]
+    if kind in FLOATS:
+        speaking, value = (
+            struct.unpack(FLOATS[kind], struct.pack(FLOATS[kind], each))[0] for each in (speaking, value)
+        )
+        if not math.isfinite(value):
+            return None
+    if speaking == field["sentinel"] and field["kind"] != "boolean":
+        return None
+    if not field["low"] <= value <= field["high"]:
+        return Ellipsis
+    if field["kind"] == "boolean":
+        return value != 0
+    return value if field["kind"] == "float" else _rounded(value * Fraction(field["factor"]), field["rounding"])
+
+
+def _rounded(value, rounding):
+    if rounding == "down":
+        return math.floor(value)
+    if rounding == "up":
+        return math.ceil(value)
+    if rounding == "toward_zero":
+        return math.trunc(value)
+    whole = math.floor(abs(value) + Fraction(1, 2))
+    return whole if value >= 0 else -whole

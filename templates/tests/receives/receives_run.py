@@ -1,0 +1,60 @@
+"""Runs cases of received messages on whatever interpreter reads this file, and prints what the vehicle knows then.
+
+The argument is a file with the quantities, what is called, and the cases: frames in hexadecimal digits, and times in ms
+that pass. Values come as texts, so that nothing is lost of them.
+"""
+
+import json
+import sys
+
+from program_bench import Rover, mock_time
+
+
+def known(state, paths):
+    """Return the values of quantities by path, as texts."""
+    found = {}
+    for path in paths:
+        component, _, attribute = path.partition(".")
+        value = getattr(getattr(state, component), attribute)
+        found[path] = None if value is None else str(value)
+    return found
+
+
+def outcome(steps, paths, calls):
+    """Return what is known after the steps of a case, what was counted by table, what was called, and faults."""
+    rover = Rover()
+    connection = rover.connections[0]
+    for path in paths:  # the bench knows some value of everything
+        component, _, attribute = path.partition(".")
+        setattr(getattr(rover.state, component), attribute, None)
+    called = {}
+    for table, reception in connection.receptions.items():
+        if calls[table] is not None:
+            assert reception._called == getattr(rover, calls[table])
+            called[table] = 0
+            reception._called = counting(called, table)
+    now_ms = 0
+    for step in steps:
+        if isinstance(step, int):
+            mock_time.advance_us(1000 * step)
+            now_ms += step
+            continue
+        rover.port.arrives(bytes.fromhex(step))
+        for _ in range(3):
+            connection.run(now_ms)
+    counts = {table: [each.taken, each.refused] for table, each in connection.receptions.items()}
+    return known(rover.state, paths), counts, called, connection.faults
+
+
+def counting(called, table):
+    """Return a function that counts its calls."""
+
+    def count():
+        called[table] += 1
+
+    return count
+
+
+with open(sys.argv[1]) as file:
+    about = json.loads(file.read())
+print(json.dumps([outcome(steps, about["paths"], about["calls"]) for steps in about["cases"]]))

@@ -1,0 +1,33 @@
+"""The checks of sources_behaviour.py, in one run of each interpreter; a test is named by its sensor and check."""
+
+import ast
+
+import pytest
+from interpreters import HERE
+from source_facts import CRITERIA, SOURCES
+
+
+def _checks():
+    """Return aspect and name of each check, without running it."""
+    for statement in ast.parse((HERE / "sources_behaviour.py").read_text()).body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "CHECKS":
+            for aspect, check in (entry.elts for entry in statement.value.elts):
+                yield aspect.value, check.id
+
+
+def _cases():
+    for interpreter in ("cpython", "micropython"):
+        for source in SOURCES:
+            for aspect, check in _checks():
+                criterion = CRITERIA[source["name"]].get(aspect)
+                shows = [pytest.mark.requirement(criterion)] if criterion else []
+                name = f"{source['name']}-{check}"
+                yield pytest.param(interpreter, name, id=f"{interpreter}-{name}", marks=shows)
+
+
+@pytest.mark.parametrize(("interpreter", "name"), list(_cases()))
+def test_source(interpreter, name, printed):
+    """The sensor is asked, kept and told of as the specification says."""
+    found = printed(interpreter, "sources_behaviour.py")
+    assert "" not in found, found[""]
+    assert found[name] is None, found[name]

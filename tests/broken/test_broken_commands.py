@@ -1,0 +1,106 @@
+"""Commands and modes with a fault: each is reported at its line and column, and alone.
+
+A case changes one file of the commanded boat: ``old`` becomes ``new``, in which ``§`` marks the place.
+"""
+
+import shutil
+from pathlib import Path
+
+import pytest
+from test_broken_tables import ROOT, Case, name_of
+
+from codegen.cli import main
+
+COMMANDS, VEHICLE, STATE = "commands.yaml", "vehicle.yaml", "state.yaml"
+HORN = "  MAV_CMD_USER_3: {doc: Sounds the horn., method: sound_horn, requirement: FR-301.2}"
+DURATION = "1: {name: duration, unit: s, min: 0, max: 60}"
+LAMPS = "1: {name: lamps, whole: true, min: 0, max: 3}"
+ANGLE = "1: {name: angle, unit: rad}"
+
+
+def horn(text: str) -> str:
+    """The horn's command with something more, or otherwise."""
+    return HORN.replace("requirement: FR-301.2", text)
+
+
+CASES = [
+    Case("unknown-enum-entry", COMMANDS, "  MAV_CMD_USER_1:", "  §MAV_CMD_USR_1:", "did you mean MAV_CMD_USER_1"),
+    Case("built-in-command", COMMANDS, HORN, HORN.replace("  MAV_CMD_USER_3", "  §MAV_CMD_COMPONENT_ARM_DISARM"), "arming in vehicle.yaml says how"),
+    Case("built-in-command", COMMANDS, HORN, HORN.replace("  MAV_CMD_USER_3", "  §MAV_CMD_DO_SET_MODE"), "modes in vehicle.yaml declares them"),
+    Case("built-in-command", COMMANDS, HORN, HORN.replace("  MAV_CMD_USER_3", "  §MAV_CMD_REQUEST_MESSAGE"), "every program answers it"),
+    Case("bad-command", COMMANDS, "method: sound_horn", "method: §Horn", "Horn cannot be the name of a method"),
+    Case("bad-command", COMMANDS, "method: sound_horn", "method: §class", "class cannot be the name of a method"),
+    Case("bad-command", COMMANDS, "method: sound_horn", "method: §arm", "arm cannot be the name of a method"),
+    Case("bad-command", COMMANDS, "method: sound_horn", "method: §pump_progress", "pump_progress cannot be"),
+    Case("bad-command", COMMANDS, "method: sound_horn", "method: §pump", "takes long for one command"),
+    Case("bad-command", VEHICLE, "modes:", "actions: [{value: 1, call: go_to, doc: Go.}]\nmodes:", "what a failsafe calls", at=f"{COMMANDS}:21:13"),
+    Case("bad-command", VEHICLE, "arming: {force: 21196}\n", "", "nothing can be armed", at=f"{COMMANDS}:24:14", is_alone=False),
+    Case("unknown-key", COMMANDS, HORN, horn("§lang: true"), "did you mean long"),
+    Case("unknown-choice", COMMANDS, HORN, horn("allowed: §sometimes")),
+    Case("unknown-requirement", COMMANDS, HORN, horn("requirement: §FR-301.20")),
+    Case("unknown-aspect", COMMANDS, HORN, horn("criteria: {refusals: §FR-301.4}"), "did you mean refusal"),
+    Case("bad-command-parameter", COMMANDS, DURATION, "§8: {name: duration}", "parameters 1 to 7"),
+    Case("bad-command-parameter", COMMANDS, DURATION, "§one: {name: duration}", "parameters 1 to 7"),
+    Case("bad-command-parameter", COMMANDS, "name: duration", "name: §power", "power cannot be the name", at=f"{COMMANDS}:9:17"),
+    Case("bad-command-parameter", COMMANDS, "name: duration", "name: §how long", "how long cannot be the name"),
+    Case("bad-command-parameter", COMMANDS, "min: 0, max: 60", "min: §61, max: 60", "smallest is above its largest"),
+    Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, max: §361}", "beyond what the dialect allows for MAV_CMD_CONDITION_YAW 1: 360"),
+    Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: rad, min: §-0.1}", "0 on the wire"),
+    Case("bad-command-parameter", COMMANDS, "max: 100, default: 50", "max: 100, default: §5", "no value that it accepts"),
+    Case("bad-command-parameter", COMMANDS, LAMPS, "1: {name: lamps, whole: true, default: §0.5}", "no value that it accepts"),
+    Case("bad-command-parameter", COMMANDS, "2: {name: options}", "2: {name: options, default: §4}", "no value that it accepts"),
+    Case("bad-command-parameter", COMMANDS, "2: {name: options}", "2: {name: options, enum: §MAV_STATE}", "of MAV_DO_REPOSITION_FLAGS in the dialect"),
+    Case("unknown-enum-entry", COMMANDS, LAMPS, "1: {name: lamps, enum: §MAV_STAT}", "did you mean MAV_STATE"),
+    Case("unknown-unit", COMMANDS, "name: duration, unit: s", "name: duration, unit: §seconds", "did you mean s"),
+    Case("unit-mismatch", COMMANDS, "unit: km/h", "unit: §m", "is in m/s, and m is not"),
+    Case("no-program-for-commands", VEHICLE, None, "", "no program", at=f"{COMMANDS}:1:1"),
+    Case("bad-mode", VEHICLE, "  11: {name: RTL", "  §31: {name: RTL", "31 is not a mode"),
+    Case("bad-mode", VEHICLE, "  11: {name: RTL", "  §eleven: {name: RTL", "eleven is not a mode"),
+    Case("bad-mode", VEHICLE, "name: RTL", "name: §GUIDED", "name of another mode", at=f"{VEHICLE}:10:14"),
+    Case("bad-mode", VEHICLE, "base: [steered]", "base: [§stered]", "did you mean steered"),
+    Case("bad-mode", VEHICLE, "base: [steered]", "base: [§armed]", "no boolean that a mode can set"),
+    Case("bad-mode", VEHICLE, "base: [steered]", "base: [§mode]", "no boolean that a mode can set"),
+    Case("bad-mode", VEHICLE, "modes:", "actions: [{value: 1, call: drift, doc: Drift., mode: §12}]\nmodes:", "mode 12, which is not declared"),
+    Case("bad-mode", STATE, "max: 30, initial: 4", "max: 30, initial: §5", "begins as 5"),
+    Case("bad-mode", STATE, "      mode: {doc: Number of the mode., min: 0, max: 30, initial: 4}\n", "", "no number mode to be set", is_alone=False),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES, ids=name_of)
+def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
+    """The rule, the place and the words are right, and there is nothing else."""
+    shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")
+    path = tmp_path / "specs" / case.file
+    wanted = f"specs/{case.at}: " if case.at else ""
+    if case.old is None:
+        path.unlink()
+    else:
+        text = path.read_text()
+        assert case.old in text
+        text = text.replace(case.old, case.new, 1)
+        before, mark, _ = text.partition("§")
+        if mark and not case.at:
+            wanted = f"specs/{case.file}:{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}: "
+        path.write_text(text.replace("§", ""))
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 1
+    printed = capsys.readouterr().out
+    errors = [line for line in printed.splitlines() if ": error " in line]
+    found = [line for line in errors if f" error {case.rule}: " in line]
+    assert any(line.startswith(wanted) for line in found), errors
+    assert len(errors) == 1 or not case.is_alone, errors
+    assert case.says in printed
+
+
+def test_a_command_that_programs_answer_otherwise_only(tmp_path, monkeypatch, capsys):
+    """Without modes MAV_CMD_DO_SET_MODE is the project's own, and COMMAND_CANCEL may be missing."""
+    shutil.copytree(ROOT / "tests" / "projects" / "commanded" / "specs", tmp_path / "specs")
+    vehicle, commands, project = (tmp_path / "specs" / name for name in (VEHICLE, COMMANDS, "codegen.yaml"))
+    vehicle.write_text(vehicle.read_text().partition("modes:")[0])
+    commands.write_text(commands.read_text().replace("MAV_CMD_USER_3", "MAV_CMD_DO_SET_MODE"))
+    project.write_text(project.read_text().replace("overlays", "# overlays"))
+    monkeypatch.chdir(tmp_path)
+    assert main(["build"]) == 0, capsys.readouterr().out
+    built = {path.name for path in Path("generated/firmware").iterdir()}
+    assert {"own_commands.py", "long_commands.py"} <= built
+    assert not {"mode_service.py", "command_cancel.py"} & built

@@ -1,0 +1,153 @@
+"""Tables of received messages that cannot be: each fault is reported at its place, and all of them in one run.
+
+The cases change tests/projects/received; ``§`` stands before what is reported.
+"""
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from codegen.cli import main
+
+SPECS = Path(__file__).resolve().parents[1] / "projects" / "received" / "specs"
+RC, STICK, FIX = "receives/rc_channels_override.yaml", "receives/manual_control.yaml", "receives/gps_input.yaml"
+WHEELS, TUNE, MODE = "receives/wheel_distance.yaml", "receives/play_tune.yaml", "receives/heartbeat.yaml"
+STATE = "state.yaml"
+
+
+@dataclass(frozen=True)
+class Case:
+    """A change of one file: the rule and the words that are reported; ``others`` findings follow from it."""
+
+    rule: str
+    file: str
+    old: str
+    new: str
+    says: str
+    others: int = 0
+
+
+CASES = [
+    Case("unknown-message", RC, "RC_CHANNELS_OVERRIDE\n", "§RC_CHANEL_OVERRIDE\n", "did you mean RC_CHANNELS_OVERRIDE or"),
+    Case("unknown-field", RC, "  chan1_raw:", "  §chan1_row:", "did you mean chan1_raw or"),
+    Case("unknown-field", FIX, "{gps_id: 0}", "{gps_idx: §0}", "did you mean gps_id?"),
+    Case("unknown-quantity", RC, "{state: rc.rudder}", "{state: §rc.ruder}", "did you mean rc.rudder or"),
+    Case("unknown-key", RC, "from:", "§form:", "did you mean from?"),
+    Case("unknown-requirement", RC, "requirement: FR-1.3", "requirement: §FR-1.33", "FR-1 has no criterion 33"),
+    Case("unknown-requirement", RC, "requirement: FR-1.4}", "requirement: §FR-1.34}", "FR-1 has no criterion 34"),
+    Case("unknown-aspect", RC, "{range: FR-1.4", "{ranges: §FR-1.4", "did you mean range?"),
+    Case("missing-key", STICK, "requirement: FR-1.6\n", "", "requirement"),
+    Case("unknown-choice", RC, "ground_station", "§gcs", "known: any, ground_station, own_system"),
+    Case("unknown-element", WHEELS, "distance[15]:", "§distance[16]:", "16 elements, from 0"),
+    Case("unknown-element", WHEELS, "distance[15]:", "§distance:", "write distance[0]"),
+    Case("unknown-element", TUNE, "tune: {", "§tune[0]: {", "a text, taken as a whole"),
+    Case("answered-twice", WHEELS, "distance[15]:", "§distance[0..0]:", "WHEEL_DISTANCE.distance[0..0] is taken twice"),
+    Case("received-elsewhere", WHEELS, "wheels.count}", "§stick.buttons}", "stick.buttons is set by MANUAL_CONTROL.buttons already"),
+    Case("received-elsewhere", STICK, "stick.buttons}", "§clock.boot}", "clock.boot is not for a message to set: counted"),
+    Case("received-elsewhere", STATE, "buttons: {doc: Which are pressed., min", "buttons: {doc: Which are pressed., restarts_with: §time, min", "begin anew", 1),
+    Case("unit-mismatch", RC, "{state: rc.rudder}", "{state: §wheels.spare}", "chan1_raw is a time (us), wheels.spare is a length (m)"),
+    Case("uncarried-conversion", FIX, "{state: fix.yaw}", "{state: §fix.angle}", "keep it in cdeg"),
+    Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §wheels.near}", "a whole number of one word in mm"),
+    Case("cannot-receive", TUNE, "{state: tune.notes}", "{state: §tune.short}", "tune has 30 characters, and tune.short keeps 29 bytes only"),
+    Case("cannot-receive", TUNE, "{state: tune.notes}", "{state: tune.notes, §min: 3}".replace("§min: 3", "min: §3"), "min says nothing of a text"),
+    Case("cannot-receive", TUNE, "{state: tune.notes}", "{state: §tune.figure}", "tune is a text, and tune.figure a number"),
+    Case("cannot-receive", STICK, "{state: stick.pressed}", "{state: stick.pressed, max: §3}", "is no number, so max says nothing"),
+    Case("cannot-receive", FIX, "{state: fix.time}", "{state: §fix.seconds}", "time_usec is too wide to be converted to s"),
+    Case("not-an-enum-field", MODE, "custom_mode: {state: tune.program}", "custom_mode: {state: §tune.kind}", "tune.kind is a MAV_TYPE, custom_mode is of no enum"),
+    Case("limit-beyond-field", RC, "min: 1000 us", "min: §499 us", "from 500 to 2500 on the wire anyway"),
+    Case("unit-mismatch", RC, "min: 1000 us", "min: §1 m", "1 m is a length, but a time is needed"),
+    Case("empty-limits", RC, "min: 1000 us", "min: §2.1", "nothing of chan2_raw is left"),
+    Case("bad-condition", FIX, "{gps_id: 0}", "{gps_id: §256}", "gps_id carries whole numbers from 0 to 255"),
+    Case("bad-condition", FIX, "{gps_id: 0}", "{alt: §0}", "no whole number of up to 16 bits"),
+    Case("unknown-enum-entry", MODE, "from: ground_station", "where: {type: §MAV_TYPE_GCSS}", "did you mean MAV_TYPE_GCS or"),
+    Case("bad-table-name", FIX, "as: fix", "as: §Fix", "is no name of a table"),
+    Case("bad-table-name", FIX, "as: fix", "as: §heartbeat", "is the name of another message, HEARTBEAT"),
+    Case("bad-table-name", FIX, "as: fix", "as: §gps_input", "says nothing"),
+    Case("duplicate-table", "receives/gps_input_2.yaml", "as: second_receiver", "as: §fix", "fix has a table already"),
+    Case("nothing-receives", MODE, "receive: HEARTBEAT", "receive: §FILE_TRANSFER_PROTOCOL", "read the beginning of", 1),
+]  # fmt: skip
+
+MORE = {
+    "      count: {doc: How many there are.": "      spare: {doc: Rolled., unit: m}\n      near: {doc: d, unit: m, stored: mm}\n",
+    "      program: {doc:": "      short: {doc: d, text: 29}\n      figure: {doc: d}\n      kind: {doc: d, enum: MAV_TYPE}\n",
+    "      yaw: {doc:": "      angle: {doc: d, unit: rad}\n      seconds: {doc: d, unit: s, stored: s}\n",
+}
+"""Quantities that only these ask for are added to the state."""
+
+
+def batches():
+    """The cases, so many at once as change different files: one check tells what is wrong in all of them."""
+    found = []
+    for case in CASES:
+        files = (case.file, STATE) if case.file != STATE else (STATE, *(each.file for each in CASES))
+        batch = next((each for each in found if not {other.file for other in each} & set(files)), None)
+        if batch is None:
+            found.append(batch := [])
+        batch.append(case)
+    return found
+
+
+@pytest.fixture
+def project(tmp_path, monkeypatch):
+    """A copy of the project, with the quantities."""
+    shutil.copytree(SPECS, tmp_path / "specs")
+    state = tmp_path / "specs" / STATE
+    text = state.read_text()
+    for before, more in MORE.items():
+        assert text.count(before) == 1
+        text = text.replace(before, more + before)
+    state.write_text(text)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def change(project, case):
+    """Change the file; return where the finding is to be."""
+    path = project / "specs" / case.file
+    text = path.read_text()
+    assert text.count(case.old) == 1, (case.file, case.old)
+    text = text.replace(case.old, case.new)
+    before, mark, after = text.partition("§")
+    path.write_text(before + after)
+    if not mark:
+        return f"specs/{case.file}:"
+    return f"specs/{case.file}:{before.count(chr(10)) + 1}:{len(before) - before.rfind(chr(10))}: error "
+
+
+def errors(capsys):
+    """The exit code of a check, the lines of its errors, and all that it says."""
+    code = main(["check"])
+    out = capsys.readouterr().out
+    return code, [line for line in out.splitlines() if ": error " in line], out
+
+
+@pytest.mark.parametrize("batch", batches(), ids=lambda batch: batch[0].rule)
+def test_all_are_reported_at_their_places(batch, project, capsys):
+    """The rules, the places, and words that help; nothing else is found."""
+    places = [change(project, case) for case in batch]
+    code, lines, out = errors(capsys)
+    assert code in (1, 2)
+    for case, place in zip(batch, places, strict=True):
+        assert [line for line in lines if line.startswith(place) and f" {case.rule}: " in line], (case, out)
+        assert case.says in out, (case, out)
+    assert len(lines) == sum(1 + case.others for case in batch), out
+
+
+def test_without_a_program_nothing_receives(project, capsys):
+    """Who reads the links is the program of vehicle.yaml."""
+    (project / "specs" / "vehicle.yaml").unlink()
+    code, lines, out = errors(capsys)
+    assert code == 1
+    assert len([line for line in lines if " nothing-receives: " in line]) == 7, out
+    assert "hint: describe the program in vehicle.yaml" in out
+
+
+def test_a_table_with_another_ending_is_told(project, capsys):
+    """It would never be read."""
+    (project / "specs" / "receives" / "ping.yml").write_text("receive: PING\n")
+    main(["check"])
+    out = capsys.readouterr().out
+    assert "specs/receives/ping.yml:1:1: warning unread-file: nothing reads" in out
+    assert "tables of received messages end in .yaml" in out

@@ -1,0 +1,70 @@
+"""Changes of commands and modes: each attribute of them is told, and what breaks whom."""
+
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from test_every_attribute_of_a_system import mutants, siblings_of
+
+from codegen.diagnostics import Report
+from codegen.diff.system import compare_systems
+from codegen.model.system import System
+from codegen.pipeline import read_systems
+
+SPECS = Path(__file__).resolve().parents[1] / "projects" / "commanded" / "specs"
+FOUND_BY = {"Command.name", "Mode.number", "CommandParam.number"}
+
+
+@pytest.fixture(scope="module")
+def boat() -> System:
+    return read_systems(str(SPECS / "codegen.yaml"), Report())[0]
+
+
+def test_each_attribute_of_a_command_and_of_a_mode_is_told(boat: System) -> None:
+    """One that is missed would be a change that nobody reviews."""
+    program = boat.program
+    assert program is not None
+    tried = set()
+    siblings = siblings_of(boat)
+    for kind in ("commands", "modes"):
+        for place, record in enumerate(getattr(program, kind)):
+            for name, changed in mutants(record, siblings, set()):
+                each = (*getattr(program, kind)[:place], changed, *getattr(program, kind)[place + 1 :])
+                other = replace(boat, program=replace(program, **{kind: each}))
+                tried.add(name)
+                assert compare_systems((boat,), (other,)).changes, name
+    assert tried >= FOUND_BY | {
+        "Command.params",
+        "AffineMap.factor",
+        "CommandParam.default",
+        "Mode.base",
+        "Mode.name",
+    }
+
+
+EDITS = [
+    ("commands.yaml", "min: 0, max: 60", "min: 0, max: 30", {"command-range-changed"}),
+    ("commands.yaml", "max: 100, default: 50", "max: 100", {"command-range-changed"}),
+    ("commands.yaml", "name: duration, unit: s", "name: duration, unit: min", {"command-unit-changed", "command-range-changed", "command-changed"}),
+    ("commands.yaml", "allowed: armed", "allowed: always", {"command-changed"}),
+    ("commands.yaml", "method: sound_horn", "method: honk", {"command-changed"}),
+    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_USER_4", {"command-removed", "command-added"}),
+    ("vehicle.yaml", "  11: {name: RTL", "  12: {name: RTL", {"mode-removed", "mode-added"}),
+    ("vehicle.yaml", "name: RTL", "name: RETURN", {"mode-changed"}),
+    ("vehicle.yaml", "It comes back., base: [guided]", "It comes back.", {"mode-changed"}),
+]  # fmt: skip
+BREAKING = {"command-removed", "command-unit-changed", "mode-removed"}
+
+
+@pytest.mark.parametrize(("file", "old", "new", "rules"), EDITS)
+def test_an_edit_has_its_weight(boat: System, tmp_path: Path, file: str, old: str, new: str, rules: set[str]) -> None:
+    """What a ground station did before and cannot do any more breaks it; another limit does not."""
+    shutil.copytree(SPECS, tmp_path / "specs")
+    path = tmp_path / "specs" / file
+    assert old in path.read_text()
+    path.write_text(path.read_text().replace(old, new, 1))
+    (changed,) = read_systems(str(tmp_path / "specs" / "codegen.yaml"), Report())
+    changes = compare_systems((boat,), (changed,)).changes
+    assert {change.rule.id for change in changes} == rules
+    assert all(bool(change.breaks) is (change.rule.id in BREAKING) for change in changes)

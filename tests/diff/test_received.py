@@ -1,0 +1,129 @@
+"""What changes in a table of a received message is told, with how bad it is; each edit is one of a real project."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from codegen.diagnostics import Report
+from codegen.diff.system import compare_systems
+from codegen.pipeline import read_systems
+
+SPECS = Path(__file__).resolve().parents[1] / "projects" / "received" / "specs"
+RC, STICK, FIX = "receives/rc_channels_override.yaml", "receives/manual_control.yaml", "receives/gps_input.yaml"
+NAME = "RC_CHANNELS_OVERRIDE"
+
+# What is replaced by what in which file; the rule, its subject, what is told, and whether somebody breaks by it.
+EDITS = [
+    (
+        RC,
+        "  chan9_raw: {state: rc.extra}\n",
+        "",
+        "field-no-longer-taken",
+        f"{NAME}.chan9_raw, received",
+        "sets rc.extra",
+        True,
+    ),
+    (
+        STICK,
+        "  x:",
+        "  y: {state: rc.spare}\n  x:",
+        "field-taken",
+        "MANUAL_CONTROL.y, received",
+        "sets rc.spare",
+        False,
+    ),
+    (
+        STICK,
+        "stick.buttons",
+        "rc.spare",
+        "field-taken-into-another",
+        "MANUAL_CONTROL.buttons, received",
+        "sets rc.spare",
+        True,
+    ),
+    (
+        FIX,
+        "yaw: {state: fix.yaw",
+        "yaw: {rounding: down, state: fix.yaw",
+        "field-taken-otherwise",
+        "fix.yaw, received",
+        "1/100, down",
+        False,
+    ),
+    (
+        RC,
+        "min: 1000 us",
+        "min: 1100 us",
+        "field-taken-range-changed",
+        f"{NAME}.chan2_raw, received",
+        "1100..2000 us",
+        False,
+    ),
+    (RC, "from: ground_station", "from: any", "message-taken-otherwise", f"{NAME}, received", "taken from any", False),
+    (FIX, "{gps_id: 0}", "{gps_id: 3}", "message-taken-otherwise", "fix, received", "gps_id 3", False),
+    (RC, "call: true\n", "", "message-taken-otherwise", f"{NAME}, received", "calls the vehicle yes", False),
+    (
+        RC,
+        "target: FR-1.5",
+        "target: FR-1.3",
+        "citation-changed",
+        f"{NAME}, received",
+        "target answers to FR-1.3",
+        False,
+    ),
+]
+
+
+def systems(folder):
+    """The systems of a project, which has nothing that is reported."""
+    report = Report()
+    found = read_systems(str(folder / "codegen.yaml"), report)
+    assert not report.has_errors, list(report)
+    return found
+
+
+@pytest.fixture(scope="module")
+def before(tmp_path_factory):
+    """The project with one quantity more, which nothing sets, and its systems."""
+    folder = tmp_path_factory.mktemp("before") / "specs"
+    shutil.copytree(SPECS, folder)
+    state = folder / "state.yaml"
+    state.write_text(state.read_text().replace("      rudder: {", "      spare: {doc: d, initial: 0}\n      rudder: {"))
+    return folder, systems(folder)
+
+
+def changes(before, tmp_path, edit=None, gone=None):
+    """The changes after an edit, both ways."""
+    folder, known = before
+    shutil.copytree(folder, tmp_path / "specs")
+    if gone:
+        (tmp_path / "specs" / gone).unlink()
+    else:
+        file, old, new = edit
+        text = (tmp_path / "specs" / file).read_text()
+        assert text.count(old) == 1
+        (tmp_path / "specs" / file).write_text(text.replace(old, new))
+    after = systems(tmp_path / "specs")
+    return compare_systems(known, after).changes, compare_systems(after, known).changes
+
+
+@pytest.mark.parametrize("edit", EDITS, ids=lambda edit: f"{edit[3]}-{edit[4]}")
+def test_an_edit_is_told(edit, before, tmp_path):
+    """Under its rule, with what it was and is; back again it is told, too."""
+    *what, rule, subject, says, breaks = edit
+    there, back = changes(before, tmp_path, what)
+    (found,) = [change for change in there if change.rule.id == rule and change.subject == subject]
+    assert says in f"{found.old} -> {found.new}"
+    assert found.is_breaking is breaks
+    assert [change for change in back if change.subject == subject]
+
+
+def test_a_table_that_goes_is_told(before, tmp_path):
+    """With its fields; who steers by it is not heard any more, and nobody breaks where it comes."""
+    there, back = changes(before, tmp_path, gone=STICK)
+    told = {change.rule.id: change for change in there}
+    assert told["message-no-longer-taken"].subject == "MANUAL_CONTROL, received"
+    assert told["message-no-longer-taken"].is_breaking
+    assert {change.rule.id for change in back} >= {"message-taken", "field-taken"}
+    assert not any(change.is_breaking for change in back)

@@ -1,0 +1,145 @@
+"""Sensors and quantities that cannot be: each is reported at its place, with what to do."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from codegen.cli import main
+
+PROJECT = Path(__file__).resolve().parents[1] / "projects" / "minimal"
+
+SONAR = "sonar: {driver: user, class: sonar.Sonar, unit: m, stored: mm, min: 0, max: 100}"
+DEPTH = "depth: {doc: Depth., unit: m, stored: mm, source: sonar}"
+IMU = "imu: {driver: user, class: imu.Imu, outputs: {roll: {unit: rad, stored: mrad}, pitch: {unit: rad}}}"
+
+INA = "power: {driver: ina226, i2c: 0, sda: 4, scl: 5, shunt: 2 mOhm}"
+SOLAR = "\n  solar: {driver: ina219, i2c: 0, sda: 4, scl: 5, address: 0x41, shunt: 1 mOhm}"
+OWN = "own: {driver: laser, gain: 2, fast: true, trigger: 3, i2c: 0, sda: 4, scl: 5}"
+PICO = "board: pico_2\n"
+DRIVER = """\
+doc: A laser.
+class: Laser
+bus: i2c
+keys:
+  gain: {doc: g, min: 1, max: 4}
+  fast: {doc: f, kind: boolean, default: false}
+  trigger: {doc: t, kind: pin}
+  name: {doc: n, kind: text, default: laser}
+outputs:
+  distance: {unit: m, stored: mm, min: 0, max: 100}
+"""
+
+# What board.yaml says under sources, what the component boat of state.yaml has, and what is found.
+CASES = [
+    ("nothing is wrong", SONAR, DEPTH, []),
+    ("a driver", SONAR.replace("user", "usr"), DEPTH, ["2:19: error unknown-driver: there is no driver usr", "user"]),
+    ("a key", SONAR.replace("min", "mni"), "", ["error unknown-key: unknown key 'mni'", "did you mean min"]),
+    ("a class", SONAR.replace("sonar.Sonar", "Sonar"), DEPTH, ["bad-source-driver: Sonar is no class of a module"]),
+    ("a name", SONAR.replace("sonar:", "Sonar:"), "", ["2:3: error bad-source-driver: Sonar cannot be the name"]),
+    ("a rate", SONAR.replace("}", ", rate: 2000 Hz}"), DEPTH, ["bad-time: 2000 Hz is not a rate"]),
+    ("a slow rate", SONAR.replace("}", ", rate: 0.001 Hz}"), DEPTH, ["bad-source-driver: sonar is asked less than"]),
+    ("a step", SONAR.replace("mm", "ms"), DEPTH, ["error unit-mismatch: m cannot be rounded to ms"]),
+    ("a limit", SONAR.replace("100", "0.1234"), DEPTH, ["bad-source-driver: max is 617/5 steps of mm"]),
+    ("limits", SONAR.replace("100", "-1"), DEPTH, ["bad-source-driver: max is below min"]),
+    ("both", IMU.replace("outputs", "unit: m, outputs"), "",
+     ["unit is that of a single number, and there are outputs"]),
+    ("an output", IMU.replace("roll:", "Roll:"), "", ["Roll cannot be the name of an output"]),
+    ("an aspect", SONAR.replace("}", ", criteria: {speed: FR-1}}"), DEPTH,
+     ["unknown-aspect: there is no aspect speed"]),
+    ("a source", SONAR, DEPTH.replace("source: sonar", "source: sonr"),
+     ["error unknown-source: board.yaml has no sensor sonr", "did you mean sonar?"]),
+    ("no part", IMU, "roll: {doc: d, unit: rad, source: imu}",
+     ["error unknown-source: imu gives several numbers: roll, pitch", "hint: imu.roll"]),
+    ("a part", IMU, "roll: {doc: d, unit: rad, source: imu.rol}", ["imu gives no rol", "did you mean roll?"]),
+    ("a part of one", SONAR, DEPTH.replace("source: sonar", "source: sonar.depth"),
+     ["gives no depth", "hint: sonar\n"]),
+    ("a list", SONAR, DEPTH.replace("source: sonar", "source: [sonar, sonar]"),
+     ["boat has 1 instances, and depth 2 sources"]),
+    ("a unit", SONAR, "depth: {doc: d, unit: s, stored: ms, source: sonar}",
+     ["unit-mismatch: sonar is in mm, not in ms"]),
+    ("a boolean", SONAR, "wet: {doc: d, boolean: true, initial: false, source: sonar}",
+     ["error bad-sourced: wet is a boolean quantity, and a sensor gives numbers"]),
+    ("elements", SONAR, "depth: {doc: d, unit: m, stored: mm, elements: 3, source: sonar}",
+     ["bad-elements: a quantity with elements has numbers that other code sets, and no source"]),
+    ("initial and stale", SONAR, "depth: {doc: d, unit: m, stored: mm, initial: 0, stale_after: 1 s, source: sonar}",
+     ["bad-quantity: depth has an initial value in place of unknown, so stale_after says nothing"]),
+    ("too fine", SONAR.replace("mm", "km").replace("100", "1000"),
+     "depth: {doc: d, unit: m, stored: nm, source: sonar, min: 0, max: 0.1}",
+     ["bad-sourced: sonar * 1000000000000 needs numbers of more than 30 bits"]),
+    ("no board", "gps: {driver: nmea, uart: 1, tx: 8, rx: 9}", "", ["UART 1 is on no known board", "board: pico_2_w"]),
+    ("a UART", PICO + "gps: {driver: nmea, uart: 3, tx: 8, rx: 9}", "",
+     ["the Raspberry Pi Pico 2 has UART 0 and 1 for sensors, and no UART 3"]),
+    ("a pin", PICO + "gps: {driver: nmea, uart: 1, tx: 9, rx: 9}", "",
+     ["3:36: error bad-source-driver: tx of UART 1 is GPIO 4", "not 9"]),
+    ("a silence", PICO + "gps: {driver: nmea, uart: 1, tx: 8, rx: 9, silence: 3}", "", ["wrong-type: silence wants"]),
+    ("an I2C bus", PICO + INA.replace("i2c: 0", "i2c: 2"), "", ["has I2C 0 and 1, and no I2C 2"]),
+    ("a clock", PICO + INA.replace("}", ", frequency: 5 MHz}"), "", ["5 MHz is no clock of 10 kHz to 1 MHz"]),
+    ("a shunt", PICO + INA.replace("2 mOhm", "2 kOhm"), "", ["a shunt of 2 kOhm is not one of"]),
+    ("no shunt", PICO + INA.replace("2 mOhm", "2 mV"), "", ["unit-mismatch: 2 mV is a voltage"]),
+    ("an address", PICO + INA.replace("}", ", address: 0x50}"), "", ["0x50 is no address of an INA226"]),
+    ("an average", PICO + INA.replace("}", ", average: 3}"), "", ["does not average 3 conversions", "known: 1, 4, 16"]),
+    ("a taken pin", PICO + "log: {driver: pulse, gpio: 25}", "",
+     ["not 25: the Raspberry Pi Pico 2 needs it for the LED"]),
+    ("a gate", PICO + "log: {driver: pulse, gpio: 2, gate: 2 min}", "", ["gate is 120000, not 1 to 60000"]),
+    ("a shared pin", PICO + INA + "\n  log: {driver: pulse, gpio: 4}", "",
+     ["4:30: error shared-pin: sda of power and gpio of log are both on GPIO 4", "gpio: 0"]),
+    ("a shared bus", PICO + INA + SOLAR, "",
+
+     []),
+    ("a shared address", PICO + INA + "\n  solar: {driver: ina219, i2c: 0, sda: 4, scl: 5, shunt: 1 mOhm}", "",
+     ["error shared-port: power and solar both take address 0x40 of I2C 0"]),
+    ("another bus", PICO + INA + SOLAR.replace("sda: 4", "sda: 8"), "",
+
+     ["shared-port: SDA of I2C 0 is GPIO 4 for power, and GPIO 8 for solar", "hint: sda: 4"]),
+    ("a shared UART", PICO + "a: {driver: nmea, uart: 1, tx: 8, rx: 9}\n  b: {driver: nmea, uart: 1, tx: 4, rx: 5}", "",
+     ["4:27: error shared-port: a and b both take UART 1"]),
+    ("too soon", SONAR, DEPTH.replace("}", ", stale_after: 100 ms}"),
+     ["error stale-before-reading: boat.depth is old after 100 ms, and sonar is asked every 100 ms"]),
+    ("for ever", SONAR, DEPTH, ["warning believed-for-ever: nothing makes boat.depth unknown when sonar fails"]),
+    ("beyond", SONAR, DEPTH.replace("}", ", min: 0, max: 50, invalid_after: 3}"),
+     ["error source-beyond-limits: sonar gives boat.depth 0 to 100000 mm", "leave 0 to 50000"]),
+    ("no driver file", PICO + "own: {driver: lase, address: 1}", "",
+     ["error unknown-driver: there is no driver lase", "laser"]),
+    ("an own driver", PICO + OWN, "", []),
+    ("a key of it", PICO + OWN.replace("gain", "gian"), "", ["no key gian", "did you mean gain?"]),
+    ("a missing key", PICO + OWN.replace("gain: 2, ", ""), "", ["gain is missing, which the driver laser needs"]),
+    ("a number", PICO + OWN.replace("gain: 2", "gain: two"), "",
+     ["3:30: error bad-source-driver: gain is two, no whole"]),
+    ("too large", PICO + OWN.replace("gain: 2", "gain: 9"), "", ["gain is 9, not 1 to 4"]),
+    ("a boolean key", PICO + OWN.replace("fast: true", "fast: 1"), "", ["fast is 1, no boolean"]),
+    ("a pin key", PICO + OWN.replace("trigger: 3", "trigger: 40"), "", ["trigger is GPIO 0 to 22", "not 40"]),
+    ("its bus", PICO + OWN.replace("sda: 4", "sda: 5"), "", ["sda of I2C 0 is GPIO", "not 5"]),
+    ("no bus", PICO + OWN.replace("sda: 4, ", ""), "", ["sda is missing"]),
+    ("its pins", PICO + OWN.replace("trigger: 3", "trigger: 5"), "",
+     ["shared-pin: scl of own and keys.trigger of own are both on GPIO 5"]),
+    ("two derivations", SONAR, "depth: {doc: d, unit: m, stored: mm, source: sonar, trend_of: depth, window: 1 s}",
+     ["the value of depth has one source, not both"]),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = Path(shutil.copytree(PROJECT, tmp_path_factory.mktemp("broken") / "project"))
+    (folder / "specs" / "drivers").mkdir()
+    (folder / "specs" / "drivers" / "laser.yaml").write_text(DRIVER)
+    (folder / "specs" / "drivers" / "laser.py").write_text("class Laser:\n    pass\n")
+    return folder
+
+
+@pytest.mark.parametrize(("sources", "quantity", "expected"), [case[1:] for case in CASES], ids=[c[0] for c in CASES])
+def test_is_reported(sources, quantity, expected, folder, monkeypatch, capsys):
+    """The place, the rule, the words and the hint; no other error follows from it."""
+    specs = PROJECT / "specs"
+    board = PICO if sources.startswith(PICO) else ""
+    (folder / "specs" / "board.yaml").write_text(f"{board}sources:\n  {sources.removeprefix(PICO)}\n")
+    own = f"  boat:\n    doc: d\n    quantities:\n      {quantity or 'x: {doc: d, initial: 0}'}\n"
+    (folder / "specs" / "state.yaml").write_text((specs / "state.yaml").read_text() + own)
+    monkeypatch.chdir(folder)
+    code = main(["check"])
+    told = capsys.readouterr().out
+    errors = [] if "warning" in " ".join(expected) else expected
+    assert code == (1 if errors else 0), told
+    for words in expected:
+        assert words in told
+    assert told.count(": error ") == bool(errors), told
