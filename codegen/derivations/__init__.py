@@ -12,8 +12,10 @@ from codegen.derivations.counts_returns import resolve_counts_returns
 from codegen.derivations.enabled_by import resolve_enabled_by
 from codegen.derivations.estimate import resolve_estimate
 from codegen.derivations.follows import resolve_follows
+from codegen.derivations.integral import resolve_integral
 from codegen.derivations.measured import resolve_measured
 from codegen.derivations.received import resolve_received
+from codegen.derivations.remainder import resolve_lasts, resolve_left
 from codegen.derivations.set_by_code import SetByCode
 from codegen.derivations.sourced import resolve_sourced
 from codegen.derivations.surroundings import Kept, Surroundings
@@ -26,6 +28,9 @@ from codegen.model.derivation_spec import (
     EnabledBySpec,
     EstimateSpec,
     FollowsSpec,
+    IntegralSpec,
+    LastsSpec,
+    LeftSpec,
     MeasuredSpec,
     SourcedSpec,
     TrendSpec,
@@ -43,6 +48,9 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     WhileKnownSpec: resolve_while_known,
     EnabledBySpec: resolve_enabled_by,
     CountsReturnsSpec: resolve_counts_returns,
+    IntegralSpec: resolve_integral,
+    LeftSpec: resolve_left,
+    LastsSpec: resolve_lasts,
     SourcedSpec: resolve_sourced,
 }
 """How each kind is resolved, by what it is written with."""

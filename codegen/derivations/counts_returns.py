@@ -7,7 +7,7 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import CountsReturnsSpec, FollowsSpec, MeasuredSpec
+from codegen.model.derivation_spec import CountsReturnsSpec, FollowsSpec, IntegralSpec, MeasuredSpec
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Quantity, QuantityKind
 
@@ -93,8 +93,9 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         around.bad("restarts_with", f"{count} does not count returns", BAD_RETURN, hint)
     if not is_sound:
         return  # what it is instead of a quantity that code sets has a fault of its own
-    if spec.derivations or spec.elements is not None or kept.kind is QuantityKind.ENUM:
-        message = f"{name} is not a number or a boolean that only code sets"
+    derived = [each for each in spec.derivations if not isinstance(each, IntegralSpec)]
+    if derived or spec.elements is not None or kept.kind is QuantityKind.ENUM:
+        message = f"{name} is not a number or a boolean that only code sets, and no integral"
         around.bad("restarts_with", message, BAD_RETURN)
     elif kept.kind is QuantityKind.NUMBER and not kept.minimum <= 0 <= kept.maximum:
         around.bad("restarts_with", f"{name} cannot be 0, from which it would start again", BAD_RETURN)

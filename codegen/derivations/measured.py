@@ -1,5 +1,8 @@
 """What an ADC measures: the conversion from its counts, and the value above which a warning is logged."""
 
+import dataclasses
+import math
+import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -8,13 +11,14 @@ from codegen.derivations.follows import BAD_FOLLOWING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.measure import UNIT_MISMATCH
+from codegen.measure import BAD_AMOUNT, UNIT_MISMATCH
+from codegen.model.conversion import Constant, Conversion, Factor, factors_by_instance
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec
 from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
-from codegen.model.unit import NUMBER, Unit, decimal, ratio, unit_named
-from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold, by_instance
+from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
+from codegen.model.vehicle import Parameter, Quantity, Threshold, by_instance
 
 if TYPE_CHECKING:
     from codegen.model.system import System
@@ -49,11 +53,22 @@ class Measured(Derivation):
         return (f"{quantity.name}_from_adc",)
 
     def uses(self, quantity: Quantity) -> Iterator[tuple[Parameter, str]]:
-        yield self.adc.multiplier, f"the multiplier of {quantity.path}"
+        for factor, role in zip(self.adc.factors, ("multiplier", "offset"), strict=False):
+            if isinstance(factor, Parameter):
+                yield factor, f"the {role} of {quantity.path}"
+        if self.adc.channel.when is not None:
+            yield self.adc.channel.when[0], f"whether {quantity.path} is read"
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         adc, stored = self.adc, quantity.stored.name
         text = f"ADC {adc.channel.name} * {adc.multiplier.name} steps * {adc.numerator} / {adc.denominator}"
+        if adc.offset is not None or adc.offset_numerator:
+            away = adc.offset.name if adc.offset else "no"
+            text = f"{text} - {away} steps * {adc.offset_numerator} / {adc.denominator}"
+        if adc.low is not None or adc.high is not None:
+            text = f"{text}, limited to {adc.low}..{adc.high}"
+        if adc.channel.when is not None:
+            text = f"{text}, while {adc.channel.when[0].name} is {adc.channel.when[1]}"
         yield DerivationFact("measured", text, "adc")
         if self.warns is not None:
             above = ", ".join(f"{limit} {stored}".rstrip() for limit in dict.fromkeys(self.warns.above))
@@ -66,15 +81,17 @@ class Measured(Derivation):
     ) -> SimulatedInput:
         conversion, count = self.adc, system.components[quantity.component].instances
         channel = conversion.channel
-        multiplier = by_instance(conversion.multiplier, system.parameters, count)[instance]
         gpio: float = channel.gpio
         if channel.pin is not None:
             pin = by_instance(channel.pin, system.parameters, count)[instance]
             gpio = parameters.get(pin.name, float(pin.default * pin.step))
-        stored = parameters.get(multiplier.name)
-        steps = multiplier.default if stored is None else Fraction(stored).limit_denominator(10**6) / multiplier.step
-        full = channel.full_scale * steps * Fraction(conversion.numerator, conversion.denominator) / quantity.steps
-        return SimulatedInput("adc", {"gpio": round(gpio), "zero": 0.0, "full": float(full)}, ADC_FAULTS)
+        steps = []
+        for factor in conversion.factors:
+            own = factors_by_instance(factor, system.parameters, count)[instance]
+            stored = parameters.get(own.name)
+            steps.append(own.default if stored is None else round(Fraction(stored).limit_denominator(10**6) / own.step))
+        zero, full = (conversion.exact(end, *steps) / quantity.steps for end in (0, channel.full_scale))
+        return SimulatedInput("adc", {"gpio": round(gpio), "zero": float(zero), "full": float(full)}, ADC_FAULTS)
 
     def words(self, quantity: Quantity) -> str:
         channel = self.adc.channel
@@ -89,7 +106,7 @@ class Measured(Derivation):
             yield "warning", f"above {limits} {quantity.stored.name}{pause}"
 
     def way(self, quantity: Quantity, system: "System") -> Iterator[Step]:
-        channel, multiplier = self.adc.channel, self.adc.multiplier
+        channel = self.adc.channel
         chosen = f", chosen by {channel.pin.name}" if channel.pin else ""
         yield Step(
             "sensor",
@@ -100,13 +117,10 @@ class Measured(Derivation):
             ),
             tuple(dict.fromkeys((*channel.criteria("samples"), *channel.criteria()))),
         )
-        low, default, high = (
-            decimal(steps * multiplier.step) for steps in (multiplier.minimum, multiplier.default, multiplier.maximum)
-        )
         yield Step(
             "conversion",
             self.adc.formula,
-            (f"{multiplier.name} {default} by default, {low}..{high}", f"to the nearest {quantity.stored.name}"),
+            (*map(_range, self.adc.factors), f"to the nearest {quantity.stored.name}".rstrip()),
             quantity.criteria("multiplier", "rounding"),
         )
 
@@ -117,40 +131,92 @@ class Measured(Derivation):
 
 def resolve_measured(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Measured | None:
     """The conversion and the threshold; None after a finding."""
-    warns, conversion = _threshold(written, kept, around), _conversion(written, around, kept.stored)
+    warns, conversion = _threshold(written, kept, around), _conversion(written, kept, around)
     if conversion is None:
         return None
-    first = next(name for name, other in around.others.items() if other.written(MeasuredSpec) is not None)
-    if first != around.name:
-        related = [(around.others[first].at("adc"), f"{first} is measured, too")]
-        around.bad("adc", "a component has one quantity that an ADC measures", related=related)
     return Measured(conversion, warns)
 
 
-def _conversion(written: MeasuredSpec, around: Surroundings, stored: Unit) -> Conversion | None:
-    if written.adc is None and written.multiplier is None:
-        for key in ("warn_above", "warn_every"):
-            if getattr(written, key) is not None:
-                around.bad(key, f"{around.name} has no adc, so {key} says nothing")
+def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conversion | None:
+    stored = kept.stored
+    if not _is_whole(written, around):
         return None
-    if written.adc is None or written.multiplier is None:
-        given = "adc" if written.adc else "multiplier"
-        around.bad(given, f"{around.name} needs both adc and multiplier, or neither")
-        return None
+    assert written.adc is not None
+    assert written.multiplier is not None
     channel = around.channels.get(written.adc)
     if channel is None and f"adc.{written.adc}" not in around.whole.board.places:
         hint = did_you_mean(written.adc, around.channels)
         around.bad("adc", f"board.yaml has no ADC channel {written.adc}", UNKNOWN_ADC, hint)
-    multiplier = around.parameter("multiplier", written.multiplier)
-    factor = ratio(unit_named("V"), stored)
-    if factor is None:
-        around.bad("adc", f"an ADC measures a voltage, {around.name} is a {stored.kind}", UNIT_MISMATCH)
-    if channel is None or multiplier is None or factor is None:
+    per_volt = Unit.parse(f"{stored.name or 1}/V")
+    multiplier = _factor("multiplier", written.multiplier, around)
+    offset = None if written.offset is None else _factor("offset", written.offset, around)
+    if channel is None or multiplier is None or (written.offset is not None and offset is None):
         return None  # without them there is no conversion; whatever is wrong with them was reported
-    if multiplier.unit is not NUMBER or multiplier.minimum < 0:
-        around.bad("multiplier", f"{multiplier.name} is not a pure number that is never negative", UNIT_MISMATCH)
-    exact = channel.reference / channel.full_scale * multiplier.step * factor
-    return Conversion(channel, multiplier, exact.numerator, exact.denominator)
+    factor = None if per_volt is None else ratio(multiplier.unit, per_volt)
+    if factor is None:
+        message = f"{multiplier.name} makes no {stored.kind} of a voltage: it is in {multiplier.unit.name or 'no unit'}"
+        hint = (
+            "a pure number" if ratio(unit_named("V"), stored) else f"give it a unit per volt, such as {stored.name}/V"
+        )
+        around.bad("multiplier", message, UNIT_MISMATCH, hint)
+        return None
+    away = Fraction(0) if offset is None else ratio(offset.unit, unit_named("V"))
+    if away is None:
+        assert offset is not None
+        around.bad("offset", f"{offset.name} is a {offset.unit.kind}, but a voltage is needed", UNIT_MISMATCH)
+        return None
+    if offset is None and multiplier.minimum < 0:
+        around.bad("multiplier", f"{multiplier.name} can be negative, and what is measured never is", UNIT_MISMATCH)
+    step = multiplier.step * factor
+    count = channel.reference / channel.full_scale * step
+    shift = Fraction(0) if offset is None else offset.step * away * step
+    denominator = math.lcm(count.denominator, shift.denominator)
+    found = Conversion(channel, multiplier, int(count * denominator), denominator, offset, int(shift * denominator))
+    if offset is None:
+        return found
+    low, high = found.ends(multiplier, offset)
+    return dataclasses.replace(
+        found,
+        low=math.ceil(kept.minimum) if around.spec.min is not None and low < kept.minimum else None,
+        high=math.floor(kept.maximum) if around.spec.max is not None and high > kept.maximum else None,
+    )
+
+
+def _is_whole(written: MeasuredSpec, around: Surroundings) -> bool:
+    """Whether all is written that a conversion needs; what stands alone is reported."""
+    if written.adc is None and written.multiplier is None and written.offset is None:
+        for key in ("warn_above", "warn_every"):
+            if getattr(written, key) is not None:
+                around.bad(key, f"{around.name} has no adc, so {key} says nothing")
+        return False
+    if written.adc is None or written.multiplier is None:
+        given = next(key for key in ("adc", "multiplier", "offset") if getattr(written, key) is not None)
+        around.bad(given, f"{around.name} needs both adc and multiplier, or neither")
+        return False
+    return True
+
+
+def _factor(key: str, written: str, around: Surroundings) -> Factor | None:
+    """A parameter by its name, or an amount, or a number; None after a finding."""
+    if not re.match(r"[-+.\d]", written):
+        return around.parameter(key, written)
+    measure = read_measure(written)
+    if measure is not None:
+        return Constant(measure.value, measure.unit)
+    try:
+        return Constant(Fraction(written), NUMBER)
+    except (ValueError, ZeroDivisionError):
+        message = f"{written!r} is neither a parameter nor an amount"
+        around.bad(key, message, BAD_AMOUNT, f"write {key}: BATT_VOLT_MULT, or {key}: 17 A/V")
+        return None
+
+
+def _range(factor: Factor) -> str:
+    """What a factor can be, for people."""
+    if isinstance(factor, Constant):
+        return f"always {factor.name}"
+    low, default, high = (decimal(steps * factor.step) for steps in (factor.minimum, factor.default, factor.maximum))
+    return f"{factor.name} {default} by default, {low}..{high}"
 
 
 def _threshold(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Threshold | None:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from codegen.model.system import System
+from codegen.model.vehicle import Parameter
 
 
 def fields_by_source(system: System) -> Mapping[str, tuple[str, ...]]:
@@ -35,8 +36,9 @@ def scaling_parameters(system: System) -> Mapping[str, tuple[str, ...]]:
     for component in system.components.values():
         for quantity in component.quantities.values():
             if quantity.derivation.conversion is not None:
-                name = quantity.derivation.conversion.multiplier.name
-                found.setdefault(name, []).append(quantity.path)
+                for factor in quantity.derivation.conversion.factors:
+                    if isinstance(factor, Parameter):
+                        found.setdefault(factor.name, []).append(quantity.path)
     for parameter in system.parameters.values():
         if parameter.siblings and parameter.siblings[0] in found:
             found[parameter.name] = found[parameter.siblings[0]]

@@ -18,6 +18,11 @@ class AdcSpec(Written):
     pin: str | None = described(
         "Parameter that has the GPIO number of the pin; its default is used first.", default=None
     )
+    when: Mapping[str, Fraction] = described(
+        "A parameter and the value at which the channel is read, such as BATT_MONITOR: 4; without it, it always is. "
+        "The parameter is used after a restart.",
+        default_factory=dict,
+    )
     bits: int | None = described("Resolution of one count. Default: that of the board.", default=None)
     reference: Amount | None = described(
         "Voltage of full scale, such as 3.3 V. Default: that of the board.", default=None
@@ -26,11 +31,12 @@ class AdcSpec(Written):
     read_limit: Amount | None = described("Longest time that one mean may take, such as 2 ms.", default=None)
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: reference, samples, read_limit, failure, absence, pin, rate, monitor, first.",
+        "Criteria for single aspects: reference, samples, read_limit, failure, absence, pin, rate, monitor, first, "
+        "when.",
         default_factory=dict,
     )
 
-    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence", "pin", "rate", "monitor", "first")
+    ASPECTS = ("reference", "samples", "read_limit", "failure", "absence", "pin", "rate", "monitor", "first", "when")
     ONE_OF: ClassVar[tuple[str, ...]] = ("gpio", "pin")
 
 

@@ -10,10 +10,12 @@ from codegen.model.step import Step
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from codegen.model.conversion import Conversion
     from codegen.model.known import Known, Stored
     from codegen.model.source_kind import Output
+    from codegen.model.summed import Lasting, Rest, Sum
     from codegen.model.system import System
-    from codegen.model.vehicle import Conversion, Parameter, Quantity, Threshold
+    from codegen.model.vehicle import Parameter, Quantity, Threshold
 
 
 class DerivationFact(NamedTuple):
@@ -111,6 +113,21 @@ class Derivation(ABC):
     def curves_by_instance(self) -> tuple[tuple[tuple[int, int], ...], ...]:
         """The points (stored steps of what is measured, value), rising, by which each reading sets it."""
         return ()
+
+    @property
+    def sums(self) -> "Sum | None":
+        """What it is the sum of over time; None where it is none."""
+        return None
+
+    @property
+    def remains(self) -> "Rest | None":
+        """What a sum leaves of what; None where it is no such thing."""
+        return None
+
+    @property
+    def lasts(self) -> "Lasting | None":
+        """What lasts so long, at what; None where it is no time of that kind."""
+        return None
 
     @property
     def gives(self) -> "tuple[tuple[str, Output, Fraction], ...]":

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from codegen.frozen import dataclass
-from codegen.model.described import Amount, described
+from codegen.model.described import Amount, Verbatim, described
 from codegen.source import Written
 
 
@@ -128,19 +128,70 @@ class MeasuredSpec(DerivationSpec):
     KEY = "adc"
 
     adc: str | None = described("ADC channel of the board that measures it.", default=None)
-    multiplier: str | None = described("Parameter that the voltage at the ADC pin is multiplied with.", default=None)
+    multiplier: Verbatim | None = described(
+        "What the voltage at the ADC pin is multiplied with: a parameter, or an amount such as 17 A/V.", default=None
+    )
+    offset: str | None = described(
+        "What is taken from the voltage at the ADC pin before that: a parameter in V, or an amount such as 0.5 V.",
+        default=None,
+    )
     warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
     warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
 
     @property
     def has_readings(self) -> bool:
         """Whether something is said of the ADC."""
-        return self.adc is not None or self.multiplier is not None
+        return self.adc is not None or self.multiplier is not None or self.offset is not None
 
     @property
     def has_limit(self) -> bool:
         """Whether a warning has one."""
         return self.warn_above is not None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class IntegralSpec(DerivationSpec):
+    """What is summed over time."""
+
+    KEY = "integral_of"
+
+    integral_of: str | None = described(
+        "The measured quantity of the same component of which this is the sum over time, such as a current.",
+        default=None,
+    )
+    times: str | None = described(
+        "For an integral: another measured quantity that it is multiplied with, such as the voltage for an energy.",
+        default=None,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LeftSpec(DerivationSpec):
+    """What a sum leaves."""
+
+    KEY = "left_of"
+    LOOKS_AT_QUANTITY = False
+
+    left_of: str | None = described(
+        "The parameter with the size of a full store of which this is left, in its unit or in %.", default=None
+    )
+    after: str | None = described(
+        "For left_of: the integral of the same component that is taken from it.", default=None
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LastsSpec(DerivationSpec):
+    """How long something lasts."""
+
+    KEY = "lasts"
+
+    lasts: str | None = described(
+        "The quantity of the same component, left of something, of which this is the time until nothing is left.",
+        default=None,
+    )
+    drawn: str | None = described("For lasts: the measured quantity that is taken from it.", key="at", default=None)
+    over: Amount | None = described("For lasts: the time over which that is smoothed, such as 10 s.", default=None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -169,6 +220,9 @@ WrittenDerivation = (
     | TrendSpec
     | EstimateSpec
     | MeasuredSpec
+    | IntegralSpec
+    | LeftSpec
+    | LastsSpec
     | SourcedSpec
 )
 """Every derivation that can be written; a quantity with none of them is set by code."""

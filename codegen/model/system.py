@@ -10,6 +10,7 @@ from enum import Enum
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.board_model import BoardModel
+from codegen.model.conversion import Conversion
 from codegen.model.dialect import Dialect, WireMessage
 from codegen.model.population_spec import PopulationSpec
 from codegen.model.program import BoardLink, Program
@@ -17,7 +18,7 @@ from codegen.model.receiver import Receiver
 from codegen.model.reception import Reception
 from codegen.model.source_kind import Source
 from codegen.model.spec import Generation, GenerationsSpec, Requirement, Spec
-from codegen.model.vehicle import AdcChannel, Citation, Component, Conversion, Parameter, Quantity, Stream
+from codegen.model.vehicle import AdcChannel, Citation, Component, Parameter, Quantity, Reading, Stream
 
 
 class Policy(Enum):
@@ -191,11 +192,10 @@ class System:
         pins = [self.parameters[name].default for name in names if name in self.parameters]
         return tuple(pins) or (channel.gpio,) * component.instances
 
+    def readings(self) -> tuple[Reading, ...]:
+        """What an ADC measures, in the order of the components and their quantities."""
+        return tuple(reading for component in self.components.values() for reading in component.readings)
+
     def measured(self) -> tuple[tuple[str, Quantity, Conversion], ...]:
-        """Each component that an ADC measures, with the quantity that it measures, and how."""
-        return tuple(
-            (component.name, quantity, quantity.derivation.conversion)
-            for component in self.components.values()
-            for quantity in component.quantities.values()
-            if quantity.derivation.conversion is not None
-        )
+        """Each quantity that an ADC measures, with its component and how."""
+        return tuple((each.component.name, each.quantity, each.conversion) for each in self.readings())

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from enum import Enum
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
 from codegen.model.board_spec import AdcSpec
@@ -13,7 +14,10 @@ from codegen.model.letters import words_of
 from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
-from codegen.model.unit import Unit, decimal
+from codegen.model.unit import Unit
+
+if TYPE_CHECKING:
+    from codegen.model.conversion import Conversion
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +54,14 @@ class AdcChannel(Cited):
     """An ADC channel: ``full_scale`` is the largest count, ``reference`` the volts that it stands for.
 
     ``read_limit_us`` is the longest time for one mean in microseconds, or None. ``pin`` is the parameter that has the
-    GPIO number, or None; ``gpio`` is then its default.
+    GPIO number, or None; ``gpio`` is then its default. ``when`` is a parameter with the steps at which the channel is
+    read at all; None: it always is.
     """
 
     name: str
     gpio: int
     pin: "Parameter | None"
+    when: "tuple[Parameter, int] | None"
     bits: int
     full_scale: int
     reference: Fraction
@@ -105,24 +111,6 @@ class QuantityKind(Enum):
     ENUM = "enum"
     BOOLEAN = "boolean"
     TEXT = "text"
-
-
-@dataclass(frozen=True, slots=True)
-class Conversion:
-    """From an ADC count to stored steps: ``count * multiplier_steps * numerator / denominator``, rounded to nearest.
-
-    ``denominator`` and ``numerator`` have no common factor. Source: the formula of FR-00069.
-    """
-
-    channel: AdcChannel
-    multiplier: Parameter
-    numerator: int
-    denominator: int
-
-    @property
-    def formula(self) -> str:
-        """The same for people: ``count / 4095 * 3.3 V * BATT_VOLT_MULT``."""
-        return f"count / {self.channel.full_scale} * {decimal(self.channel.reference)} V * {self.multiplier.name}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -294,6 +282,15 @@ class Component(Cited):
         return len(self.parts)
 
     @property
+    def readings(self) -> tuple["Reading", ...]:
+        """What an ADC measures of it, in the order of its quantities."""
+        found: list[Reading] = []
+        for quantity in self.quantities.values():
+            if quantity.derivation.conversion is not None:
+                found.append(Reading(self, quantity, quantity.derivation.conversion, is_first=not found))
+        return tuple(found)
+
+    @property
     def enabled(self) -> Quantity | None:
         """The boolean that says whether the component is measured and reported; None where it always is."""
         return next((quantity for quantity in self.quantities.values() if quantity.derivation.switch), None)
@@ -302,6 +299,67 @@ class Component(Cited):
     def switch(self) -> Parameter | None:
         """The parameter that switches the component on and off; None where it is always on."""
         return self.enabled.derivation.switch if self.enabled else None
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A quantity of a component that an ADC measures. The first of a component is called as the component is."""
+
+    component: Component
+    quantity: Quantity
+    conversion: "Conversion"
+    is_first: bool
+
+    @property
+    def name(self) -> str:
+        """``battery``, of a further one ``battery_current``: the middle of the names of what reads it."""
+        return self.component.name if self.is_first else f"{self.component.name}_{self.quantity.name}"
+
+    def word(self, word: str) -> str:
+        """The name of a word that readings need: ``failures``, of a further one ``current_failures``."""
+        return word if self.is_first else f"{self.quantity.name}_{word}"
+
+    @property
+    def given(self) -> tuple[Quantity, ...]:
+        """The quantities that come of its readings: what is measured, its trend, what is estimated of it."""
+        quantities = self.component.quantities.values()
+        return tuple(
+            each
+            for each in quantities
+            if each.derivation.comes_of_readings and self.quantity.name in (each.name, *each.derivation.sources[:1])
+        )
+
+    @property
+    def trend(self) -> Quantity | None:
+        """Its change per second, where the component keeps that."""
+        return next((each for each in self.given if each.derivation.kept_readings), None)
+
+    @property
+    def returns(self) -> Returns | None:
+        """What counts that the component came back, where its readings show that."""
+        returns = self.component.returns
+        follows = returns.gone.derivation.follows if returns else None
+        return returns if follows == self.quantity.name else None
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is the first, always read, and its count times a parameter: one that a meter calibrates."""
+        return self.is_first and not self.is_conditional and self.conversion.is_plain
+
+    @property
+    def expires(self) -> bool:
+        """Whether it can become too old."""
+        return self.quantity.trust.stale_after_ms is not None
+
+    @property
+    def is_optional(self) -> bool:
+        """Whether the component is read without it, so that its code is loaded only where it is needed."""
+        return self.is_conditional and not self.is_first
+
+    @property
+    def is_conditional(self) -> bool:
+        """Whether a parameter decides if it is read, beside the one that switches the component on."""
+        return self.conversion.channel.when is not None
 
 
 @dataclass(frozen=True, slots=True)

@@ -62,7 +62,8 @@ def resolve_channels(
             limit = read_time(spec.read_limit, unit_named("us"), spec.at("read_limit"), report)
         pin = None if spec.pin is None else find_parameter(spec.pin, spec.at("pin"), written, parameters, report)
         gpio = _gpio(name, spec, pin, model, converter.pins & model.free, report)
-        sane = gpio is not None
+        when = _when(name, spec, written, parameters, report)
+        sane = gpio is not None and (when is not None or not spec.when)
         for key, value, low, high in (
             ("bits", bits, 8, converter.bits),
             ("samples", spec.samples, 1, 64),
@@ -79,6 +80,7 @@ def resolve_channels(
             name=name,
             gpio=gpio,
             pin=pin,
+            when=when,
             bits=bits,
             full_scale=(1 << bits) - 1,
             reference=reference,
@@ -89,6 +91,29 @@ def resolve_channels(
             aspects=cite_aspects(spec, index, report),
         )
     return channels
+
+
+def _when(
+    name: str, spec: AdcSpec, written: ParametersSpec, parameters: Mapping[str, Parameter], report: Report
+) -> tuple[Parameter, int] | None:
+    """The parameter that decides whether a channel is read, with the steps at which it is; None without, or wrong."""
+    if not spec.when:
+        return None
+    (switch, value), *more = spec.when.items()
+    if more:
+        report.add(BAD_ADC, spec.at("when"), f"when of {name} has one parameter, not {len(spec.when)}")
+    parameter = find_parameter(switch, spec.at("when"), written, parameters, report)
+    if parameter is None:
+        return None
+    steps = value / parameter.step
+    accepted = parameter.choices or range(parameter.minimum, parameter.maximum + 1)
+    if steps not in accepted:
+        related = [(parameter.spec.place, f"{switch} is declared here")]
+        message = f"{switch} is never {decimal(value)}, so {name} is never read"
+        report.add(BAD_ADC, spec.at("when"), message, None, related)
+    elif not parameter.spec.reboot:
+        report.add(BAD_ADC, spec.at("when"), f"{switch} is looked at when the board starts", f"{switch}: reboot: true")
+    return parameter, int(steps)
 
 
 def _report_no_converter(board: BoardSpec, model: BoardModel | None, report: Report) -> None:

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.conversion import factors_by_instance
 from codegen.model.system import System
-from codegen.model.vehicle import by_instance
 from codegen.rules.pack_full_scale import full_voltage, largest
 
 RULE = Rule(
@@ -19,10 +19,10 @@ def check(system: System) -> Iterator[Diagnostic]:
     """Every measured quantity with a threshold; where a full pack is beyond full scale, that is what is reported."""
     for name, quantity, conversion in system.measured():
         threshold = quantity.derivation.threshold
-        if threshold is None:
+        if threshold is None or conversion.offset is not None:
             continue
         component = system.components[name]
-        multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
+        multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
         found = set()
         for part, multiplier, limit in zip(component.parts, multipliers, threshold.above, strict=True):
             most = largest(conversion, multiplier, quantity)

@@ -5,9 +5,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
+from codegen.model.conversion import Conversion, Factor, factors_by_instance
 from codegen.model.system import System
 from codegen.model.unit import decimal, read_measure, unit_named
-from codegen.model.vehicle import Conversion, Instance, Parameter, Quantity, by_instance
+from codegen.model.vehicle import Instance, Parameter, Quantity
 from codegen.source import Place
 
 RULE = Rule(
@@ -24,7 +25,9 @@ def check(system: System) -> Iterator[Diagnostic]:
     """Every instance of what is measured; those with one cause are one finding."""
     for name, quantity, conversion in system.measured():
         component = system.components[name]
-        multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
+        if quantity.unit.kind != "voltage" or conversion.offset is not None:
+            continue
+        multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
         beyond: dict[tuple[Place, Fraction, int], list[int]] = {}
         for part, multiplier in zip(component.parts, multipliers, strict=True):
             full = full_voltage(system, part)
@@ -33,6 +36,10 @@ def check(system: System) -> Iterator[Diagnostic]:
                 beyond.setdefault((place, full, multiplier.default), []).append(part.number)
         for (place, full, _), numbers in beyond.items():
             multiplier = multipliers[numbers[0]]
+            if not isinstance(multiplier, Parameter):
+                message = f"{name} has {decimal(full)} V when full, and the ADC shows less"
+                yield Diagnostic(place, RULE, message, f"a divider, and a multiplier greater than {multiplier.name}")
+                continue
             shown = largest(conversion, multiplier, quantity)
             listed = " and ".join(str(number + 1) for number in numbers)
             who = f"{name} {listed}" if component.instances > 1 else name
@@ -54,7 +61,7 @@ def full_voltage(system: System, part: Instance) -> Fraction | None:
     return max(known) * cells if known else None
 
 
-def largest(conversion: Conversion, multiplier: Parameter, quantity: Quantity) -> Fraction:
+def largest(conversion: Conversion, multiplier: Factor, quantity: Quantity) -> Fraction:
     """What the ADC shows at full scale with the default of a multiplier, in V."""
     product = conversion.channel.full_scale * multiplier.default * conversion.numerator
     return Fraction(product // conversion.denominator) / quantity.steps

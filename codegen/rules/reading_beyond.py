@@ -4,11 +4,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule
-from codegen.model.population_spec import Rounding
+from codegen.model.conversion import Conversion, factors_by_instance
 from codegen.model.reach import Reach, reaches
-from codegen.model.scaling import rounded
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Conversion, Quantity, by_instance
+from codegen.model.vehicle import Component, Quantity
 
 RULE = Rule(
     "reading-beyond-limits",
@@ -22,28 +21,30 @@ RULE = Rule(
 def check(system: System) -> Iterator[Diagnostic]:
     """Every quantity that readings give, against the limits within which all messages carry it."""
     told = reaches(system)
-    for name, quantity, conversion in system.measured():
-        component = system.components[name]
-        most = _largest(component, conversion, system)
-        for one in component.quantities.values():
-            given = (Fraction(0), most) if one is quantity else _derived(one, component, most)
+    for reading in system.readings():
+        component = reading.component
+        ends = _ends(component, reading.conversion, system)
+        for one in reading.given:
+            given = ends if one is reading.quantity else _derived(one, component, ends[1] - ends[0])
             low, high = told[one.path]
             if given is not None and not low <= given[0] <= given[1] <= high:
                 yield _found(one, given, (low, high))
 
 
-def _largest(component: Component, conversion: Conversion, system: System) -> Fraction:
-    """In stored units: the highest count with the largest multiplier of all instances."""
-    multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
-    steps = conversion.channel.full_scale * max(multiplier.maximum for multiplier in multipliers)
-    return Fraction(rounded(Fraction(steps * conversion.numerator, conversion.denominator), Rounding.NEAREST))
+def _ends(component: Component, conversion: Conversion, system: System) -> Reach:
+    """In stored units, over all counts and all that the factors of all instances can be."""
+    multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
+    offset = conversion.offset
+    offsets = factors_by_instance(offset, system.parameters, component.instances) if offset else (None,)
+    found = [conversion.ends(multiplier, away) for multiplier in multipliers for away in offsets]
+    return min(low for low, _ in found), max(high for _, high in found)
 
 
-def _derived(quantity: Quantity, component: Component, most: Fraction) -> Reach | None:
+def _derived(quantity: Quantity, component: Component, most: int | Fraction) -> Reach | None:
     """Between what a trend or an estimate can be; None for what readings do not give."""
     readings = quantity.derivation.kept_readings
     if readings and component.period_ms:
-        rate = most * 1000 / (readings // 2 * component.period_ms)
+        rate = Fraction(most) * 1000 / (readings // 2 * component.period_ms)
         return -rate, rate
     percents = [percent for curve in quantity.derivation.curves_by_instance for _, percent in curve]
     return (min(percents), max(percents)) if percents else None

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Parameter
+from codegen.model.vehicle import AdcChannel, Component, Parameter
 from codegen.source import Place
 
 RULE = Rule(
@@ -63,12 +63,13 @@ def _converter(system: System) -> Iterator[_Use]:
         inputs = system.board.adc.pins & system.board.free
         for number, gpio in enumerate(system.gpios(component, channel)):
             is_shared = not number and (channel.name, gpio) in seen
-            if is_shared or _is_off(system, component, number):
+            if is_shared or _is_off(system, component, number) or _is_unread(system, channel, number):
                 continue
             seen.add((channel.name, gpio))
             written = system.spec.board.instances.get(name, ())
             place = written[number].place if number < len(written) else component.spec.place
             owner = f"{name} {number + 1}" if component.instances > 1 else name
+            owner = owner if quantity is component.readings[0].quantity else f"{quantity.name} of {owner}"
             parameter = _parameter(channel.pin, number)
             yield _Use(gpio, owner, place, inputs, parameter, quantity.spec.at("adc"))
 
@@ -102,6 +103,15 @@ def _is_off(system: System, component: Component, number: int) -> bool:
         return False
     own = switch.siblings[number] if switch.siblings else switch.name
     return system.parameters.get(own, switch).default == 0
+
+
+def _is_unread(system: System, channel: AdcChannel, number: int) -> bool:
+    """Whether the channel is not read with the default of the parameter that decides it."""
+    if channel.when is None:
+        return False
+    switch, steps = channel.when
+    own = switch.siblings[number] if switch.siblings else switch.name
+    return system.parameters.get(own, switch).default != steps
 
 
 def _parameter(pin: Parameter | None, number: int) -> str:

@@ -4,9 +4,11 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answer import Answer
+from codegen.model.conversion import Conversion, factors_by_instance
 from codegen.model.storage import SMALL_INT_MAX
+from codegen.model.summed import RADIX, SMOOTH_STEPS
 from codegen.model.system import System
-from codegen.model.vehicle import Conversion, Quantity
+from codegen.model.vehicle import Parameter, Quantity, Reading
 
 RULE = Rule(
     "allocating-arithmetic",
@@ -17,8 +19,9 @@ RULE = Rule(
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every conversion from counts, and every scaling of a populated field."""
-    for _, quantity, conversion in system.measured():
-        yield from _conversion(quantity, conversion)
+    for reading in system.readings():
+        yield from _conversion(reading.quantity, reading.conversion)
+        yield from _sums(reading, system)
     for message in system.messages:
         for answer in message.answers:
             if answer.covers.field.type.is_integer:
@@ -26,18 +29,70 @@ def check(system: System) -> Iterator[Diagnostic]:
 
 
 def _conversion(quantity: Quantity, conversion: Conversion) -> Iterator[Diagnostic]:
-    largest = conversion.multiplier.maximum
-    both = conversion.channel.full_scale * largest
-    numerator, denominator = conversion.numerator, conversion.denominator
-    worst = max(both, denominator * numerator + denominator // 2, both // denominator * numerator + numerator)
+    multiplier, denominator = conversion.multiplier, conversion.denominator
+    largest = max(abs(multiplier.minimum), abs(multiplier.maximum))
+    products = [(conversion.channel.full_scale * largest, conversion.numerator)]
+    if conversion.offset is not None:
+        most = max(abs(conversion.offset.minimum), abs(conversion.offset.maximum))
+        products.append((most * largest, conversion.offset_numerator))
+    # A remainder is less than the denominator, and than the product itself where that is never negative.
+    rest = sum(
+        (denominator if multiplier.minimum < 0 or conversion.offset else min(denominator, both + 1)) * abs(numerator)
+        for both, numerator in products
+    )
+    whole = sum((both // denominator + 1) * abs(numerator) for both, numerator in products)
+    worst = max(*(both for both, _ in products), rest + denominator // 2, whole)
     if worst > SMALL_INT_MAX:
+        related = []
+        if isinstance(multiplier, Parameter):
+            related.append((multiplier.spec.at("step"), f"{multiplier.name} is declared here"))
         yield Diagnostic(
             quantity.spec.at("multiplier"),
             RULE,
             f"{quantity.path}: the conversion from counts reaches {worst}",
-            f"make the step of {conversion.multiplier.name} coarser, or its max smaller",
-            ((conversion.multiplier.spec.at("step"), f"{conversion.multiplier.name} is declared here"),),
+            f"make the step of {multiplier.name} coarser, or its max smaller",
+            tuple(related),
         )
+
+
+def _sums(reading: Reading, system: System) -> Iterator[Diagnostic]:
+    """What is counted of a reading: its product with a time, and what is left with a factor."""
+    quantities = reading.component.quantities
+    most = _largest(reading, system)
+    stale_ms = reading.quantity.trust.stale_after_ms or 0
+    for quantity in quantities.values():
+        found, rest, lasting = quantity.derivation.sums, quantity.derivation.remains, quantity.derivation.lasts
+        worst = 0
+        if found is not None and found.of == reading.quantity.name:
+            worst = most * stale_ms + found.parts // (RADIX * RADIX if found.times else 1)
+            if found.times in quantities:
+                times = next(each for each in reading.component.readings if each.quantity.name == found.times)
+                high = _largest(times, system)
+                worst = max(
+                    worst, (most * stale_ms // RADIX**2 + 2) * high + found.parts // RADIX, RADIX * high + RADIX**3
+                )
+        if rest is not None and quantity in reading.given:
+            worst = rest.full.maximum * rest.steps * ((rest.share or 1) + 1)
+        if lasting is not None and quantity in reading.given:
+            worst = max(most * SMOOTH_STEPS * 2, _largest_left(quantities[lasting.left]) * lasting.factor)
+        if worst > SMALL_INT_MAX:
+            hint = "a shorter stale_after, a smaller max of its parameters, or a coarser unit"
+            yield Diagnostic(quantity.spec.place, RULE, f"{quantity.path}: counting it reaches {worst}", hint)
+
+
+def _largest(reading: Reading, system: System) -> int:
+    """The largest magnitude of what a reading gives, over all instances."""
+    conversion, count = reading.conversion, reading.component.instances
+    offset = conversion.offset
+    offsets = factors_by_instance(offset, system.parameters, count) if offset else (None,) * count
+    multipliers = factors_by_instance(conversion.multiplier, system.parameters, count)
+    ends = [conversion.ends(*both) for both in zip(multipliers, offsets, strict=True)]
+    return max(abs(end) for both in ends for end in both)
+
+
+def _largest_left(quantity: Quantity) -> int:
+    rest = quantity.derivation.remains
+    return rest.full.maximum * rest.steps if rest else 0
 
 
 def _scalings(answer: Answer) -> Iterator[Diagnostic]:

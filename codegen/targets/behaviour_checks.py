@@ -7,8 +7,9 @@ from codegen.model.clock import CLOCK
 from codegen.model.price import default_rate, on_by_default
 from codegen.model.system import System
 from codegen.targets.component_facts import ComponentFacts, component_facts
-from codegen.targets.firmware.board import ReaderView, board_view
+from codegen.targets.firmware.board import ReaderView, plain_readers
 from codegen.targets.firmware.streams import StreamView, stream_views
+from codegen.targets.reading_facts import ReadingFacts, reading_facts
 from codegen.targets.withheld import WithheldMessage, withheld_messages
 
 
@@ -54,6 +55,7 @@ def shared_messages(system: System) -> tuple[SharedMessage, ...]:
 
 def behaviour_checks(
     readers: Sequence[ReaderView],
+    readings: Sequence[ReadingFacts],
     streams: Sequence[StreamView],
     components: Sequence[ComponentFacts],
     shared: Sequence[SharedMessage],
@@ -62,6 +64,7 @@ def behaviour_checks(
     """The checks in the order in which they run."""
     measured = [component for component in components if component.measured]
     checks = [check for pair in zip(readers, measured, strict=True) for check in _of_reading(*pair)]
+    checks += [check for reading in readings for check in _of_single(reading)]
     checks += [BehaviourCheck(stream.citation, f"{stream.identifier}_stream_keeps_its_rate") for stream in streams]
     checks += [BehaviourCheck("", f"{message.identifier}_tables_keep_their_rates") for message in shared]
     checks += [
@@ -113,7 +116,23 @@ def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[Behav
             yield BehaviourCheck(criterion, f"{reader.component}_{name}")
 
 
+def _of_single(reading: ReadingFacts) -> Iterator[BehaviourCheck]:
+    cited = reading.cited
+    found = [
+        (cited["failure"], "fails_alone", True),
+        (cited["stale_after"], "ages_alone", reading.stale_after_ms is not None),
+        (cited["robustness"], "raises_nothing", True),
+        (cited["when"], "is_left_alone_where_it_is_off", bool(reading.off)),
+        (cited["steady"], "allocates_nothing", True),
+    ]
+    for criterion, name, is_there in found:
+        if is_there:
+            yield BehaviourCheck(criterion, f"{reading.own.name}_{name}")
+
+
 def checks_of_behaviour(system: System) -> tuple[BehaviourCheck, ...]:
     """The same for a system of which no view has been made."""
     components, shared, withheld = component_facts(system), shared_messages(system), withheld_messages(system)
-    return behaviour_checks(board_view(system).readers, stream_views(system), components, shared, withheld)
+    return behaviour_checks(
+        plain_readers(system), reading_facts(system), stream_views(system), components, shared, withheld
+    )

@@ -6,11 +6,13 @@ from heapq import nsmallest
 
 from codegen.frozen import dataclass
 from codegen.model.account import StateCase
+from codegen.model.conversion import Conversion
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Conversion, Quantity
+from codegen.model.vehicle import Parameter, Quantity, Reading
 from codegen.once import once
 from codegen.targets.expected import converted, expected_fields, nominal_values
+from codegen.targets.firmware.board import adc_input
 from codegen.targets.message_case import MessageCase, set_to
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.representation_cases import representation_cases
@@ -18,13 +20,16 @@ from codegen.targets.representation_cases import representation_cases
 
 @dataclass(frozen=True, slots=True)
 class ConversionCase:
-    """An ADC count and a multiplier in steps, and the stored integer that must come of them."""
+    """An ADC count and parameters in steps, by their attributes, and the stored integer that must come of them.
+
+    ``setter`` is the method of the mock that sets the count.
+    """
 
     name: str
     requirement: str
     component: str
-    parameter: str
-    steps: int
+    parameters: dict[str, int]
+    setter: str
     count: int
     attribute: str
     expect: int
@@ -38,33 +43,58 @@ def message_cases(system: System) -> list[MessageCase]:
 
 @once
 def conversion_cases(system: System) -> list[ConversionCase]:
-    """Counts over the whole range of each ADC, with the smallest, the default and the largest multiplier."""
-    cases = []
-    for component, quantity, conversion in system.measured():
-        full = conversion.channel.full_scale
-        parameter = conversion.multiplier
-        for steps in sorted({parameter.minimum, parameter.default, parameter.maximum}):
-            for count in sorted({0, 1, full // 2, 3000 * full // 4095, full - 1, full, *_sharpest(conversion, steps)}):
-                cases.append(
-                    ConversionCase(
-                        name=f"{component}.{quantity.name}-{count}-times-{steps}",
-                        requirement=quantity.cited("rounding"),
-                        component=component,
-                        parameter=parameter_attribute(parameter.name),
-                        steps=steps,
-                        count=count,
-                        attribute=quantity.attribute,
-                        expect=converted(quantity, conversion, count, steps),
-                    )
+    """Counts over the whole range of each ADC, with the smallest, the default and the largest of each factor."""
+    return [
+        case
+        for place, reading in enumerate(system.readings())
+        for case in _of_reading(reading, f"set_{adc_input(reading.name, place)}_value")
+    ]
+
+
+def _of_reading(reading: Reading, setter: str) -> Iterator[ConversionCase]:
+    conversion, quantity = reading.conversion, reading.quantity
+    full, multiplier, offset = conversion.channel.full_scale, conversion.multiplier, conversion.offset
+    when = conversion.channel.when
+    switched = {} if when is None else {first_attribute(when[0]): when[1]}
+    for steps in sorted({multiplier.minimum, multiplier.default, multiplier.maximum}):
+        is_default = steps == multiplier.default
+        ends = {0} if offset is None else {offset.default} if is_default else {offset.minimum, offset.maximum}
+        for away in sorted(ends):
+            sharp = _sharpest(conversion, steps, away, 8 if offset is None else 3)
+            for count in sorted({0, 1, full // 2, 3000 * full // 4095, full - 1, full, *sharp}):
+                name = f"{reading.component.name}.{quantity.name}-{count}-times-{steps}"
+                settings = switched | {
+                    first_attribute(factor): value
+                    for factor, value in zip(conversion.factors, (steps, away), strict=False)
+                    if isinstance(factor, Parameter)
+                }
+                yield ConversionCase(
+                    name=name if offset is None else f"{name}-from-{away}",
+                    requirement=quantity.cited("rounding"),
+                    component=reading.component.name,
+                    parameters=settings,
+                    setter=setter,
+                    count=count,
+                    attribute=quantity.attribute,
+                    expect=converted(quantity, conversion, count, steps, away),
                 )
-    return cases
 
 
-def _sharpest(conversion: Conversion, steps: int) -> list[int]:
+def first_attribute(parameter: Parameter) -> str:
+    """The attribute of a parameter, of a family that of the first instance."""
+    return parameter_attribute(parameter.siblings[0] if parameter.siblings else parameter.name)
+
+
+def _sharpest(conversion: Conversion, steps: int, away: int, most: int) -> list[int]:
     """The counts whose exact result lies nearest to a half, for their size: the first to notice a wrong factor."""
-    numerator, denominator = steps * conversion.numerator, conversion.denominator
+    denominator = conversion.denominator
     counts = range(1, conversion.channel.full_scale + 1)
-    return nsmallest(8, counts, key=lambda count: abs(2 * (count * numerator % denominator) - denominator) / count)
+
+    def distance(count: int) -> float:
+        product = (count * conversion.numerator - away * conversion.offset_numerator) * steps
+        return abs(2 * (product % denominator) - denominator) / count
+
+    return nsmallest(most, counts, key=distance)
 
 
 def _cases_of(message: PopulatedMessage, system: System) -> Iterator[MessageCase]:

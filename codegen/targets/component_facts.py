@@ -5,13 +5,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.conversion import factors_by_instance
 from codegen.model.reach import Reach, reaches
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Quantity, QuantityKind, by_instance
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.targets.expected import nominal_values
-from codegen.targets.firmware.words import measured_of
 from codegen.targets.message_case import literal_of
 from codegen.targets.naming import parameter_attribute
 
@@ -101,7 +101,9 @@ class EstimateFacts:
 
 @dataclass(frozen=True, slots=True)
 class ComponentFacts:
-    """One component; ``enabled`` is the attribute that says whether it is measured, ``enabled_by`` its parameter's."""
+    """One component; ``measured`` is what its first of so many ``readings`` gives, where a parameter multiplies that.
+
+    ``enabled`` is the attribute that says whether it is measured, ``enabled_by`` its parameter's."""
 
     name: str
     instances: int
@@ -110,6 +112,7 @@ class ComponentFacts:
     enabled_by: str | None
     quantities: tuple[QuantityFacts, ...]
     measured: MeasuredFacts | None
+    readings: int
     trend: TrendFacts | None
     estimate: EstimateFacts | None
     returns: ReturnsFacts | None
@@ -124,7 +127,8 @@ def component_facts(system: System) -> tuple[ComponentFacts, ...]:
 
 def _component(component: Component, system: System, told: Mapping[str, Reach]) -> ComponentFacts:
     quantities = tuple(component.quantities.values())
-    measured = measured_of(component)
+    first = next(iter(component.readings), None)
+    measured = first.quantity if first and first.is_plain else None
     enabled = component.enabled
     switch = component.switch
     trend = next((quantity for quantity in quantities if quantity.derivation.kept_readings), None)
@@ -136,6 +140,7 @@ def _component(component: Component, system: System, told: Mapping[str, Reach]) 
         enabled_by=parameter_attribute(switch.name) if switch else None,
         quantities=tuple(_quantity(quantity, told[quantity.path]) for quantity in quantities),
         measured=_measured(measured, component, system) if measured else None,
+        readings=len(component.readings),
         trend=TrendFacts(trend.attribute, trend.derivation.kept_readings // 2) if trend else None,
         estimate=_estimate(component),
         returns=_returns(component),
@@ -234,14 +239,16 @@ def _returns(component: Component) -> ReturnsFacts | None:
 def _measured(quantity: Quantity, component: Component, system: System) -> MeasuredFacts:
     conversion, threshold = quantity.derivation.conversion, quantity.derivation.threshold
     assert conversion is not None
+    multiplier = conversion.multiplier
+    assert isinstance(multiplier, Parameter)
     return MeasuredFacts(
         name=quantity.name,
         attribute=quantity.attribute,
         full_scale=conversion.channel.full_scale,
         citation=str(quantity.citation or ""),
-        multiplier=parameter_attribute(conversion.multiplier.name),
-        multiplier_name=conversion.multiplier.name,
-        latched=conversion.multiplier.spec.reboot,
+        multiplier=parameter_attribute(multiplier.name),
+        multiplier_name=multiplier.name,
+        latched=multiplier.spec.reboot,
         numerator=conversion.numerator,
         denominator=conversion.denominator,
         warns=threshold is not None,
@@ -258,7 +265,7 @@ def _warning_counts(quantity: Quantity, component: Component, system: System) ->
     conversion, threshold = quantity.derivation.conversion, quantity.derivation.threshold
     if conversion is None or threshold is None:
         return (None,) * component.instances
-    multipliers = by_instance(conversion.multiplier, system.parameters, component.instances)
+    multipliers = factors_by_instance(conversion.multiplier, system.parameters, component.instances)
     counts = []
     for multiplier, limit in zip(multipliers, threshold.above, strict=True):
         per_count = Fraction(multiplier.default * conversion.numerator, conversion.denominator)

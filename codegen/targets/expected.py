@@ -4,30 +4,36 @@ The generated tests and the tests of the generator take their expected values fr
 involved.
 """
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 
+from codegen.model.conversion import Conversion
 from codegen.model.dialect import Kind, WireField
 from codegen.model.known import Known, Stored, Value, single
 from codegen.model.letters import NUL, cut
-from codegen.model.population_spec import Rounding
-from codegen.model.scaling import rounded
 from codegen.model.storage import Storage
 from codegen.model.system import Policy, PopulatedMessage, Representation
-from codegen.model.unit import Measure, unit_named
-from codegen.model.vehicle import Conversion, Quantity, QuantityKind
+from codegen.model.unit import unit_named
+from codegen.model.vehicle import Quantity, QuantityKind
 
 Wire = int | float | str | list[int | float]
 """A field as pymavlink takes it: a number, a text, or a list for an array."""
 
 
-def converted(quantity: Quantity, conversion: Conversion, count: int, multiplier_steps: int) -> int:
+def converted(
+    quantity: Quantity, conversion: Conversion, count: int, multiplier_steps: int, offset_steps: int = 0
+) -> int:
     """The stored integer for an ADC count: the formula of the requirement, rounded to nearest at its end."""
-    channel = conversion.channel
-    volts = Fraction(count, channel.full_scale) * channel.reference * multiplier_steps * conversion.multiplier.step
-    stored = Measure(volts, unit_named("V")).in_unit(quantity.stored)
-    assert stored is not None
-    return rounded(stored, Rounding.NEAREST)
+    channel, multiplier, offset = conversion.channel, conversion.multiplier, conversion.offset
+    volts = Fraction(count, channel.full_scale) * channel.reference
+    if offset is not None:
+        volts -= offset_steps * offset.step * offset.unit.scale / unit_named("V").scale
+    value = volts * unit_named("V").scale * multiplier_steps * multiplier.step * multiplier.unit.scale
+    stored = value / quantity.stored.scale
+    nearest = math.floor(stored + Fraction(1, 2))
+    nearest = nearest if conversion.low is None else max(nearest, conversion.low)
+    return nearest if conversion.high is None else min(nearest, conversion.high)
 
 
 def is_withheld(message: PopulatedMessage, known: Known) -> bool:

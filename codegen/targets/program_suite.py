@@ -2,13 +2,14 @@
 
 from codegen.frozen import dataclass
 from codegen.model.command import Needs
+from codegen.model.conversion import Conversion
 from codegen.model.program import Program
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Conversion, Parameter, by_instance
+from codegen.model.vehicle import Component, Parameter, Reading, by_instance
 from codegen.targets.check_criteria import check_criteria
 from codegen.targets.command_facts import CommandFacts, command_facts
 from codegen.targets.component_facts import ComponentFacts, component_facts
-from codegen.targets.firmware.board import ReaderView, board_view
+from codegen.targets.firmware.board import ReaderView, plain_readers
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.program import ProgramView, program_view
 from codegen.targets.firmware.streams import StreamsView, streams_view
@@ -106,14 +107,14 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
     view = ProgramSuiteView(
         program=program_view(system, program),
         components=tuple(component for component in component_facts(system) if component.measured),
-        readers=board_view(system).readers,
+        readers=plain_readers(system),
         parameters=parameter_views(system),
         streams=streams,
         sent=tuple(message.id for message in alone),
         on_request=[message.id for message in alone if message.id not in streamed],
         shortest_us=tuple(message.shortest_us for message in alone),
-        families={name: _families(system.components[name], each) for name, _, each in system.measured()},
-        inputs={name: _inputs(system, system.components[name], each) for name, _, each in system.measured()},
+        families={each.component.name: _families(each) for each in _first(system)},
+        inputs={each.component.name: _inputs(system, each.component, each.conversion) for each in _first(system)},
         generations=generation_facts(system),
         messages=message_facts(system),
         shared=shared_facts(system),
@@ -148,10 +149,16 @@ def _command_view(program: Program) -> CommandSuiteView:
     )
 
 
-def _families(component: Component, conversion: Conversion) -> MeasuredFamilies:
+def _first(system: System) -> list[Reading]:
+    """The first reading of each component."""
+    return [reading for reading in system.readings() if reading.is_first]
+
+
+def _families(reading: Reading) -> MeasuredFamilies:
+    component, conversion = reading.component, reading.conversion
     return MeasuredFamilies(
         pin=_attributes(conversion.channel.pin),
-        multiplier=_attributes(conversion.multiplier),
+        multiplier=_attributes(conversion.multiplier if isinstance(conversion.multiplier, Parameter) else None),
         enabled_by=_attributes(component.switch),
     )
 

@@ -6,12 +6,13 @@ from codegen.model.system import System
 from codegen.targets.behaviour_checks import BehaviourCheck, SharedMessage, behaviour_checks, shared_messages
 from codegen.targets.cases_file import cases_text
 from codegen.targets.component_facts import ComponentFacts, component_facts
-from codegen.targets.firmware.board import BoardView, board_view
+from codegen.targets.firmware.board import BoardView, ReaderView, board_view, plain_readers
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.streams import StreamView, stream_views
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import Origin, copied_files, headed, origin_of
 from codegen.targets.program_suite import render_program_suite
+from codegen.targets.reading_facts import ReadingFacts, reading_facts
 from codegen.targets.reception_suite import render_reception_suite
 from codegen.targets.rendered import rendered
 from codegen.targets.source_suite import render_source_suite
@@ -29,6 +30,8 @@ class SuiteView:
     board: BoardView
     components: tuple[ComponentFacts, ...]
     measured: tuple[ComponentFacts, ...]
+    readers: tuple[ReaderView, ...]
+    readings: tuple[ReadingFacts, ...]
     builders: tuple[str, ...]
     streams: tuple[StreamView, ...]
     shared: tuple[SharedMessage, ...]
@@ -51,12 +54,15 @@ def render_suite(system: System) -> dict[str, str]:
     board, components, streams = board_view(system), component_facts(system), stream_views(system)
     shared, withheld = shared_messages(system), withheld_messages(system)
     measured = tuple(component for component in components if component.measured)
+    readings = reading_facts(system)
     view = SuiteView(
         system_id=system.system_id,
         component_id=system.component_id,
         board=board,
         components=components,
         measured=measured,
+        readers=plain_readers(system),
+        readings=readings,
         builders=tuple(message.name.lower() for message in system.messages),
         streams=streams,
         shared=shared,
@@ -65,11 +71,13 @@ def render_suite(system: System) -> dict[str, str]:
         choosers=tuple(parameter_attribute(each.parameter.name) for each in system.generations if each.parameter),
         has_program=system.program is not None,
         parameters=parameter_views(system),
-        checks=behaviour_checks(board.readers, streams, components, shared, withheld),
+        checks=behaviour_checks(plain_readers(system), readings, streams, components, shared, withheld),
         ageing={path: _ageing(path, system) for path in _aging_paths(system)},
         expiring={component.name: _readers(component.name, system) for component in components},
         clocked=_readers(CLOCK, system),
     )
+    if not readings:
+        del files["tests/readings_checks.py"]
     for name in RENDERED:
         files[f"tests/{name}"] = headed(rendered(f"tests/{name}.j2", view), origin)
     files |= render_source_suite(system)

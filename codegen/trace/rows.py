@@ -87,7 +87,7 @@ def _state(system: System, symbols: Symbols) -> Iterator[Row]:
 
 def _board(system: System, symbols: Symbols) -> Iterator[Row]:
     for channel in system.channels.values():
-        read = [system.components[name] for name, _, conversion in system.measured() if conversion.channel is channel]
+        read = [reading for reading in system.readings() if reading.conversion.channel is channel]
         yield from _cited(Kind.ADC, channel.name, channel, channel.spec, symbols.readings(read))
     for source in system.sources.values():
         polling = source.polling

@@ -13,7 +13,7 @@ from codegen.model.program import BoardLink, LinkKind
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.source_kind import Source
 from codegen.model.system import PopulatedMessage, System
-from codegen.model.vehicle import Component, Parameter, Quantity, Stream
+from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Stream
 from codegen.targets.firmware.receiving import call_name
 from codegen.targets.naming import (
     builder_name,
@@ -27,6 +27,7 @@ from codegen.targets.naming import (
 from codegen.targets.receiver.view import ReceiverView, receiver_view
 from codegen.trace.graph import Symbol
 
+INPUTS = "firmware/adc_inputs.py"
 BOARD = "firmware/board.py"
 FAILSAFE = "firmware/failsafe.py"
 MESSAGES = "firmware/messages.py"
@@ -107,9 +108,11 @@ class Symbols:
         """What opens it."""
         return self._all([(BOARD, "Board.open_ports"), _PORTS[link.kind]])
 
-    def readings(self, components: Iterable[Component]) -> tuple[Symbol, ...]:
-        """What reads components from the ADC."""
-        return self._all((BOARD, f"Board.read_{component.name}_adc") for component in components)
+    def readings(self, readings: Iterable[Reading]) -> tuple[Symbol, ...]:
+        """What reads the ADC."""
+        return self._all(
+            (INPUTS, "AdcInputs.read") if reading.is_first else (_module(reading), "connect") for reading in readings
+        )
 
     def sensor(self, source: Source) -> tuple[Symbol, ...]:
         """What keeps and loses what it gives."""
@@ -166,13 +169,23 @@ class Symbols:
         stored = quantity.name if quantity.is_computed else quantity.attribute
         found = [(STATE, f"{owner}.{name}") for name in dict.fromkeys((stored, quantity.name))]
         if quantity.derivation.conversion is not None:
-            found += [(STATE, f"{owner}.{quantity.name}_from_adc"), (STATE, f"{owner}.set_count")]
+            for reading in self.system.readings():
+                if reading.quantity is quantity and reading.is_first:
+                    found.append((STATE, f"{owner}.{quantity.name}_from_adc"))
+                    found += [(STATE, f"{owner}.set_count")] if reading.is_plain else []
+                elif reading.quantity is quantity:
+                    found += [(_module(reading), f"{quantity.name}_from_adc"), (_module(reading), "turn")]
         return found
 
     def _all(self, found: Iterable[tuple[str, str]]) -> tuple[Symbol, ...]:
         program = self.system.spec.program
         below = f"{program}/" if program else ""
         return tuple(dict.fromkeys(Symbol(f"{below}{file}", name) for file, name in found))
+
+
+def _module(reading: Reading) -> str:
+    """The module of a reading behind the first of its component."""
+    return f"firmware/{reading.name}.py"
 
 
 def symbols_of(system: System) -> Symbols:

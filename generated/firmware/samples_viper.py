@@ -12,10 +12,9 @@ def _has_machine_code():
     """Is here to end the import of this module where there is none: the functions below are made later."""
 
 
-def battery_reading(board, read_u16, instance):
+def battery_reading(read_u16, failures, instance, fail):
     """Return what takes a reading by `read_u16`: the mean of 5 samples as a count, FR-00066.2; -1 of a late one."""
     ticks_us = time.ticks_us
-    failures = board.battery_failures
 
     @micropython.viper
     def reading() -> int:
@@ -27,7 +26,7 @@ def battery_reading(board, read_u16, instance):
         total += int(read_u16()) >> 4
         took = int(ticks_us()) - started & 0x3FFFFFFF
         if took > 2000:
-            return int(board.fail_battery(instance, took))
+            return int(fail(instance, took))
         if failures[instance]:
             failures[instance] = 0
         return (total + 2) // 5

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
 # Inputs: 39cc7d02773ef247
-"""What is done with each reading of a component, in plain Python, for ports without machine code."""
+"""What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
 

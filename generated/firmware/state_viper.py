@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
 # Inputs: 39cc7d02773ef247
-"""What is done with each reading of a component, by MicroPython's viper emitter; state_plain has the same in Python."""
+"""What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
 # ruff: noqa: F821

@@ -95,11 +95,11 @@ class Recorder:
         return len(data)
 
 
-def fresh(count):
-    """Return a board that reads this count, a state, and the log of both."""
+def fresh(count, name="adc"):
+    """Return a board that reads this count at one input, a state, and the log of both."""
     log = Log()
     board = MockBoard(log=log)
-    board.set_adc_value(count)
+    getattr(board, f"set_{name}_value")(count)
     return board, known(SystemState(log=log)), log
 
 

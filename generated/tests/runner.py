@@ -1,5 +1,5 @@
 # Generated from templates/tests/runner.py: do not edit.
-# Inputs: 5f20634072a2aa8b
+# Inputs: cfef5897ae71f959
 """Runs the generated cases on whatever interpreter reads this file: CPython, MicroPython on a host, or a board.
 
 As a program under MicroPython: `micropython runner.py cases.json`, with the firmware and the mocks on MICROPYPATH. It
@@ -85,11 +85,12 @@ def frames_of(case, instances, count, links):
 
 
 def convert(case, instances):
-    """Return what the state keeps after one reading of a case's count with its multiplier."""
+    """Return what the state keeps after one reading of a case's count with its parameters."""
     parameters = Parameters()
-    setattr(parameters, case["parameter"], case["steps"])
-    board = MockBoard(log=silent)
-    board.set_adc_value(case["count"])
+    for name, steps in case["parameters"].items():
+        setattr(parameters, name, steps)
+    board = MockBoard(log=silent, parameters=parameters)
+    getattr(board, case["setter"])(case["count"])
     state = SystemState(parameters, log=silent)
     getattr(state, "update_" + case["component"])(board)
     return getattr(component_of(state, case["component"], instances, 0), case["attribute"])

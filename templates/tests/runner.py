@@ -83,11 +83,12 @@ def frames_of(case, instances, count, links):
 
 
 def convert(case, instances):
-    """Return what the state keeps after one reading of a case's count with its multiplier."""
+    """Return what the state keeps after one reading of a case's count with its parameters."""
     parameters = Parameters()
-    setattr(parameters, case["parameter"], case["steps"])
-    board = MockBoard(log=silent)
-    board.set_adc_value(case["count"])
+    for name, steps in case["parameters"].items():
+        setattr(parameters, name, steps)
+    board = MockBoard(log=silent, parameters=parameters)
+    getattr(board, case["setter"])(case["count"])
     state = SystemState(parameters, log=silent)
     getattr(state, "update_" + case["component"])(board)
     return getattr(component_of(state, case["component"], instances, 0), case["attribute"])

@@ -443,13 +443,6 @@ CASES = [
     Case(
         "bad-quantity",
         "state.yaml",
-        "      health:\n",
-        "      other:\n        doc: d\n        unit: V\n        stored: mV\n        adc: §battery_voltage\n        multiplier: BATT_VOLT_MULT\n      health:\n",
-        "one quantity that an ADC",
-    ),
-    Case(
-        "bad-quantity",
-        "state.yaml",
         "        trend_of: voltage\n",
         "        adc: battery_voltage\n        trend_of: §voltage\n",
         "one source, not both adc and trend_of",

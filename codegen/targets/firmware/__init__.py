@@ -8,6 +8,7 @@ from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_fil
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.commands import command_table_view
+from codegen.targets.firmware.further import further_module_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
 from codegen.targets.firmware.parameters import parameter_views
@@ -49,13 +50,13 @@ def render_firmware(system: System) -> dict[str, str]:
         "telemetry.py": (telemetry_view(system), written, wires),
         "telemetry_plain.py": (plain, written, wires),
     }
+    templates: dict[str, str] = {}
     if view.is_measured:
-        views["samples_plain.py"] = (board_view(system), [board, state], [])
-        views["state_plain.py"] = (readings_view(system, layout, machine_code=False), [state, board, parameters], [])
-        if machine_code:
-            views["samples_viper.py"] = (board_view(system), [board, state], [])
-            readings = readings_view(system, layout, machine_code=True)
-            views["state_viper.py"] = (readings, [state, board, parameters], [])
+        for name, (template, taken) in _reading_views(system, layout).items():
+            views[name] = (taken, [state, board, parameters], [])
+            templates[name] = template
+        for suffix in ("plain", *(["viper"] if machine_code else [])):
+            views[f"samples_{suffix}.py"] = (board_view(system), [board, state], [])
     if system.polled:
         views["sources.py"] = (sources_view(system, layout), [board, state], [])
     if machine_code:
@@ -66,6 +67,9 @@ def render_firmware(system: System) -> dict[str, str]:
     listens = any(source.silence_ms is not None for source in system.polled)
     optional = {
         "discharge": view.has_estimate,
+        "adc_faults": view.is_measured,
+        "adc_inputs": view.is_measured,
+        "reading_turns": view.is_measured,
         "floats_plain": plain.puts_floats,
         "floats_viper": plain.puts_floats and machine_code,
         "reals_plain": plain.puts_reals,
@@ -87,9 +91,26 @@ def render_firmware(system: System) -> dict[str, str]:
         messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
     )
     for name, (shown, paths, messages) in views.items():
-        text = rendered(f"firmware/{name}.j2", shown)
+        text = rendered(f"firmware/{templates.get(name, name)}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))
     return files | source_files(system, "firmware") | _program_files(system, layout)
+
+
+def _reading_views(system: System, layout: Layout) -> dict[str, tuple[str, object]]:
+    """The modules that take readings, each with its template: those of the first ones together, of others alone."""
+    found: dict[str, tuple[str, object]] = {}
+    suffixes = ("plain", *(["viper"] if system.spec.project.machine_code else []))
+    board = board_view(system)
+    modules = {"state": [reading for reading in system.readings() if reading.is_first]}
+    modules |= {reading.name: [reading] for reading in system.readings() if not reading.is_first}
+    for name, readings in modules.items():
+        samplers = () if name == "state" else tuple(each for each in board.readers if each.component == name)
+        for suffix in suffixes:
+            taken = readings_view(layout, readings, samplers, machine_code=suffix == "viper")
+            found[f"{name}_{suffix}.py"] = f"state_{suffix}.py", taken
+        if samplers:
+            found[f"{name}.py"] = "further_reading.py", further_module_view(readings[0], board, system, layout)
+    return found
 
 
 def _program_files(system: System, layout: Layout) -> dict[str, str]:

@@ -7,43 +7,32 @@ from codegen.model.board_model import MOST_BITS, BoardModel
 from codegen.model.board_spec import AdcSpec
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.system import System
-from codegen.model.vehicle import AdcChannel, Component, Parameter
+from codegen.model.vehicle import Component, Parameter, Reading
 from codegen.targets.families import family_lines
+from codegen.targets.firmware.measured_view import FurtherView, further_view
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, quoted
 
 
 @dataclass(frozen=True, slots=True)
 class ReaderView:
-    """The ADC channel of one component: ``shift`` turns the 16 bits of read_u16() into counts.
+    """The ADC channel of one reading, whose name is ``component``, and what the mock calls its ``input``.
+
+    ``shift`` turns the 16 bits of read_u16() into counts.
 
     ``spare_bits`` are the bits of the mocked converter that a count leaves out, ``pin`` is the attribute of the
-    parameter that has the pin. ``before`` are the lines that find the number of the pin, ``opened`` is the expression
-    that opens its input, and ``indent`` is how deep within them it is set up. Of several instances ``at`` is the index,
-    ``also`` a further argument that names one, ``only`` the one argument and ``leading`` the first of several, else "".
-    ``zeros`` and ``nones`` are the first values, for each of them; ``absent`` and ``failed`` are arguments of what is
-    logged. What takes a reading is made with ``given``, for which the board has ``passed``, and counts in ``failures``.
+    parameter that has the pin. ``pins`` are the lines that find the GPIO numbers by instance, None for one left
+    alone, and ``called`` the literal of what texts call an input, with {} for the number of the instance.
     """
 
     component: str
+    input: str
     several: bool
     gpio: int
     gpios: tuple[int, ...]
     pin: str | None
-    before: tuple[str, ...]
-    opened: str
-    indent: str
-    at: str
-    also: str
-    only: str
-    leading: str
-    given: str
-    passed: str
-    failures: str
-    zeros: str
-    nones: str
-    absent: str
-    failed: str
+    pins: tuple[str, ...]
+    called: str
     shift: int
     spare_bits: int
     full_scale: int
@@ -66,7 +55,9 @@ class LinkView:
 
 @dataclass(frozen=True, slots=True)
 class BoardView:
-    """The board, its readers and its links; ``hardware`` is its name with that of the microcontroller.
+    """The board, its links, and all its readers: the ``first`` of each component, and modules of the ``further`` ones.
+
+    ``hardware`` is its name with that of the microcontroller, ``opened`` the expression that opens an input.
 
     ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
     is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures,
@@ -76,6 +67,9 @@ class BoardView:
     board: str
     hardware: str
     readers: tuple[ReaderView, ...]
+    first: tuple[ReaderView, ...]
+    opened: str
+    further: tuple[FurtherView, ...]
     head: tuple[str, ...]
     links: tuple[LinkView, ...]
     has_pins: bool
@@ -86,20 +80,21 @@ class BoardView:
 
 def board_view(system: System) -> BoardView:
     """The view of the whole module."""
-    readers = tuple(
-        _reader(system.components[component], conversion.channel, system)
-        for component, _, conversion in system.measured()
-    )
+    readers = _readers(system)
+    first = tuple(each for each, reading in zip(readers, system.readings(), strict=True) if reading.is_first)
     links = tuple(_link(link, system.board) for link in system.links)
     has_pins = any(_pin_parameters(system))
     return BoardView(
         board=prose(system.board.name if system.board else system.board_name),
         hardware=prose(system.board_name),
         readers=readers,
-        head=(*_imports(readers, links, has_pins=has_pins), *_readings(system, readers), *_families(system)),
+        first=first,
+        opened=system.board.adc.opened if system.board and system.board.adc else "",
+        further=tuple(further_view(reading, "parameters") for reading in system.readings() if not reading.is_first),
+        head=(*_imports(first, links, has_pins=has_pins), *_readings(system, first), *_families(system)),
         links=links,
         has_pins=has_pins,
-        is_timed=any(reader.read_limit_us is not None for reader in readers),
+        is_timed=any(reader.read_limit_us is not None for reader in first),
         adc_pins=tuple(sorted(system.board.adc.pins & system.board.free)) if system.board and system.board.adc else (),
     )
 
@@ -108,6 +103,7 @@ def _imports(readers: tuple[ReaderView, ...], links: tuple[LinkView, ...], *, ha
     """What the module imports to read and to open its links, with an empty line behind it; nothing without both."""
     modules = ["machine"] if readers else []
     names = [(link.module, link.function) for link in links]
+    names += [("adc_inputs", "AdcInputs")] if readers else []
     if has_pins:
         names.append(("parameters", "Parameters"))
     return (*import_lines(modules, names), "") if modules or names else ()
@@ -129,7 +125,11 @@ def _pin_parameters(system: System) -> tuple[Parameter, ...]:
     """The parameters that have a pin or that switch it on, once each."""
     used: dict[str, Parameter] = {}
     for name, _, conversion in system.measured():
-        used |= {each.name: each for each in (conversion.channel.pin, _switch(system.components[name])) if each}
+        channel = conversion.channel
+        deciding = channel.when[0] if channel.when else None
+        first = system.components[name].readings[0].conversion is conversion
+        switches = (channel.pin, _switch(system.components[name]), deciding) if first else (deciding,)
+        used |= {each.name: each for each in switches if each}
     return tuple(used.values())
 
 
@@ -138,35 +138,34 @@ def _switch(component: Component) -> Parameter | None:
     return component.switch if component.instances > 1 else None
 
 
-def _reader(component: Component, channel: AdcChannel, system: System) -> ReaderView:
-    name, several = component.name, component.instances > 1
-    has_variable = several or channel.pin is not None
-    assert system.board is not None
-    assert system.board.adc is not None
-    title = f"{name} {{instance + 1}}" if several else f"the {name}"
-    literal = "f" if several else ""
-    also = ", instance" if several else ""
+def plain_readers(system: System) -> tuple[ReaderView, ...]:
+    """The readers that the tests of whole components are about, in their order: see component_facts.py."""
+    plain = {reading.name for reading in system.readings() if reading.is_plain}
+    return tuple(reader for reader in _readers(system) if reader.component in plain)
+
+
+def _readers(system: System) -> tuple[ReaderView, ...]:
+    return tuple(reader_view(reading, place, system) for place, reading in enumerate(system.readings()))
+
+
+def adc_input(reading: str, place: int) -> str:
+    """What the mock calls the input of a reading: the first of all has the short name."""
+    return "adc" if place == 0 else f"{reading}_adc"
+
+
+def reader_view(reading: Reading, place: int, system: System) -> ReaderView:
+    component, channel = reading.component, reading.conversion.channel
+    name, several = reading.name, component.instances > 1
+    title = f"{component.name} {{}}" if several else f"the {component.name}"
     return ReaderView(
         component=name,
+        input=adc_input(name, place),
         several=several,
         gpio=channel.gpio,
         gpios=system.gpios(component, channel),
         pin=parameter_attribute(channel.pin.name) if channel.pin else None,
-        before=_lines_before(component, channel),
-        opened=system.board.adc.opened.replace("{gpio}", "gpio" if has_variable else str(channel.gpio)),
-        indent="    " if several else "",
-        at="[instance]" if several else "",
-        also=also,
-        only="instance" if several else "",
-        leading="instance, " if several else "",
-        given=f"board, read_u16{also}",
-        passed=f"self, adc.read_u16{also}",
-        failures="failures[instance]" if several else f"board.{name}_failures",
-        zeros=f"[0] * {component.instances}" if several else "0",
-        nones=f"[None] * {component.instances}" if several else "None",
-        absent=f'{literal}"warning: no ADC for {title} on GPIO'
-        + ('", gpio, ":"' if has_variable else f' {channel.gpio}:"'),
-        failed=f'{literal}"error: {title}\'s ADC"',
+        pins=_pins(reading),
+        called=quoted(title if reading.is_first else f"{title}'s {reading.quantity.name}"),
         shift=16 - channel.bits,
         spare_bits=MOST_BITS - channel.bits,
         full_scale=channel.full_scale,
@@ -178,16 +177,33 @@ def _reader(component: Component, channel: AdcChannel, system: System) -> Reader
     )
 
 
-def _lines_before(component: Component, channel: AdcChannel) -> tuple[str, ...]:
-    """What finds the pin of the component, or of each instance in turn; nothing where the pin is a number."""
+def _is_on(reading: Reading) -> str:
+    """The condition with which an instance is read; "" for always."""
+    component, when = reading.component, reading.conversion.channel.when
+    switch = _switch(component)
+    conditions = []
+    if when is not None:
+        conditions.append(f"{parameter_expression(when[0], 'parameters')} == {when[1]}")
+    if switch is not None and (when is None or when[0] is not switch):
+        conditions.append(f"{parameter_expression(switch, 'parameters')} != 0")
+    return " and ".join(conditions)
+
+
+def _pins(reading: Reading) -> tuple[str, ...]:
+    """What finds the GPIO numbers by instance; None for one whose pin may be somebody else's."""
+    component, channel = reading.component, reading.conversion.channel
     gpio = parameter_expression(channel.pin, "parameters") if channel.pin else str(channel.gpio)
+    on = _is_on(reading)
     if component.instances == 1:
-        return (f"gpio = {gpio}",) if channel.pin else ()
-    lines = [f"for instance in range({component.instances}):", f"    gpio = {gpio}"]
-    if switch := _switch(component):
-        off = f"    if {parameter_expression(switch, 'parameters')} == 0:"
-        lines[1:1] = [off, "        continue  # its pin may be somebody else's"]
-    return tuple(lines)
+        return (f"pins = [{gpio} if {on} else None]" if on else f"pins = [{gpio}]",)
+    if not on:
+        return (f"pins = [{gpio} for instance in range({component.instances})]",)
+    return (
+        f"pins = [None] * {component.instances}",
+        f"for instance in range({component.instances}):",
+        f"    if {on}:  # else its pin may be somebody else's",
+        f"        pins[instance] = {gpio}",
+    )
 
 
 def _link(link: BoardLink, board: BoardModel | None) -> LinkView:

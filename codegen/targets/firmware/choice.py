@@ -43,7 +43,7 @@ def _lowest(choice: Representation, code: SpelledCode) -> list[str]:
     assert quantity is not None
     turn = [code.reach(component.name, "place")]
     if expires(component):
-        turn += expiry(component, code, code.now(), "level")
+        turn += expiry(component.readings[:1], code, code.now(), "level")
     if quantity.ages:
         turn += forgetting(quantity, code, code.now(), "level")
     turn.append(f"level = {code.read(quantity)}")

@@ -33,7 +33,7 @@ class JobView:
 def job_views(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[JobView, ...]:
     """The components that are measured, in the order of state.yaml."""
     watched = {failsafe.component: failsafe for failsafe in failsafes}
-    names = [name for name, _, _ in system.measured()]
+    names = [reading.component.name for reading in system.readings() if reading.is_first]
     return tuple(
         JobView(
             component=name,

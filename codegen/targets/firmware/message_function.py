@@ -5,12 +5,12 @@ from textwrap import wrap
 from codegen.frozen import dataclass
 from codegen.model.payload_code import ELEMENT
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
-from codegen.model.vehicle import Component
+from codegen.model.vehicle import Component, Reading
 from codegen.targets.firmware.choice import choosing
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.payload_machine import MachineCode
 from codegen.targets.firmware.payload_plain import PlainCode
-from codegen.targets.firmware.reading import expires, expiry, forgetting
+from codegen.targets.firmware.reading import expiry, forgetting
 from codegen.targets.firmware.words import ConstantView, Layout
 from codegen.targets.imports import import_lines, in_brackets
 from codegen.targets.naming import builder_name, class_names, encoder_name, frame_name, message_about
@@ -128,7 +128,7 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
     expired = _expiring(message, system)
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
     age = "value" if len(expired) == 1 else "age"  # the time is needed no more: boards have room for few variables
-    before = [line for component in expired for line in ["", *expiry(component, code, code.now(), age)]]
+    before = [line for reading in expired for line in ["", *expiry([reading], code, code.now(), age)]]
     before = [*_ageing(message, system, code), *before]
     withheld = _withheld(message, code)
     cleared = code.cleared(message.wire.length)
@@ -203,10 +203,21 @@ def _printed(line: str) -> list[str]:
     return wrap(text, 116, initial_indent="", subsequent_indent=f"{indent}#   ", drop_whitespace=True)
 
 
-def _expiring(message: PopulatedMessage, system: System) -> list[Component]:
-    """The components of which the message reads something, and a reading can become too old, in the state's order."""
-    names = {quantity.component for answer in message.answers for quantity in answer.quantities}
-    return [component for component in system.components.values() if component.name in names and expires(component)]
+def _expiring(message: PopulatedMessage, system: System) -> list[Reading]:
+    """The readings that can become too old of which the message reads something, in the state's order.
+
+    The first one of a component counts for all that is read of that.
+    """
+    quantities = [quantity for answer in message.answers for quantity in answer.quantities]
+    names = {quantity.component for quantity in quantities}
+    paths = {path for quantity in quantities for path in (quantity.path, quantity.decided_by)}
+    return [
+        reading
+        for reading in system.readings()
+        if reading.expires
+        and reading.component.name in names
+        and (reading.is_first or any(quantity.path in paths for quantity in reading.given))
+    ]
 
 
 def _prologue(message: PopulatedMessage, code: SpelledCode) -> list[str]:

@@ -1,15 +1,14 @@
 """Statements that take a reading over into the words of a component, and forget one that has become too old."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
+from codegen.model.conversion import Factor
 from codegen.model.payload_code import ELEMENT, UNKNOWN, each_element, indented
-from codegen.model.vehicle import Component, Quantity, Returns, Threshold
+from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Returns, Threshold
 from codegen.targets.firmware.payload import SpelledCode
-from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, measured_of
-
-CLOCK_MASK = "0x3FFFFFFF"
-"""Ticks are counted in 30 bits: boards count them so, and 64-bit interpreters further."""
+from codegen.targets.firmware.summing import CLOCK_MASK, begun, summed
+from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, factor_words
 
 FIRST, RETURNED, ABOVE, GOOD = 1, 2, 4, 8
 """What a reading gives cause to tell: bits of what the function returns."""
@@ -21,22 +20,27 @@ WAITING = -1000000000
 
 def expires(component: Component) -> bool:
     """Whether a reading of it can become too old."""
-    measured = measured_of(component)
-    return measured is not None and measured.trust.stale_after_ms is not None
+    return any(reading.expires for reading in component.readings)
 
 
-def expiry(component: Component, code: SpelledCode, now: str, age: str) -> list[str]:
-    """Forget the last reading where it is too old by the time ``now``, in ms; ``age`` is the variable for how old."""
-    measured = measured_of(component)
-    assert measured is not None
+def expiry(readings: Iterable[Reading], code: SpelledCode, now: str, age: str) -> list[str]:
+    """Forget the last readings where they are too old by the time ``now``, in ms; ``age`` is a variable for how old."""
+    return [line for reading in readings for line in _expiry(reading, code, now, age)]
+
+
+def _expiry(reading: Reading, code: SpelledCode, now: str, age: str) -> list[str]:
+    measured = reading.quantity
+    if measured.trust.stale_after_ms is None:
+        return []
     cited = _cited(measured.cited("stale_after"))
-    expires = code.word(component.name, "expires_ms")
+    expires = code.word(measured.component, reading.word("expires_ms"))
+    what = "A reading" if reading.is_first else f"The {measured.name}"
     return [
-        f"# A reading is forgotten once it is older than {measured.trust.stale_after_ms} ms{cited}.",
+        f"# {what} is forgotten once it is older than {measured.trust.stale_after_ms} ms{cited}.",
         f"if {code.number_of(expires)} != {UNKNOWN}:",
         f"    {age} = {now} - {expires} & {CLOCK_MASK}",
         f"    if {age} > 0 and {age} < 0x20000000:",
-        *indented([*forgotten(component, code), f"{expires} = {UNKNOWN}"], 2),
+        *indented([*forgotten(reading, code), f"{expires} = {UNKNOWN}"], 2),
     ]
 
 
@@ -56,79 +60,122 @@ def forgetting(quantity: Quantity, code: SpelledCode, now: str, age: str) -> lis
     ]
 
 
-def forgotten(component: Component, code: SpelledCode) -> list[str]:
-    """Make everything that is measured unknown."""
-    lines = []
-    for quantity in component.quantities.values():
-        if quantity.derivation.comes_of_readings:
-            lines.append(f"{code.word(component.name, quantity.attribute)} = {UNKNOWN}")
+def forgotten(reading: Reading, code: SpelledCode) -> list[str]:
+    """Make what comes of a reading unknown."""
+    lines, name = [], reading.component.name
+    for quantity in reading.given:
+        lines.append(f"{code.word(name, quantity.attribute)} = {UNKNOWN}")
         if quantity.derivation.kept_readings:
-            lines += [f"{code.word(component.name, f'{quantity.name}_{word}')} = 0" for word in TREND_WORDS]
+            lines += [f"{code.word(name, f'{quantity.name}_{word}')} = 0" for word in TREND_WORDS]
     return lines
 
 
-def taken(component: Component, code: SpelledCode) -> list[str]:
+def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = None) -> list[str]:
     """Take over the count that stands in its word, at ``now_ms``; one that cannot be is a failed reading.
 
+    ``counting_on`` are the statements that count on what it sums up to, where these are not to stand here themselves.
     What there is to tell is in ``told``. The value is unknown afterwards, or the one that ``changed`` goes on with.
     """
-    measured = measured_of(component)
-    assert measured is not None
-    conversion, threshold, lasting = (
-        measured.derivation.conversion,
-        measured.derivation.threshold,
-        measured.trust.invalid_after,
-    )
-    assert conversion is not None
-    name, full_scale = component.name, conversion.channel.full_scale
-    value = code.word(name, measured.attribute)
-    failures = code.word(name, "failures")
+    measured, conversion = reading.quantity, reading.conversion
+    lasting, stale_ms = measured.trust.invalid_after, measured.trust.stale_after_ms
+    threshold = measured.derivation.threshold
+    name, full_scale = reading.component.name, conversion.channel.full_scale
+    failures = code.word(name, reading.word("failures"))
     failed = [f"{failures} = {failures} + 1"]
     if lasting:
-        failed += [f"if {failures} >= {lasting}:", *indented(forgotten(component, code))]
-    numerator, denominator = conversion.numerator, conversion.denominator
+        failed += [f"if {failures} >= {lasting}:", *indented(forgotten(reading, code))]
     good = [
-        f"value = count * {code.word(name, 'multiplier')}",
-        f"value = {_product(numerator, denominator)}",
-        f"{value} = value",
+        *_converted(reading, code),
+        *(summed(reading, code) if counting_on is None else counting_on),
+        f"{code.word(name, measured.attribute)} = value",
         f"{failures} = 0",
     ]
-    if measured.trust.stale_after_ms is not None:
-        later = f"now_ms - {(1 << 30) - measured.trust.stale_after_ms} & {CLOCK_MASK}"  # a sum may be no small integer
-        good.append(f"{code.word(name, 'expires_ms')} = {later}  # in {measured.trust.stale_after_ms} ms")
-    logged = code.word(name, "is_logged")
+    if stale_ms is not None:
+        later = f"now_ms - {(1 << 30) - stale_ms} & {CLOCK_MASK}"  # a sum may be no small integer
+        good.append(f"{code.word(name, reading.word('expires_ms'))} = {later}  # in {stale_ms} ms")
+    logged = code.word(name, reading.word("is_logged"))
     good += [f"if {logged} == 0:", f"    {logged} = 1", f"    told = {FIRST}"]
-    if any(quantity.derivation.curves_by_instance for quantity in component.quantities.values()):
+    if any(quantity.derivation.curves_by_instance for quantity in reading.given):
         good.append(f"told |= {GOOD}")
-    if component.returns:
-        good += _returned(component, component.returns, code)
+    if reading.returns:
+        good += _returned(reading.component, reading.returns, code)
     if threshold is not None:
-        good += _above(measured, threshold, code)
+        good += _above(reading, threshold, code)
     lasts = _until(lasting) + _cited(measured.cited("invalid_after"))
-    head = f"# count / {full_scale} * reference * multiplier, rounded to nearest ({measured.citation or name})."
     return [
         "told = 0",
-        f"count = {code.number_of(code.word(name, 'count'))}",
+        f"count = {code.number_of(code.word(name, reading.word('count')))}",
         f"if count < 0 or count > {full_scale}:",
         f"    # A failed reading keeps the last value{lasts}.",
         *indented(failed),
         "else:",
-        *indented([head, *good]),
+        *indented(good),
     ]
 
 
-def changed(component: Component, code: SpelledCode) -> list[str]:
+def _converted(reading: Reading, code: SpelledCode) -> list[str]:
+    """Set ``value`` to what ``count`` stands for."""
+    measured, conversion = reading.quantity, reading.conversion
+    steps = [_steps(reading, word, factor, code) for word, factor in factor_words(reading)]
+    cited = measured.citation or reading.name
+    volts = f"count / {conversion.channel.full_scale} * reference"
+    numerator, denominator = conversion.numerator, conversion.denominator
+    if conversion.offset is None:
+        return [
+            f"# {volts} * multiplier, rounded to nearest ({cited}).",
+            f"value = count * {steps[0]}",
+            f"value = {_product(numerator, denominator)}",
+        ]
+    head = f"# ({volts} - offset) * multiplier, rounded to nearest ({cited})."
+    limits = [(f"value < {conversion.low}", conversion.low), (f"value > {conversion.high}", conversion.high)]
+    limited = [line for test, end in limits if end is not None for line in (f"if {test}:", f"    value = {end}")]
+    numerators = (numerator, conversion.offset_numerator)
+    return [head, *_difference((f"count * {steps[0]}", f"{steps[1]} * {steps[0]}"), numerators, denominator), *limited]
+
+
+def _steps(reading: Reading, word: str, factor: Factor, code: SpelledCode) -> str:
+    """The steps of a factor: a number, or its word."""
+    if not isinstance(factor, Parameter):
+        return str(factor.default)
+    word = code.word(reading.component.name, reading.word(word))
+    number = code.number_of(word) if factor.minimum < 0 else word
+    return word if number == word else f"({number})"
+
+
+def _difference(products: tuple[str, str], numerators: tuple[int, int], denominator: int) -> list[str]:
+    """``value``: the difference of two products, each times its numerator, divided and rounded to nearest.
+
+    Quotients and remainders are taken apart, so that no product of all three passes a small integer.
+    """
+    (count, away), (of_count, of_away) = products, numerators
+    if denominator == 1:
+        return [f"value = {count} * {of_count} - {away} * {of_away}"]
+    half = denominator // 2
+    constants = [int(text) for text in away.split(" * ") if text.lstrip("-").isdigit()]
+    if len(constants) == 2:
+        whole, rest = divmod(half - constants[0] * constants[1] * of_away, denominator)
+        return [
+            f"count = {count}",
+            f"value = (count % {denominator} * {of_count} + {rest}) // {denominator}",
+            f"value += count // {denominator} * {of_count} {'-' if whole < 0 else '+'} {abs(whole)}",
+        ]
+    return [
+        f"count = {count}",
+        f"away = {away}",
+        f"value = (count % {denominator} * {of_count} - away % {denominator} * {of_away} + {half}) // {denominator}",
+        f"value += count // {denominator} * {of_count} - away // {denominator} * {of_away}",
+    ]
+
+
+def changed(reading: Reading, code: SpelledCode) -> list[str]:
     """Take the value into the trend, where there is one; not for a value that is unknown."""
-    measured = measured_of(component)
-    trend = next((quantity for quantity in component.quantities.values() if quantity.derivation.kept_readings), None)
-    return [] if trend is None or measured is None else list(_trend(trend, measured, component, code))
+    return [] if reading.trend is None else list(_trend(reading.trend, reading, code))
 
 
-def known(component: Component, code: SpelledCode) -> str:
+def known(reading: Reading, code: SpelledCode) -> str:
     """The condition that the measured value is known."""
-    measured = measured_of(component)
-    assert measured is not None
-    return f"{code.number_of(code.word(component.name, measured.attribute))} != {UNKNOWN}"
+    word = code.word(reading.component.name, reading.quantity.attribute)
+    return f"{code.number_of(word)} != {UNKNOWN}"
 
 
 def _until(failures: int | None) -> str:
@@ -163,6 +210,10 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     yield f"        {counted} = 0"
     yield f"    {counted} = {counted} + 1"
     for quantity in returns.restarting:
+        if quantity.derivation.sums:
+            yield f"    if {code.number_of(code.word(name, quantity.attribute))} != {UNKNOWN}:"
+            yield from indented(begun(quantity, code), 2)
+            continue
         word = code.word(name, quantity.attribute)
         if quantity.initial is None:
             yield f"    if {code.number_of(word)} != {UNKNOWN}:"
@@ -172,11 +223,12 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     yield f"{gone} = is_gone"
 
 
-def _above(measured: Quantity, threshold: Threshold, code: SpelledCode) -> Iterator[str]:
+def _above(reading: Reading, threshold: Threshold, code: SpelledCode) -> Iterator[str]:
     """Warn of a value above a threshold, and then not for a while."""
-    name, limits = measured.component, threshold.above
-    warned = code.word(name, "warned_ms")
-    limit = str(limits[0]) if not differ(limits) else code.number_of(code.word(name, "warn_above"))
+    name, limits, measured = reading.component.name, threshold.above, reading.quantity
+    warned = code.word(name, reading.word("warned_ms"))
+    own = differ(limits)
+    limit = code.number_of(code.word(name, reading.word("warn_above"))) if own else str(limits[0])
     words = f"# Above {limit if limit.isdigit() else 'its limit'} a warning is due, unless there was one just now"
     yield f"{words}{_cited(measured.cited('warn_above'))}."
     yield f"since = {code.number_of(warned)}"
@@ -187,8 +239,9 @@ def _above(measured: Quantity, threshold: Threshold, code: SpelledCode) -> Itera
     yield f"    told |= {ABOVE}"
 
 
-def _trend(trend: Quantity, measured: Quantity, component: Component, code: SpelledCode) -> Iterator[str]:
+def _trend(trend: Quantity, reading: Reading, code: SpelledCode) -> Iterator[str]:
     """The newer half of the readings against the older one; a failed reading counts the last value once more."""
+    component, measured = reading.component, reading.quantity
     assert component.period_ms is not None
     name, readings = component.name, trend.derivation.kept_readings
     half = readings // 2

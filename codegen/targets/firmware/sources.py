@@ -11,7 +11,7 @@ from codegen.model.source_kind import Output, Source
 from codegen.model.storage import SMALL_INT_MAX, Storage
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity
-from codegen.targets.firmware.reading import CLOCK_MASK
+from codegen.targets.firmware.summing import CLOCK_MASK
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import LINE_LENGTH, either_import, import_lines
 from codegen.targets.naming import prose, quoted

@@ -5,10 +5,9 @@ from collections.abc import Iterator, Mapping
 from codegen.frozen import dataclass
 from codegen.model.clock import CLOCK
 from codegen.model.reach import Reach, reaches
-from codegen.model.state_spec import ComponentSpec, QuantitySpec
+from codegen.model.state_spec import ComponentSpec
 from codegen.model.system import System
-from codegen.model.unit import decimal
-from codegen.model.vehicle import Component, Quantity, QuantityKind
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
 from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
     VIEWS,
@@ -16,42 +15,21 @@ from codegen.targets.firmware.attribute import (
     attributes,
     initial_words,
 )
-from codegen.targets.firmware.reading import ABOVE, FIRST, RETURNED, WAITING, expires
-from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ, measured_of
+from codegen.targets.firmware.measured_view import (
+    FurtherView,
+    MeasuredView,
+    TellView,
+    further_view,
+    is_read_word,
+    measured_view,
+    texts_of,
+    unreadable,
+)
+from codegen.targets.firmware.reading import WAITING, expires
+from codegen.targets.firmware.sum_words import fulls
+from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
-
-
-@dataclass(frozen=True, slots=True)
-class MeasuredView:
-    """How a component's quantity comes from an ADC count, and what is told about its readings.
-
-    ``formula`` is for people, in volts, with the names adc and mult. ``own_multiplier`` is the expression of the
-    steps of an instance's parameter, ``own_name`` that of its name.
-    """
-
-    name: str
-    word: str
-    unit: str
-    formula: str
-    citation: str
-    multiplier_name: str
-    own_multiplier: str
-    own_name: str
-    names: tuple[str, ...]
-    latched: bool
-    warn_text: str
-    invalid_after: int | None
-    stale_after_ms: int | None
-    cited: Mapping[str, str]
-
-
-@dataclass(frozen=True, slots=True)
-class TellView:
-    """What is logged, as arguments of the generated Python, where a reading has given cause to: a bit of its result."""
-
-    bit: int
-    text: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +64,8 @@ class ComponentView:
     forgotten: tuple[str, ...]
     expires: bool
     measured: MeasuredView | None
+    further: tuple[FurtherView, ...]
+    followed: tuple[tuple[str, str], ...]
     estimate: EstimateView | None
     emptied: tuple[str, ...]
     set_up: tuple[tuple[str, str], ...]
@@ -128,7 +108,6 @@ def state_view(system: System, layout: Layout) -> StateView:
     names |= {(VIEWS.get(word, "words"), word) for word in words}
     modules = {VIEWS[word] for word in words & VIEWS.keys()}
     names.add(("frames", "address"))
-    names |= {("guard", "Guard")} if measured else set()
     names |= {("discharge", "percent")} if has_estimate else set()
     constants = [
         constant
@@ -139,7 +118,7 @@ def state_view(system: System, layout: Layout) -> StateView:
             *(ConstantView(block.constant(name), at) for name, at in block.offsets.items()),
         )
     ]
-    readings = [f"read_{component.name}" for component in measured]
+    readings = [f"read_{reading.name}" for reading in system.readings() if reading.is_first]
     readings += [f"expire_{component.name}" for component in measured if component.expires]
     machine_code = system.spec.project.machine_code
     return StateView(
@@ -158,17 +137,23 @@ def state_view(system: System, layout: Layout) -> StateView:
 def _families(system: System) -> tuple[FamilyView, ...]:
     """The families of parameters that the state reads: those that switch a component on, and multipliers."""
     quantities = [quantity for component in system.components.values() for quantity in component.quantities.values()]
-    switches = [quantity.derivation.switch for quantity in quantities if quantity.derivation.switch]
-    multipliers = [conversion.multiplier for _, _, conversion in system.measured()]
-    return tuple(family_view(parameter) for parameter in (*switches, *multipliers) if parameter.siblings)
+    used = [quantity.derivation.switch for quantity in quantities if quantity.derivation.switch]
+    for reading in system.readings():
+        conversion = reading.conversion
+        used += [conversion.channel.when[0]] if conversion.channel.when else []
+        if reading.is_first:
+            used += [factor for factor in conversion.factors if isinstance(factor, Parameter)]
+            used += fulls(reading).values()
+    by_name = {parameter.name: parameter for parameter in used if parameter.siblings}
+    return tuple(family_view(parameter) for parameter in by_name.values())
 
 
 def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) -> ComponentView:
     block = layout.blocks[component.name]
     quantities = component.quantities.values()
-    measured = measured_of(component)
+    readings = component.readings
     enabled = component.enabled
-    view = _measured(measured, component, block) if measured else None
+    view = measured_view(readings[0], block) if readings else None
     return ComponentView(
         name=component.name,
         class_name=state_class(component.name),
@@ -183,35 +168,17 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) 
         forgotten=tuple(_forgotten(component, block)),
         expires=expires(component),
         measured=view,
+        further=tuple(further_view(reading, "self.parameters") for reading in readings[1:]),
+        followed=view.followed if view else (),
         estimate=next(filter(None, (_estimate(quantity, component, block) for quantity in quantities)), None),
         emptied=tuple(place for place, _ in _counters(component, block)),
         set_up=tuple(_set_up(component, block, view)),
-        told=tuple(_told(component, view)) if view else (),
-        unreadable=_unreadable(component),
+        told=tuple(texts_of(readings[0], view)) if view else (),
+        unreadable=unreadable(component),
         period_ms=component.period_ms,
         citation=str(component.citation or ""),
         cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
     )
-
-
-def _unreadable(component: Component) -> str:
-    """The text about a board that raises, as a literal of the generated Python."""
-    if component.instances == 1:
-        return f'"error: the board cannot read the {component.name}:"'
-    return f'f"error: the board cannot read {component.name} {{instance + 1}}:"'
-
-
-def _told(component: Component, measured: MeasuredView) -> Iterator[TellView]:
-    """What a reading can give cause to tell: that it is the first, that something came back, that it is too high."""
-    name, several = component.name, component.instances > 1
-    number, mark = (" {instance + 1}", "f") if several else ("", "")
-    yield TellView(FIRST, f'f"{name}{number}: {measured.name} {{value:.2f}} {measured.unit}"')
-    if component.returns:
-        yield TellView(RETURNED, f'{mark}"notice: {name.capitalize()}{number} connected"')
-    if measured.warn_text:
-        owner = f"{name}{number}'s" if several else f"the {name}'s"
-        text = f"warning: {owner} {measured.name} is above {measured.warn_text}:"
-        yield TellView(ABOVE, f'{"f" if "{" in text else ""}"{text}", value')
 
 
 def _set_up(component: Component, block: Block, measured: MeasuredView | None) -> Iterator[tuple[str, str]]:
@@ -226,7 +193,9 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
         switch = parameter_expression(component.switch, "self.parameters")
         yield block.constant(component.enabled.attribute), f"1 if {switch} != 0 else 0"
     if measured:
-        yield block.constant("multiplier"), measured.own_multiplier
+        yield from measured.set_up
+    for reading in component.readings[:1]:
+        yield from is_read_word(reading, block, "self.parameters")
 
 
 def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
@@ -242,7 +211,8 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
         elif quantity.initial is not None:
             yield from initial_words(quantity, block.constant(quantity.attribute))
     yield from _counters(component, block)
-    for word in ("number", "failures", "is_logged", "gone"):
+    counted = (reading.word(word) for reading in component.readings for word in ("failures", "is_logged"))
+    for word in ("number", *counted, "gone"):
         if word in block.offsets:
             yield block.constant(word), "0"
 
@@ -254,7 +224,9 @@ def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
         f"{quantity.name}_limit": quantity.derivation.own_limits,
         f"{quantity.attribute}_count": quantity.elements or (),
     }
-    own["warn_above"] = threshold.above if threshold else ()
+    if threshold is not None:
+        is_first = f"{quantity.name}_count" not in block.offsets
+        own["warn_above" if is_first else f"{quantity.name}_warn_above"] = threshold.above
     for word, numbers in own.items():
         if differ(numbers):
             yield block.constant(word), f"({', '.join(map(str, numbers))})"
@@ -284,41 +256,3 @@ def _estimate(quantity: Quantity, component: Component, block: Block) -> Estimat
     each = f"{constant}[self._instance]" if several else constant
     text = repr(curves if several else curves[0])
     return EstimateView(block.constant(quantity.attribute), constant, each, text, quantity.name)
-
-
-def _measured(quantity: Quantity, component: Component, block: Block) -> MeasuredView:
-    conversion, threshold = quantity.derivation.conversion, quantity.derivation.threshold
-    assert conversion is not None
-    channel, multiplier = conversion.channel, conversion.multiplier
-    warn_text = ""
-    if threshold is not None:
-        text = decimal(threshold.above[0] / quantity.steps)
-        if differ(threshold.above):
-            text = (
-                f"{{self.{component.name}_words[instance][{block.constant('warn_above')}] / {decimal(quantity.steps)}}}"
-            )
-        warn_text = f"{text} {quantity.unit.name}"
-    return MeasuredView(
-        name=quantity.name,
-        word=block.constant(quantity.attribute),
-        unit=quantity.unit.name,
-        formula=f"adc / {channel.full_scale} * {decimal(channel.reference)} * mult",
-        citation=str(quantity.citation or ""),
-        multiplier_name=multiplier.name,
-        own_multiplier=parameter_expression(multiplier, "self.parameters"),
-        own_name=_own_name(multiplier.name, multiplier.siblings),
-        names=multiplier.siblings,
-        latched=multiplier.spec.reboot,
-        warn_text=warn_text,
-        invalid_after=quantity.trust.invalid_after,
-        stale_after_ms=quantity.trust.stale_after_ms,
-        cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
-    )
-
-
-def _own_name(name: str, siblings: tuple[str, ...]) -> str:
-    """The expression of a parameter's name; of a family that of the instance."""
-    if not siblings:
-        return f'"{name}"'
-    names = ", ".join(f'"{sibling}"' for sibling in siblings)
-    return f"({names})[instance]" if len(siblings) > 1 else f'"{siblings[0]}"'

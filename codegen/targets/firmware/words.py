@@ -9,8 +9,10 @@ with elements takes the words of each, one element behind the other, last of all
 from collections.abc import Iterator, Mapping
 
 from codegen.frozen import dataclass
+from codegen.model.conversion import Factor
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Quantity
+from codegen.model.vehicle import Component, Parameter, Quantity, Reading
+from codegen.targets.firmware.sum_words import sum_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,28 +119,34 @@ def age_word(quantity: Quantity) -> str:
 
 def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
     """The words that readings need beside the values that they give."""
-    measured = measured_of(component)
-    if measured is None:
-        return
-    yield from (("count", 1), ("multiplier", 1), ("failures", 1), ("is_logged", 1))
-    if measured.trust.stale_after_ms is not None:
-        yield "expires_ms", 1
-    threshold = measured.derivation.threshold
-    if threshold is not None:
-        yield "warned_ms", 1
-        if differ(threshold.above):
-            yield "warn_above", 1
-    if component.returns:
-        yield "gone", 1
+    for reading in component.readings:
+        words = ["count", *FACTOR_WORDS[: len(reading.conversion.factors)], "failures", "is_logged"]
+        constant = [word for word, factor in factor_words(reading) if not isinstance(factor, Parameter)]
+        yield from ((reading.word(word), 1) for word in words if word not in constant)
+        if reading.is_conditional:
+            yield reading.word("is_read"), 1
+        if reading.quantity.trust.stale_after_ms is not None:
+            yield reading.word("expires_ms"), 1
+        threshold = reading.quantity.derivation.threshold
+        if threshold is not None:
+            yield reading.word("warned_ms"), 1
+            if differ(threshold.above):
+                yield reading.word("warn_above"), 1
+        if reading.returns:
+            yield "gone", 1
+        yield from ((word, 1) for word in sum_words(reading))
     for quantity in component.quantities.values():
         if quantity.derivation.kept_readings:
             yield from ((f"{quantity.name}_{word}", 1) for word in TREND_WORDS)
             yield f"{quantity.name}_readings", quantity.derivation.kept_readings
 
 
-def measured_of(component: Component) -> Quantity | None:
-    """The quantity that readings are taken of; None where there is none."""
-    return next((quantity for quantity in component.quantities.values() if quantity.derivation.conversion), None)
+FACTOR_WORDS = ("multiplier", "offset")
+
+
+def factor_words(reading: Reading) -> tuple[tuple[str, Factor], ...]:
+    """The factors of a reading with the names of their words, which constants do not have."""
+    return tuple(zip(FACTOR_WORDS, reading.conversion.factors, strict=False))
 
 
 CLOCK_WORDS = (("last_us", 1), ("last_ms", 1), ("boot_ms", 4), ("unix_ms", 4))

@@ -3,10 +3,11 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.conversion import Conversion
 from codegen.model.known import Known, Stored
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import decimal
-from codegen.model.vehicle import Conversion, Quantity
+from codegen.model.vehicle import Quantity
 from codegen.targets.cases import used_quantities
 from codegen.targets.expected import converted, is_withheld, nominal_values
 
@@ -56,7 +57,8 @@ def _at_start(quantity: Quantity) -> Stored:
 
 def _measured(quantity: Quantity, conversion: Conversion) -> int:
     """A round value that the ADC can measure: the largest whole unit up to 95 % of full scale, or half of it."""
-    full = converted(quantity, conversion, conversion.channel.full_scale, conversion.multiplier.default)
+    offset = conversion.offset.default if conversion.offset else 0
+    full = converted(quantity, conversion, conversion.channel.full_scale, conversion.multiplier.default, offset)
     whole = int(Fraction(full * 95, 100) / quantity.steps)
     return int(whole * quantity.steps) if whole else full // 2
 

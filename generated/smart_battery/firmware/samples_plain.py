@@ -5,7 +5,7 @@
 import time
 
 
-def battery_reading(board, read_u16):
+def battery_reading(read_u16, failures, instance, fail):
     """Return what takes a reading by `read_u16`: the mean of 5 samples as a count, FR-00066.2; -1 of a late one."""
     ticks_us = time.ticks_us
 
@@ -18,9 +18,9 @@ def battery_reading(board, read_u16):
         total += read_u16() >> 4
         us = ticks_us() - us & 0x3FFFFFFF  # one variable: with one more all would lie on the heap
         if us > 2000:
-            return board.fail_battery(us)
-        if board.battery_failures:
-            board.battery_failures = 0
+            return fail(instance, us)
+        if failures[instance]:
+            failures[instance] = 0
         return (total + 2) // 5
 
     return reading

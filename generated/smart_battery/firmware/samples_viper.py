@@ -12,7 +12,7 @@ def _has_machine_code():
     """Is here to end the import of this module where there is none: the functions below are made later."""
 
 
-def battery_reading(board, read_u16):
+def battery_reading(read_u16, failures, instance, fail):
     """Return what takes a reading by `read_u16`: the mean of 5 samples as a count, FR-00066.2; -1 of a late one."""
     ticks_us = time.ticks_us
 
@@ -26,9 +26,9 @@ def battery_reading(board, read_u16):
         total += int(read_u16()) >> 4
         took = int(ticks_us()) - started & 0x3FFFFFFF
         if took > 2000:
-            return int(board.fail_battery(took))
-        if board.battery_failures:
-            board.battery_failures = 0
+            return int(fail(instance, took))
+        if failures[instance]:
+            failures[instance] = 0
         return (total + 2) // 5
 
     return reading

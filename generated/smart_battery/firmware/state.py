@@ -11,7 +11,6 @@ import time
 from array import array
 
 from frames import address
-from guard import Guard
 from micropython import const
 from parameters import Parameters
 from wide import integer, shown_integer
@@ -173,7 +172,6 @@ class SystemState:
         self.words = array("i", [UNKNOWN] * _SIZE)
         self.words_at = address(self.words)
         self._log = log
-        self._guard = Guard()
         self.battery = together(BatteryState, self.words, _BATTERY, _BATTERY_SIZE, 1, log)
         for instance in range(1):
             words = self.battery[instance].words
@@ -211,29 +209,16 @@ class SystemState:
                         first = 0
                         board = yield
                 except Exception as error:
-                    first = self._fail_battery(error, first)
+                    from reading_turns import failed  # noqa: PLC0415  boards of codegen raise nothing
+
+                    places = (_BATTERY_COUNT, _BATTERY_FAILURES)
+                    first = failed(read, every, places, self.tell_battery, error, first)
         except (KeyboardInterrupt, SystemExit):
             self._start_battery()  # that was the end of this one
             raise
 
-    def _fail_battery(self, error, first):
-        """Count a failed reading of the one that the board was asked for; return which one is next."""
-        for instance in range(first, 1):
-            words = self.battery_words[instance]
-            if words[_BATTERY_COUNT] == -1000000000:
-                words[_BATTERY_COUNT] = -1
-                if words[_BATTERY_FAILURES] == 0:
-                    with self._guard:
-                        self._log("error: the board cannot read the battery:", error)
-                read_battery(words, None, None, time.ticks_ms, -1)
-                return instance + 1
-        return 1
-
-    def tell_battery(self, told, instance):
-        """Do what a reading gives cause to."""
-        self._log_battery(told, instance)
-
-    def _log_battery(self, told, instance):
+    def tell_battery(self, told, instance, error=None):
+        """Do what a reading gives cause to, or tell of a board that raises."""
         value = self.battery[instance].voltage
         if told & 1:
             self._log(f"battery: voltage {value:.2f} V")
@@ -241,6 +226,8 @@ class SystemState:
             self._log("notice: Battery connected")
         if told & 4:
             self._log("warning: the battery's voltage is above 13 V:", value)
+        if error is not None:
+            self._log("error: the board cannot read the battery:", str(error) or type(error).__name__)
 
     def calibrate_battery(self, measured):
         """Set BATT_VOLT_MULT to what a meter shows, in V; return whether it was accepted.

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
 # Inputs: 940407389e80b8d2
-"""What is done with each reading of a component, in plain Python, for ports without machine code."""
+"""What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
 

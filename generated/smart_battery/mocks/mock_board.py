@@ -24,6 +24,8 @@ class MockBoard(Board):
 
     def set_adc_value(self, count):
         """Let every sample of the battery read this count, 0 to 4095."""
+        if not 0 <= count <= 4095:
+            raise ValueError(f"an ADC of 12 bits does not read {count!r}")
         self._battery_inputs[0].source = count
 
     def set_adc_waveform(self, waveform):

@@ -97,11 +97,11 @@ class Recorder:
         return len(data)
 
 
-def fresh(count):
-    """Return a board that reads this count, a state, and the log of both."""
+def fresh(count, name="adc"):
+    """Return a board that reads this count at one input, a state, and the log of both."""
     log = Log()
     board = MockBoard(log=log)
-    board.set_adc_value(count)
+    getattr(board, f"set_{name}_value")(count)
     return board, known(SystemState(log=log)), log
 
 
@@ -130,14 +130,14 @@ def battery_failed_reading_keeps_the_last_value():
     board.fail_adc(1)
     state.update_battery(board)
     assert state.battery.voltage_mv == before
-    assert board.battery_failures == 1
+    assert board.battery_failures[0] == 1
     assert len(log.lines) == 1, log.lines
     board.fail_adc(1)
     assert board.read_battery_adc() == -1
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
     assert state.battery.voltage_mv < before
-    assert board.battery_failures == 0
+    assert board.battery_failures[0] == 0
 
 
 def battery_repeated_failures_make_it_unknown():
@@ -147,7 +147,7 @@ def battery_repeated_failures_make_it_unknown():
     for failures in range(1, 6):
         assert state.battery.voltage_mv is not None
         state.update_battery(board)
-        assert board.battery_failures == failures
+        assert board.battery_failures[0] == failures
     assert state.battery.voltage_mv is None
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
@@ -316,7 +316,7 @@ def battery_steady_cycle_allocates_nothing():
         sent(links[0], build(state))
     assert mem_total() == before
     assert links[0].sequence != links[0].tx_errors == 0
-    assert board.battery_failures == 0
+    assert board.battery_failures[0] == 0
     assert state.battery.voltage_mv < first // 50
     assert len(log.lines) <= 1, log.lines
 

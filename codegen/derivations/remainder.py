@@ -1,0 +1,159 @@
+"""What a sum leaves of a full store, and how long that lasts: the charge that is left, and its time."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.diagnostics import Rule
+from codegen.frozen import dataclass
+from codegen.model.derivation import Derivation, DerivationFact
+from codegen.model.derivation_spec import IntegralSpec, LastsSpec, LeftSpec, MeasuredSpec
+from codegen.model.summed import Lasting, Rest, whole
+from codegen.model.unit import Unit, ratio, unit_named
+from codegen.model.vehicle import Parameter, Quantity
+
+if TYPE_CHECKING:
+    from codegen.model.system import System
+
+BAD_REMAINDER = Rule(
+    "bad-remainder",
+    "left_of names the parameter of a full store and after an integral of the same component: what is left is in the "
+    "unit of the integral, or a share of the store in %. lasts names what is left so, at the measured quantity that is "
+    "taken from it, and over a time of 1 to 1000 readings. Units fit by whole numbers, and products fit 30 bits.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Left(Derivation):
+    """What ``rest`` says, with each reading of ``of``; unknown while that is, or while the store has no size."""
+
+    rest: Rest
+    of: str
+
+    @property
+    def remains(self) -> Rest | None:
+        return self.rest
+
+    @property
+    def comes_of_readings(self) -> bool:
+        return True
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        return (self.of, self.rest.after)
+
+    def uses(self, quantity: Quantity) -> Iterator[tuple[Parameter, str]]:
+        yield self.rest.full, f"of what {quantity.path} is left"
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        rest = self.rest
+        share = "" if rest.share is None else f", of {rest.share}"
+        yield DerivationFact("left of", f"{rest.full.name} * {rest.steps} after {rest.after}{share}", "left_of")
+
+    def words(self, quantity: Quantity) -> str:
+        return f"{self.rest.full.name} less {quantity.component}.{self.rest.after}"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        share = " as a share" if self.rest.share is not None else ""
+        yield "follows", f"what {self.rest.after} leaves of {self.rest.full.name}{share}, unknown while {self.of} is"
+
+
+@dataclass(frozen=True, slots=True)
+class Lasts(Derivation):
+    """What ``lasting`` says, with each reading of what is drawn; unknown while nothing is."""
+
+    lasting: Lasting
+
+    @property
+    def lasts(self) -> Lasting | None:
+        return self.lasting
+
+    @property
+    def comes_of_readings(self) -> bool:
+        return True
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        return (self.lasting.at, self.lasting.left)
+
+    def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
+        lasting = self.lasting
+        text = f"{lasting.left} * {lasting.factor} at {lasting.at} over {lasting.readings} readings"
+        yield DerivationFact("lasts", text, "lasts")
+
+    def words(self, quantity: Quantity) -> str:
+        owner, lasting = quantity.component, self.lasting
+        return f"{owner}.{lasting.left} at the mean of {owner}.{lasting.at} over {lasting.readings} readings"
+
+    def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
+        lasting = self.lasting
+        yield "follows", f"{lasting.left} at {lasting.at}, smoothed over {lasting.readings} readings; else unknown"
+
+
+def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | None:
+    """What is left of which parameter; None after a finding."""
+    name = written.after
+    if written.left_of is None or name is None:
+        around.bad("left_of" if name is None else "after", "what is left has both left_of and after", BAD_REMAINDER)
+        return None
+    full = around.parameter("left_of", written.left_of)
+    integral = _integral(name, around)
+    if full is None or integral is None:
+        return None
+    spelt = around.others[name].stored or around.others[name].unit
+    unit = Unit.parse(spelt)
+    steps = None if unit is None else whole((ratio(full.unit, unit) or Fraction(0)) * full.step)
+    if steps is None or unit is None or full.minimum < 0:
+        message = f"a step of {full.name} is no whole number of {spelt}, or it can be below 0"
+        around.bad("left_of", message, BAD_REMAINDER)
+        return None
+    share = ratio(unit_named("%"), kept.stored)
+    if share is None and ratio(unit, kept.stored) != 1:
+        around.bad("left_of", f"what is left of {full.name} is in {spelt} or in %", BAD_REMAINDER)
+        return None
+    of_all = None if share is None else int(100 * share)
+    return Left(Rest(full, name, steps, of_all), integral.integral_of or "")
+
+
+def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts | None:
+    """What lasts, and at what; None after a finding."""
+    name, at = written.lasts, written.drawn
+    if name is None or at is None or written.over is None:
+        given = {"lasts": name, "at": at, "over": written.over}
+        key = next(key for key, value in given.items() if value is not None)
+        around.bad(key, "a time that is left has lasts, at and over", BAD_REMAINDER)
+        return None
+    over = around.time_ms("over", written.over)
+    for key, other in (("lasts", name), ("at", at)):
+        if other not in around.others:
+            around.no_quantity(key, other, BAD_REMAINDER)
+            return None
+    left, drawn = around.others[name], around.others[at]
+    if left.written(LeftSpec) is None or drawn.written(MeasuredSpec) is None:
+        around.bad("lasts", f"{name} is not what is left of something, or {at} is not measured", BAD_REMAINDER)
+        return None
+    readings = Fraction(over or 0, around.period_ms) if around.period_ms else Fraction(0)
+    if readings.denominator != 1 or not 1 <= readings <= 1000:
+        hint = None if around.period_ms else "the component needs an update_rate"
+        around.bad("over", f"{written.over} is not 1 to 1000 readings", BAD_REMAINDER, hint)
+        return None
+    product = Unit.parse(f"{kept.stored.name or 1}*{drawn.stored or drawn.unit}")
+    unit = Unit.parse(left.stored or left.unit)
+    factor = None if product is None or unit is None else whole(ratio(unit, product))
+    if factor is None:
+        around.bad("lasts", f"{name} at {at} is no whole number of {kept.stored.name}", BAD_REMAINDER)
+        return None
+    return Lasts(Lasting(name, at, int(readings), factor))
+
+
+def _integral(name: str, around: Surroundings) -> IntegralSpec | None:
+    followed = around.others.get(name)
+    if followed is None:
+        around.no_quantity("after", name, BAD_REMAINDER)
+        return None
+    written = followed.written(IntegralSpec)
+    if written is None or written.times is not None:
+        around.bad("after", f"{name} is no integral of one quantity", BAD_REMAINDER, f"integral_of at {name}")
+        return None
+    return written

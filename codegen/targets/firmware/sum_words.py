@@ -1,0 +1,50 @@
+"""The words that sums over time take beside the quantities that they give."""
+
+from collections.abc import Iterator
+
+from codegen.model.summed import Rest
+from codegen.model.vehicle import Parameter, Quantity, Reading
+from codegen.targets.naming import parameter_attribute
+
+DIGITS = ("low", "middle", "high")
+"""The words with what a sum of products has beyond its last whole step."""
+
+
+def sums(reading: Reading) -> tuple[Quantity, ...]:
+    """The quantities that are summed of a reading."""
+    found = [(each, each.derivation.sums) for each in reading.component.quantities.values()]
+    return tuple(each for each, one in found if one and one.of == reading.quantity.name)
+
+
+def counted(reading: Reading) -> bool:
+    """Whether something is counted on with each reading."""
+    return bool(sums(reading)) or any(each.derivation.lasts or each.derivation.remains for each in reading.given)
+
+
+def sum_words(reading: Reading) -> Iterator[str]:
+    """The words that this takes beside the quantities, of one number each."""
+    if sums(reading):
+        yield reading.word("since_ms")
+    for quantity in sums(reading):
+        yield from rest_words(quantity)
+    yield from fulls(reading)
+    yield from (f"{each.name}_mean" for each in reading.given if each.derivation.lasts)
+
+
+def fulls(reading: Reading) -> dict[str, Parameter]:
+    """The words with the sizes of what is full, each with its parameter."""
+    rests = [each.derivation.remains for each in reading.given]
+    return {full_word(rest): rest.full for rest in rests if rest}
+
+
+def full_word(rest: Rest) -> str:
+    """The word with the size of what is full."""
+    return parameter_attribute(rest.full.siblings[0] if rest.full.siblings else rest.full.name)
+
+
+def rest_words(quantity: Quantity) -> tuple[str, ...]:
+    """The words of what a sum has beyond its last whole step."""
+    found = quantity.derivation.sums
+    if found is None:
+        return ()
+    return (f"{quantity.name}_rest",) if found.times is None else tuple(f"{quantity.name}_{word}" for word in DIGITS)

@@ -1,0 +1,131 @@
+"""Statements that count on what readings sum up to: the sum over time, what it leaves, and how long that lasts."""
+
+from codegen.model.payload_code import UNKNOWN, indented
+from codegen.model.summed import RADIX, SMOOTH_STEPS, Lasting, Rest, Sum
+from codegen.model.vehicle import Quantity, Reading
+from codegen.targets.firmware.payload import SpelledCode
+from codegen.targets.firmware.sum_words import full_word, rest_words, sums
+
+CLOCK_MASK = "0x3FFFFFFF"
+"""Ticks are counted in 30 bits: boards count them so, and 64-bit interpreters further."""
+
+
+def begun(quantity: Quantity, code: SpelledCode) -> list[str]:
+    """Begin a sum anew: half a step in advance, so that whole steps are the nearest ones."""
+    found, owner = quantity.derivation.sums, quantity.component
+    assert found is not None
+    half = found.parts // 2
+    starts = [half] if found.times is None else [half % RADIX, half // RADIX % RADIX, half // RADIX // RADIX]
+    rests = zip(rest_words(quantity), starts, strict=True)
+    return [f"{code.word(owner, quantity.attribute)} = 0", *(f"{code.word(owner, word)} = {at}" for word, at in rests)]
+
+
+def summed(reading: Reading, code: SpelledCode) -> list[str]:
+    """Count on with a good reading, which is in ``value`` and not yet stored, at ``now_ms``."""
+    owner, quantity = reading.component.name, reading.quantity
+    before = code.number_of(code.word(owner, quantity.attribute))
+    lines = []
+    if sums(reading):
+        since, stale_ms = code.word(owner, reading.word("since_ms")), quantity.trust.stale_after_ms
+        lines += [
+            f"# A reading stands for the time since the last; more than {stale_ms} ms, or an unknown one, is a gap.",
+            f"took = now_ms - {since} & {CLOCK_MASK}",
+            f"if took > {stale_ms} or {before} == {UNKNOWN}:",
+            "    took = 0",
+            f"{since} = now_ms & {CLOCK_MASK}",
+            "took = value * took",
+        ]
+    for each in sums(reading):
+        assert each.derivation.sums is not None
+        lines += _sum(each, each.derivation.sums, reading, code)
+    for each in reading.given:
+        if each.derivation.remains:
+            lines += _left(each, each.derivation.remains, reading, code)
+    for each in reading.given:
+        if each.derivation.lasts:
+            lines += _lasting(each, each.derivation.lasts, reading, code)
+    return lines
+
+
+def _sum(quantity: Quantity, found: Sum, reading: Reading, code: SpelledCode) -> list[str]:
+    owner = quantity.component
+    word = code.word(owner, quantity.attribute)
+    start = [f"if {code.number_of(word)} == {UNKNOWN}:", *indented(begun(quantity, code))]
+    cited = f" ({quantity.citation})" if quantity.citation else ""
+    head = f"# {quantity.path}: {found.parts} parts are a step, and what is less is kept{cited}."
+    if found.times is None:
+        rest = code.word(owner, rest_words(quantity)[0])
+        carried = [f"part = took + {rest}", f"{rest} = part % {found.parts}"]
+        carried.append(f"part = {code.number_of(word)} + part // {found.parts}")
+        return [head, *start, *carried, *_limited("part", quantity), f"{word} = part"]
+    times = code.word(owner, reading.component.quantities[found.times].attribute)
+    low, middle, high = (code.word(owner, name) for name in rest_words(quantity))
+    last = found.parts // RADIX // RADIX
+    lines = [
+        *start,
+        f"part = took % {RADIX} * {times} + {low}",
+        f"{low} = part % {RADIX}",
+        f"part = part // {RADIX} + took // {RADIX} % {RADIX} * {times} + {middle}",
+        f"{middle} = part % {RADIX}",
+        f"part = part // {RADIX} + took // {RADIX * RADIX} * {times} + {high}",
+        f"{high} = part % {last}",
+        f"part = {code.number_of(word)} + part // {last}",
+        *_limited("part", quantity),
+        f"{word} = part",
+    ]
+    return [head, f"if {code.number_of(times)} != {UNKNOWN}:", *indented(lines)]
+
+
+def _limited(name: str, quantity: Quantity) -> list[str]:
+    least, most = int(quantity.minimum), int(quantity.maximum)
+    return [f"if {name} > {most}:", f"    {name} = {most}", f"if {name} < {least}:", f"    {name} = {least}"]
+
+
+def _left(quantity: Quantity, rest: Rest, reading: Reading, code: SpelledCode) -> list[str]:
+    owner = quantity.component
+    word, full = code.word(owner, quantity.attribute), code.word(owner, full_word(rest))
+    after = code.number_of(code.word(owner, reading.component.quantities[rest.after].attribute))
+    size = full if rest.steps == 1 else f"({full} * {rest.steps})"
+    most = rest.full.maximum * rest.steps
+    cited = f" ({quantity.citation})" if quantity.citation else ""
+    lines = [
+        f"# {quantity.path}: what {rest.after} leaves of {rest.full.name}{cited}.",
+        f"part = {size} - {f'({after})' if ' ' in after else after}",
+        "if part < 0:",
+        "    part = 0",
+        f"if part > {size}:",
+        f"    part = {size}",
+    ]
+    if rest.share is None:
+        return [*lines, *(_most("part", quantity) if most > quantity.maximum else []), f"{word} = part"]
+    shared = [f"part = (part * {rest.share} + {size} // 2) // {size}"]
+    shared += [*(_most("part", quantity) if rest.share > quantity.maximum else []), f"{word} = part"]
+    return [*lines, f"if {full} == 0:", f"    {word} = {UNKNOWN}", "else:", *indented(shared)]
+
+
+def _lasting(quantity: Quantity, lasting: Lasting, reading: Reading, code: SpelledCode) -> list[str]:
+    owner, quantities = quantity.component, reading.component.quantities
+    word, mean = code.word(owner, quantity.attribute), code.word(owner, f"{quantity.name}_mean")
+    before = code.number_of(code.word(owner, quantities[lasting.at].attribute))
+    left = code.word(owner, quantities[lasting.left].attribute)
+    number = code.number_of(mean)
+    cited = f" ({quantity.citation})" if quantity.citation else ""
+    return [
+        f"# {quantity.path}: {lasting.left} at the mean of {lasting.at}; unknown while nothing is drawn{cited}.",
+        f"part = {number}",
+        f"if {before} == {UNKNOWN}:",
+        f"    part = value * {SMOOTH_STEPS}",
+        f"part += (value * {SMOOTH_STEPS} - part) // {lasting.readings}",
+        f"{mean} = part",
+        f"part = part // {SMOOTH_STEPS}",
+        f"if part <= 0 or {code.number_of(left)} == {UNKNOWN}:",
+        f"    {word} = {UNKNOWN}",
+        "else:",
+        f"    part = {left} * {lasting.factor} // part",
+        *indented(_most("part", quantity)),
+        f"    {word} = part",
+    ]
+
+
+def _most(name: str, quantity: Quantity) -> list[str]:
+    return [f"if {name} > {int(quantity.maximum)}:", f"    {name} = {int(quantity.maximum)}"]

@@ -1,0 +1,54 @@
+"""Sets the counts of the converter, and prints what the state keeps and what goes out, by the name of each step."""
+
+import json
+import sys
+
+sys.path[:0] = ["generated/firmware", "generated/mocks"]
+
+from mock_board import MockBoard  # noqa: E402  mocks first: they bring the clock
+from parameters import Parameters  # noqa: E402
+from state import SystemState  # noqa: E402
+
+found = {}
+parameters = Parameters()
+told = []
+
+
+def started():
+    """A board and a state after a start with the parameters."""
+    return MockBoard(log=lambda *_: None, parameters=parameters), SystemState(parameters, log=lambda *_: None)
+
+
+def taken(name, voltage, current, level):
+    """Keep what comes of these counts; None of a sample that fails."""
+    for setter, count in (
+        (board.set_adc_waveform, voltage),
+        (board.set_pack_current_adc_waveform, current),
+        (board.set_tank_adc_waveform, level),
+    ):
+        setter([count])
+    state.update_pack(board)
+    state.update_tank(board)
+    found[name] = [state.pack.voltage_mv, state.pack.current_ca, state.tank.level_cpct]
+
+
+board, state = started()
+taken("half", 2047, 2047, 2047)
+taken("no current", 4095, 410, 496)
+taken("charging, empty", 0, 0, 0)
+taken("full scale", 4095, 4095, 4095)
+taken("one fails", 3000, None, 1000)
+for _ in range(2):
+    taken("and again", 3001, None, None)
+taken("for the fourth time", 3000, None, 3000)
+taken("and comes back", 3000, 1000, 3000)
+parameters.set("BATT_AMP_PERVLT", -20)
+parameters.set("BATT_AMP_OFFSET", 1.65)
+taken("the other way round, from the middle, at once", 3000, 1000, 3000)
+parameters.set("BATT_MONITOR", 3)
+board, state = started()
+taken("voltage only", 3000, 1000, 3000)
+parameters.set("BATT_MONITOR", 0)
+board, state = started()
+taken("nothing of the pack", 3000, 1000, 3000)
+print(json.dumps(found))  # noqa: T201
