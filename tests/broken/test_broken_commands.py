@@ -51,6 +51,8 @@ CASES = [
     Case("bad-command-parameter", COMMANDS, "2: {name: options}", "2: {name: options, default: §4}", "no value that it accepts"),
     Case("bad-command-parameter", COMMANDS, "2: {name: options}", "2: {name: options, enum: §MAV_STATE}", "of MAV_DO_REPOSITION_FLAGS in the dialect"),
     Case("unknown-enum-entry", COMMANDS, LAMPS, "1: {name: lamps, enum: §MAV_STAT}", "did you mean MAV_STATE"),
+    Case("bad-command-parameter", COMMANDS, LAMPS, "§1: {name: lamps, whole: true, min: 0.1, max: 0.9}", "no value"),
+    Case("bad-command-parameter", COMMANDS, LAMPS, "§1: {name: lamps, enum: MAV_STATE, min: 20}", "no value"),
     Case("unknown-unit", COMMANDS, "name: duration, unit: s", "name: duration, unit: §seconds", "did you mean s"),
     Case("unit-mismatch", COMMANDS, "unit: km/h", "unit: §m", "is in m/s, and m is not"),
     Case("no-program-for-commands", VEHICLE, None, "", "no program", at=f"{COMMANDS}:1:1"),
