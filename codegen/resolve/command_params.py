@@ -48,7 +48,7 @@ def resolve_params(
         if key not in tuple("1234567"):
             report.add(BAD_COMMAND_PARAM, param.place, f"a command has parameters 1 to 7, and no {key}")
             continue
-        if not is_name(param.name) or any(param.name == each.name for each in found):
+        if not is_name(param.name) or param.name == "self" or any(param.name == each.name for each in found):
             message = f"{param.name} cannot be the name of an argument of its own"
             report.add(BAD_COMMAND_PARAM, param.at("name"), message)
             continue

@@ -43,6 +43,7 @@ CASES = [
     Case("bad-command-parameter", COMMANDS, DURATION, "§one: {name: duration}", "parameters 1 to 7"),
     Case("bad-command-parameter", COMMANDS, "name: duration", "name: §power", "power cannot be the name", at=f"{COMMANDS}:9:17"),
     Case("bad-command-parameter", COMMANDS, "name: duration", "name: §how long", "how long cannot be the name"),
+    Case("bad-command-parameter", COMMANDS, "name: duration", "name: §self", "self cannot be the name"),
     Case("bad-command-parameter", COMMANDS, "min: 0, max: 60", "min: §61, max: 60", "smallest is above its largest"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: deg, max: §361}", "beyond what the dialect allows for MAV_CMD_CONDITION_YAW 1: 360"),
     Case("bad-command-parameter", COMMANDS, ANGLE, "1: {name: angle, unit: rad, min: §-0.1}", "0 on the wire"),
