@@ -1,5 +1,6 @@
 """The parameters of a command: what the dialect says of them, and what the project makes of that."""
 
+import math
 import struct
 from collections.abc import Mapping
 from fractions import Fraction
@@ -22,6 +23,7 @@ BAD_COMMAND_PARAM = Rule(
 )
 _AXES = {(5, "latitude"): Axis.LATITUDE, (6, "longitude"): Axis.LONGITUDE}
 _SHOWN_ENTRIES = 6
+_LARGEST = Fraction(struct.unpack("<f", b"\xff\xff\x7f\x7f")[0])
 _DEGREES_E7 = unit_named("degE7")
 
 
@@ -46,7 +48,7 @@ def resolve_params(
         if key not in tuple("1234567"):
             report.add(BAD_COMMAND_PARAM, param.place, f"a command has parameters 1 to 7, and no {key}")
             continue
-        if not is_name(param.name) or any(param.name == each.name for each in found):
+        if not is_name(param.name) or param.name == "self" or any(param.name == each.name for each in found):
             message = f"{param.name} cannot be the name of an argument of its own"
             report.add(BAD_COMMAND_PARAM, param.at("name"), message)
             continue
@@ -109,7 +111,7 @@ def _param(
         is_sent_whole = stated.axis is not None and unit == _DEGREES_E7
         is_whole = enum is not None or is_counted or is_sent_whole
     _check_default(spec, enum, is_whole, report)
-    return CommandParam(
+    found = CommandParam(
         number=number,
         name=spec.name,
         unit=unit,
@@ -124,6 +126,24 @@ def _param(
         axis=stated.axis,
         spec=spec,
     )
+    if not _has_value(found):
+        report.add(BAD_COMMAND_PARAM, spec.place, f"{spec.name} has no value: none within its limits is {found.limits}")
+        return None
+    return found
+
+
+def _has_value(param: CommandParam) -> bool:
+    """Whether a parameter has any value at all: a whole one, or an entry of its enum, within its limits."""
+    low, high = (
+        None if end is None else param.scale.settled(end, Fraction) if param.scale.ratio else end
+        for end in (param.minimum, param.maximum)
+    )
+    if param.enum is not None:
+        values = [0, flags_of(param.enum)] if param.enum.is_bitmask else [each.value for each in param.enum.entries]
+        return any((low is None or value >= low) and (high is None or value <= high) for value in values)
+    if not param.is_whole or param.is_rounded or low is None or high is None:
+        return True
+    return math.floor(high) >= math.ceil(low)
 
 
 def _enum(spec: CommandParamSpec, stated: _Stated, dialect: Dialect, report: Report) -> EnumDefinition | None:
@@ -162,10 +182,8 @@ def _end(
 
 def _nearest(value: Fraction) -> Fraction:
     """The float of 32 bits that COMMAND_LONG has for a value; the largest one for what is beyond all of them."""
-    try:
-        return Fraction(struct.unpack("<f", struct.pack("<f", value))[0])
-    except OverflowError:
-        return value
+    within = max(min(value, _LARGEST), -_LARGEST)
+    return Fraction(struct.unpack("<f", struct.pack("<f", within))[0])
 
 
 def _check_default(spec: CommandParamSpec, enum: EnumDefinition | None, is_whole: bool, report: Report) -> None:

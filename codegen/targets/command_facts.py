@@ -122,11 +122,11 @@ def _is_within(param: CommandParam, value: Fraction) -> bool:
 
 
 def _is_usable(param: CommandParam, wire: Fraction) -> bool:
-    """Whether a value stands on the wire as it is, and where the argument is whole is a whole one there."""
-    if _single(wire) != wire:
-        return False
+    """Whether a value stands on the wire as it is, and where the argument has to be whole is a whole one there."""
+    if not param.is_whole or param.is_rounded:
+        return _single(wire) == wire
     argument = param.scale.exact(wire)
-    return not param.is_whole or param.axis is not None or (argument is not None and argument.denominator == 1)
+    return _single(wire) == wire and argument is not None and argument.denominator == 1
 
 
 def _sample(param: CommandParam, wire: Fraction) -> _Sample:
@@ -147,17 +147,16 @@ def _values(enum: EnumDefinition) -> list[int]:
 
 
 def _beyond(param: CommandParam) -> Iterator[str]:
-    if param.minimum is not None:
-        yield repr(_beside(param.minimum, up=False))
-    if param.maximum is not None:
-        yield repr(_beside(param.maximum, up=True))
+    for end, up in ((param.minimum, False), (param.maximum, True)):
+        if end is not None and math.isfinite(_beside(end, up=up)):
+            yield repr(_beside(end, up=up))
     if param.default is None:
         yield _NAN
     yield _INFINITE
     yield f"-{_INFINITE}"
     if param.enum is not None:
         yield repr(float(next(each for each in range(1 << 20) if not _has(param.enum, each))))
-    if param.is_whole and param.axis is None and param.scale.ratio == 1:
+    if param.is_whole and not param.is_rounded and param.scale.ratio == 1:
         yield repr(float(_ends(param)[0].wire) + 0.5)
 
 

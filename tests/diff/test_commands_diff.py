@@ -49,7 +49,7 @@ EDITS = [
     ("commands.yaml", "name: duration, unit: s", "name: duration, unit: min", {"command-unit-changed", "command-range-changed", "command-changed"}),
     ("commands.yaml", "allowed: armed", "allowed: always", {"command-changed"}),
     ("commands.yaml", "method: sound_horn", "method: honk", {"command-changed"}),
-    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_USER_4", {"command-removed", "command-added"}),
+    ("commands.yaml", "MAV_CMD_USER_3", "MAV_CMD_USER_5", {"command-removed", "command-added"}),
     ("vehicle.yaml", "  11: {name: RTL", "  12: {name: RTL", {"mode-removed", "mode-added"}),
     ("vehicle.yaml", "name: RTL", "name: RETURN", {"mode-changed"}),
     ("vehicle.yaml", "It comes back., base: [guided]", "It comes back.", {"mode-changed"}),

@@ -122,6 +122,13 @@ CASES = {
         ],
         [],
     ),
+    # 0.57 m as a float of 32 bits are 56.99999928 cm
+    "whole centimetres": (
+        [long(186, 0.57), long(186, 0.01, 3.0), long(186, 2.5, NAN), long(186, 0.0)],
+        [(186, 0, 0), (186, 0, 0), (186, 0, 0), (186, 2, 0)],
+        ["Lower: depth must be whole, 1 to 250 cm"],
+        [["lower", "57", "0"], ["lower", "1", "3"], ["lower", "250", "0"]],
+    ),
     # FR-301.8 and 7
     "a position": (
         [GCS, ARM, whole(GO, NAN, 1.0, x=-353632621, y=1491652374), whole(GO, 10.0, x=900000000, y=-1800000000)],

@@ -119,7 +119,7 @@ def _factor(scale: AffineMap) -> tuple[str, str]:
 def _form(param: CommandParam) -> str:
     if not param.is_whole:
         return "_REAL"
-    return "_WHOLE" if param.axis is None else "_ROUNDED"
+    return "_ROUNDED" if param.is_rounded else "_WHOLE"
 
 
 def _among(param: CommandParam) -> str:

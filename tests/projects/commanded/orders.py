@@ -48,6 +48,9 @@ class Boat(Rover):
     def turn(self, angle, direction, relative):
         return self._do("turn", angle, direction, relative)
 
+    def lower(self, depth, frame):
+        return self._do("lower", depth, frame)
+
     def check_mode(self, _mode):
         return self.says.get("check_mode")
 
