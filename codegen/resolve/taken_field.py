@@ -5,14 +5,16 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from codegen.answers.fitting import NOT_AN_ENUM_FIELD, field_unit
+from codegen.answers.halves import float_within
 from codegen.answers.limits import EMPTY_LIMITS, LIMIT_BEYOND_FIELD, Bounds, dialect_bounds
 from codegen.derivations.received import SET_TWICE, Received
 from codegen.diagnostics import Report, Rule
 from codegen.measure import UNCARRIED_CONVERSION, UNIT_MISMATCH, obstacle, read_number
 from codegen.model.dialect import Kind, WireField
+from codegen.model.population_spec import Rounding
 from codegen.model.receive_spec import ReceivedFieldSpec
 from codegen.model.reception import ReceivedField
-from codegen.model.scaling import rounded
+from codegen.model.scaling import Scaling, rounded
 from codegen.model.storage import SMALL_INT_MAX, Storage
 from codegen.model.unit import ratio
 from codegen.model.vehicle import Citation, Quantity, QuantityKind
@@ -23,9 +25,11 @@ NOT_RECEIVED = Rule(
     "cannot-receive",
     "A quantity cannot keep what a field carries. A whole number goes into any quantity of one word, converted to its "
     "unit, or unconverted into one of more; a float into a quantity that is kept as a float of its size in the field's "
-    "unit; a text into a text of at least its length. The quantity belongs to a component of which there is one, and "
-    "is no list.",
+    "unit, or one of 32 bits into one of one word, rounded to the nearest; a text into a text of at least its length. "
+    "The quantity belongs to a component of which there is one, and is no list.",
 )
+_PART_LIMIT = 1 << 28
+"""What numerator and denominator of a factor are less than with which wholes_plain.py makes whole numbers of floats."""
 _FLOATS = {4: Storage.BINARY32, 8: Storage.BINARY64}
 
 
@@ -127,6 +131,8 @@ def _is_kept(
         fits = storage is Storage.SMALL or (not storage.is_float and factor == 1)
     else:
         fits = storage is _FLOATS[field.type.size] and factor == 1
+        if storage is Storage.SMALL and field.type.size == 4:
+            return _is_rounded(field, quantity, factor, written, report)
     if fits:
         return True
     kind = "a float" if storage.is_float else "an integer"
@@ -137,6 +143,21 @@ def _is_kept(
     hint = f"keep it as the field has it: leave out stored, or write unit: {field.definition.units or '(none)'}"
     report.add(NOT_RECEIVED, written.at("state"), message, hint)
     return False
+
+
+def _is_rounded(
+    field: WireField, quantity: Quantity, factor: Fraction, written: ReceivedFieldSpec, report: Report
+) -> bool:
+    """Whether whole numbers are made of a float; False after a finding."""
+    problem, key, hint = "", "state", "keep it in a coarser unit"
+    if max(factor.numerator, factor.denominator) >= _PART_LIMIT:
+        problem = f"{field.name} comes in too different a unit to be kept in {quantity.stored.name or 'numbers'}"
+    elif written.rounding is not Rounding.NEAREST:
+        problem = f"{field.name} is a float, of which whole numbers are rounded to the nearest only"
+        key, hint = "rounding", "leave it out"
+    if problem:
+        report.add(NOT_RECEIVED, written.at(key), problem, hint)
+    return not problem
 
 
 def _bounds(
@@ -166,7 +187,7 @@ def _bounds(
         if end is not None and sign * (natural_end - end) >= 1:
             message = f"{key} has no effect: {quantity.path} takes {field.name} from {_shown(natural.low)}"
             report.add(LIMIT_BEYOND_FIELD, written.at(key), f"{message} to {_shown(natural.high)} on the wire anyway")
-    if quantity.storage is Storage.SMALL and factor != 1:
+    if field.type.is_integer and quantity.storage is Storage.SMALL and factor != 1:
         worst = max(abs(low), abs(high)) * factor.numerator + factor.denominator
         if worst > SMALL_INT_MAX:
             most = math.floor(Fraction(SMALL_INT_MAX - factor.denominator) / factor.numerator / in_wire)
@@ -187,7 +208,10 @@ def _natural(field: WireField, quantity: Quantity, factor: Fraction, written: Re
     """The numbers that the type carries and that the quantity takes, in wire units."""
     least, most = Fraction(field.type.minimum), Fraction(field.type.maximum)
     if not field.type.is_integer:
-        return Bounds(Fraction(quantity.minimum), Fraction(quantity.maximum))
+        ends = quantity.minimum / factor, quantity.maximum / factor
+        if quantity.storage is Storage.SMALL:  # the firmware looks at whole parts of 30 bits
+            return Bounds(max(ends[0], Fraction(-SMALL_INT_MAX)), min(ends[1], Fraction(SMALL_INT_MAX)))
+        return Bounds(*ends)
     if quantity.kind is QuantityKind.BOOLEAN:
         return Bounds(least, most)
 
@@ -212,4 +236,8 @@ def _ends(bounds: Bounds, field: WireField, quantity: Quantity) -> tuple[Fractio
     assert bounds.high is not None
     if field.type.is_integer:
         return bounds.whole()
-    return quantity.storage.nearest(bounds.low), quantity.storage.nearest(bounds.high)
+    storage = Storage(field.type.code)
+    if quantity.storage is storage:
+        return storage.nearest(bounds.low), storage.nearest(bounds.high)
+    within = float_within(Scaling(Fraction(1), Rounding.NEAREST, bounds.low, bounds.high), None, storage)
+    return within.low, within.high

@@ -163,7 +163,14 @@ def _taken_values(taken: ReceivedField) -> dict[str, Value]:
             }
     elif taken.low <= 0 <= taken.high:
         found |= {"zero": 0.0, "minus-zero": -0.0}
-    return {name: value for name, value in found.items() if value != taken.sentinel}
+        if not taken.quantity.storage.is_float:  # halves of a step, and what is next to nothing
+            near = {"half": Fraction(1, 2), "minus-half": Fraction(-3, 2), "tiny": Fraction(1, 10**30)}
+            found |= {name: _held(taken, number / taken.factor) for name, number in near.items()}
+    return {name: value for name, value in found.items() if value != taken.sentinel and _is_within(taken, value)}
+
+
+def _is_within(taken: ReceivedField, value: Value) -> bool:
+    return isinstance(value, str) or taken.low <= Fraction(value) <= taken.high
 
 
 def _refused_values(taken: ReceivedField) -> dict[str, Value]:

@@ -98,7 +98,7 @@ MAY_IMPORT: dict[str, set[str]] = {
 KNOW_KINDS = {
     "resolve.population": {"answers", "answers.kind", "answers.pages", "answers.scope"},
     "resolve.scope": {"answers.scope"},
-    "resolve.taken_field": {"answers.fitting", "answers.limits"},
+    "resolve.taken_field": {"answers.fitting", "answers.halves", "answers.limits"},
 }
 """What modules outside of ``answers`` import of it: the stages ask ``model.answer.Answer`` and know no kind."""
 

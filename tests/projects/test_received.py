@@ -21,7 +21,8 @@ BIN = Path(sys.executable).parent
 HERE, OTHER = 42, 43
 PATHS = (
     "rc.rudder", "rc.throttle_us", "rc.extra", "stick.ahead", "stick.buttons", "stick.pressed", "fix.time",
-    "fix.lat_dege7", "fix.lon_dege7", "fix.alt", "fix.hdop", "fix.yaw", "second.satellites", "wheels.left",
+    "fix.lat_dege7", "fix.lon_dege7", "fix.alt", "fix.hdop", "fix.yaw", "fix.north_mm_s", "fix.down_km_h",
+    "second.satellites", "wheels.left",
     "wheels.right", "wheels.count", "tune.notes", "tune.program",
 )  # fmt: skip
 SCRIPT = """
@@ -90,9 +91,22 @@ def joystick(x, buttons=0, buttons2=0, target=HERE, dialect=common):
     return frame(common.MAVLink_manual_control_message(target, x, 0, 0, 0, buttons, buttons2))
 
 
-def fix(number=0, time=0, lat=0, lon=0, alt=0.0, hdop=65535.0, yaw=0, satellites=0, system=HERE, component=9):
+def fix(
+    number=0,
+    time=0,
+    lat=0,
+    lon=0,
+    alt=0.0,
+    hdop=65535.0,
+    yaw=0,
+    satellites=0,
+    north=0.0,
+    down=0.0,
+    system=HERE,
+    component=9,
+):
     message = common.MAVLink_gps_input_message(
-        time, number, 0, 0, 0, 3, lat, lon, alt, hdop, 0, 0, 0, 0, 0, 0, 0, satellites, yaw
+        time, number, 0, 0, 0, 3, lat, lon, alt, hdop, 0, north, 0, down, 0, 0, 0, satellites, yaw
     )
     return frame(message, system, component)
 
@@ -207,6 +221,46 @@ CASES = {
             "fix.yaw": "360",
         },
         {"fix": [1, {}]},
+        [],
+    ),
+    # 0.0125 m/s are 12.5 mm/s, of which the float lies above; 2.638889 m/s are 9.5 km/h, of which it lies below.
+    "speeds": (
+        [fix(north=0.0125, down=-2.6388888)],
+        {
+            "fix.time": "0",
+            "fix.lat_dege7": "0",
+            "fix.lon_dege7": "0",
+            "fix.alt": 0.0,
+            "fix.north_mm_s": "13",
+            "fix.down_km_h": "-9",
+        },
+        {"fix": [1, {}]},
+        [],
+    ),
+    "fast": (
+        [fix(north=-500.0, down=1000.0), fix(north=500.0001, down=-1000.001), fix(north=3e38, down=-3e38)],
+        {
+            "fix.time": "0",
+            "fix.lat_dege7": "0",
+            "fix.lon_dege7": "0",
+            "fix.alt": 0.0,
+            "fix.north_mm_s": "-500000",
+            "fix.down_km_h": "3600",
+        },
+        {"fix": [3, {"vn": 2, "vd": 2}]},
+        [],
+    ),
+    "no speeds": (
+        [fix(north=5.0, down=5.0), fix(north=math.nan, down=math.inf)],
+        {
+            "fix.time": "0",
+            "fix.lat_dege7": "0",
+            "fix.lon_dege7": "0",
+            "fix.alt": 0.0,
+            "fix.north_mm_s": None,
+            "fix.down_km_h": None,
+        },
+        {"fix": [2, {}]},
         [],
     ),
     "fix of another system": ([fix(time=5, system=OTHER)], {}, {}, []),
@@ -325,7 +379,9 @@ def test_what_arrives_sets_what_the_tables_say(found):
     for name, (_, known, counts, calls) in CASES.items():
         values, counted, called, _, faults = found[name]
         heard = {"tune.program": "0"} if CASES[name][0][:1] == [GCS] else {}
-        assert values == heard | known, name
+        heard |= {"fix.north_mm_s": "0", "fix.down_km_h": "0"} if "fix.time" in known else {}
+        wanted = {path: value for path, value in (heard | known).items() if value is not None}
+        assert values == wanted, name
         for table, count in counts.items():
             assert counted[table] == count, (name, table)
         assert called == calls, name
@@ -378,7 +434,12 @@ print(json.dumps([found, sorted([reception.taken for reception in connection.rec
 )
 def test_taking_a_message_allocates_nothing(built, interpreter, plain):
     """In machine code and in plain Python, with words of 32 bits: numbers of more than 30 bits, floats, texts."""
-    steps = [GCS, override(1500, 1600, 1700), joystick(-7, 3, 1), fix(time=2**63, lat=-1, lon=-(2**30) - 5, alt=1.5)]
+    steps = [
+        GCS,
+        override(1500, 1600, 1700),
+        joystick(-7, 3, 1),
+        fix(time=2**63, lat=-1, lon=-(2**30) - 5, alt=1.5, north=-1.5, down=9.75),
+    ]
     steps += [fix(1, satellites=9), wheels(1.5, -2.5), tune("cdefgab")]
     (built / "steady.json").write_text(json.dumps([hexadecimal for _, hexadecimal in steps]))
     (built / "steady.py").write_text(STEADY)

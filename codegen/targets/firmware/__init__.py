@@ -100,6 +100,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "clock_service": program.takes_time,
         "heard": program.takes_time or bool(system.receptions) or bool(program.commands),
         "reception": bool(system.receptions),
+        **dict.fromkeys(("wholes_plain", "wholes_viper"), False),
         "own_commands": bool(program.commands),
         "long_commands": takes_long,
         "command_cancel": program.cancels,
@@ -133,15 +134,16 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
 def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
     """What puts messages that arrive into the state."""
     view = receiving_view(system, layout)
-    names = [
-        "receiving.py",
-        "receiving_plain.py",
-        *(["receiving_viper.py"] if system.spec.project.machine_code else []),
-    ]
+    forms = ["plain", *(["viper"] if system.spec.project.machine_code else [])]
+    names = ["receiving.py", *(f"receiving_{form}.py" for form in forms)]
     tables = [table.spec.place.file for table in system.receptions]
     wires = [table.wire for table in system.receptions]
     origin = origin_of(system, [*tables, specification_file(system, "state.yaml")], wires)
-    return {f"firmware/{name}": headed(rendered(f"{_PROGRAM}/{name}.j2", view), origin) for name in names}
+    files = {f"firmware/{name}": headed(rendered(f"{_PROGRAM}/{name}.j2", view), origin) for name in names}
+    for name in (f"wholes_{form}.py" for form in forms if view.makes_wholes):
+        path = f"{_PROGRAM}/{name}"
+        files[f"firmware/{name}"] = headed(copied(path), origin_of_text(f"templates/{path}", copied(path)))
+    return files
 
 
 def _program_file(system: System, program: Program, name: str) -> str:

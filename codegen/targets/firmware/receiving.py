@@ -49,12 +49,13 @@ class TakeView:
 class ReceivingView:
     """The modules: constants of the state's words, and the tables in the order of their ids.
 
-    ``kinds`` are the classes of the messages that are received for them alone.
+    ``makes_wholes``: of floats. ``kinds`` are the classes of the messages that are received for them alone.
     """
 
     imports: tuple[str, ...]
     either: tuple[str, ...]
     constants: tuple[ConstantView, ...]
+    makes_wholes: bool
     kinds: tuple[str, ...]
     takes: tuple[TakeView, ...]
 
@@ -70,6 +71,7 @@ def receiving_view(system: System, layout: Layout) -> ReceivingView:
         imports=import_lines(["messages"], [("reception", "Reception"), *senders]),
         either=either_import("receiving", sorted(take.function for take in takes), machine_code=machine_code),
         constants=tuple(ConstantView(name, place) for name, place in sorted(places.items(), key=lambda each: each[1])),
+        makes_wholes=any(makes_whole(taken) for table in system.receptions for taken in table.fields),
         kinds=tuple(classes[name] for name in received_beside(system)),
         takes=takes,
     )
@@ -92,6 +94,11 @@ def _take(table: Reception, class_name: str, layout: Layout, places: dict[str, i
         is_extended=table.has_extensions,
         lines=tuple(f"    {line}" if line else "" for line in lines),
     )
+
+
+def makes_whole(taken: ReceivedField) -> bool:
+    """Whether a whole number is made of a float."""
+    return not taken.is_text and not taken.field.type.is_integer and taken.quantity.storage is Storage.SMALL
 
 
 def received_beside(system: System) -> tuple[str, ...]:
@@ -240,6 +247,9 @@ class _Statements:
         if storage is not Storage.SMALL:
             kept = self._extended(halves, storage.halves)
             return [f"{self._word(word, at)} = {half}" for at, half in enumerate(kept)]
+        if not taken.field.type.is_integer:
+            parts = f"{taken.factor.numerator}, {taken.factor.denominator}"
+            return [f"{self._word(word)} = int(whole_of_float(value, {halves[0][1:-1]}, {parts}))"]
         lines = []
         value = "value"
         if halves:

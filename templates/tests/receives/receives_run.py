@@ -57,4 +57,5 @@ def counting(called, table):
 
 with open(sys.argv[1]) as file:
     about = json.loads(file.read())
-print(json.dumps([outcome(steps, about["paths"], about["calls"]) for steps in about["cases"]]))
+for steps in about["cases"]:
+    print(json.dumps(outcome(steps, about["paths"], about["calls"])))  # each by itself: all would take much heap
