@@ -32,6 +32,7 @@ class Reception:
         self._called = called
         self._system_id = connection.system_id
         self._listeners = connection.services.listeners
+        self._names = self._listeners.names
         self._words = vehicle.state.words
         self._log = vehicle.texts
         self._told_ms = None
@@ -53,18 +54,22 @@ class Reception:
 
     def take(self, message):
         """Set the quantities, if the sender may."""
-        if self._sender == GROUND_STATION:
-            if not is_heard(self._listeners, message._image[7]):
+        of = self._sender
+        if of == GROUND_STATION:
+            # Mostly there is one, in the first place.
+            if self._names[0] >> 8 != message._image[7] and not is_heard(self._listeners, message._image[7]):
                 return
-        elif self._sender == OWN_SYSTEM and message._image[7] != self._system_id:
+        elif of == OWN_SYSTEM and message._image[7] != self._system_id:
             return
         counts = self.counts
-        if self._state is not None:
-            counts[2] = 1 if self._state[4] - self._state[3] == 6 else 0  # the bytes of a header
+        of = self._state
+        if of is not None:
+            counts[2] = 1 if of[4] - of[3] == 6 else 0  # the bytes of a header
         self._take(message.wire, self._words, counts, time.ticks_ms())
-        if counts[0] > 0:
+        of = counts[0]
+        if of > 0:
             self._tell(message)
-        if counts[0] >= 0 and self._called is not None:
+        if of >= 0 and self._called is not None:
             self._called()
 
     def _tell(self, message):

@@ -6,6 +6,7 @@ Each function has few variables: MicroPython puts those of larger ones on the he
 from micropython import const
 
 _HIGHEST = const(0x20000000)
+_MOST = const(0x1FFFFFFF)
 
 
 def whole_of_float(high, low, numerator, denominator):
@@ -29,6 +30,11 @@ def whole_of_float(high, low, numerator, denominator):
 
 def _halved(bits, count, number):
     """Return 2 * number * bits / 2 ** count as a whole number, rounded down; bits are less than 2 ** count."""
+    if number < 0x20000:  # in two parts, of which the products have 30 bits
+        if count < 24:
+            bits <<= 24 - count
+            count = 24
+        return (bits >> 12) * number + ((bits & 0xFFF) * number >> 12) >> count - 13 if count <= 54 else 0
     whole = last = 0
     while count:
         if bits & 1:
@@ -41,10 +47,13 @@ def _halved(bits, count, number):
 
 
 def _scaled(whole, twice, numerator, denominator):
-    """Return (whole * numerator + twice / 2) / denominator, rounded to the nearest: a long division, bit by bit."""
+    """Return (whole * numerator + twice / 2) / denominator, rounded to the nearest."""
     left = result = 0
-    bit = _HIGHEST
-    while bit:
+    if whole <= _MOST // numerator:
+        left = whole * numerator
+        whole = 0
+    bit = _HIGHEST if whole else 0
+    while bit:  # a long division, since the product has more than 30 bits
         left <<= 1
         if whole & bit:
             left += numerator

@@ -1,5 +1,8 @@
 """Whole numbers of floats that arrive, by MicroPython's viper emitter; wholes_plain says how."""
 
+# Calls are dear: one function does it all.
+# ruff: noqa: C901, PLR0912
+
 import micropython
 
 
@@ -15,27 +18,43 @@ def whole_of_float(high: int, low: int, numerator: int, denominator: int) -> int
     if shift <= 0:
         whole <<= 0 - shift
     else:
-        bits = whole
+        bits = whole & (1 << shift) - 1 if shift < 24 else whole
         whole = whole >> shift if shift < 24 else 0
-        while shift:
-            if bits & 1:
-                rest += numerator
-            last = rest & 1
-            rest >>= 1
-            bits >>= 1
-            shift -= 1
-    left = result = 0
-    bit = 0x20000000
-    while bit:
-        left <<= 1
-        if whole & bit:
-            left += numerator
-        result = (result << 1) + left // denominator
+        if numerator < 0x20000:
+            if shift < 24:
+                bits <<= 24 - shift
+                shift = 24
+            if shift <= 54:
+                rest = (bits >> 12) * numerator + ((bits & 0xFFF) * numerator >> 12) >> shift - 13
+                last = rest & 1
+                rest >>= 1
+        else:
+            while shift:
+                if bits & 1:
+                    rest += numerator
+                last = rest & 1
+                rest >>= 1
+                bits >>= 1
+                shift -= 1
+    result = 0
+    left = whole * numerator + rest
+    if whole > 0x1FFFFFFF // numerator:  # a long division, since the product has more than 30 bits
+        left = 0
+        bit = 0x20000000
+        while bit:
+            left <<= 1
+            if whole & bit:
+                left += numerator
+            result = (result << 1) + left // denominator
+            left = left % denominator
+            bit >>= 1
+        left += rest
+    if denominator > 1:
+        result += left // denominator
         left = left % denominator
-        bit >>= 1
-    left += rest
-    result += left // denominator
-    left = left % denominator
+    else:
+        result += left
+        left = 0
     if 2 * left + last >= denominator:
         result += 1
     return 0 - result if high & 0x8000 else result

@@ -99,9 +99,9 @@ def _number(field, value, kind):
         return Ellipsis
     if field["kind"] == "boolean":
         return value != 0
-    return (
-        value if field["kind"] == "float" else _rounded(Fraction(value) * Fraction(field["factor"]), field["rounding"])
-    )
+    if field["kind"] == "float":
+        return value
+    return _rounded(Fraction(value) * Fraction(field["factor"]), field["rounding"])
 
 
 def _rounded(value, rounding):
