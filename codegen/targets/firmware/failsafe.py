@@ -64,6 +64,8 @@ class FailsafesView:
     level: str
     sign: str
     due: tuple[str, ...]
+    is_due: tuple[str, ...]
+    loops_apart: bool
     why: str
     is_inverted: str
     milder: str
@@ -145,6 +147,8 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         level=columns("LEVEL"),
         sign=columns("SIGN"),
         due=tuple(_due(columns)),
+        is_due=tuple(_is_due(columns)),
+        loops_apart=not (found.is_same("count") and (found.is_same("timed_from") or not found.has("timed_from"))),
         why=columns("WHY"),
         is_inverted=f"{pair[2]} if {_inverted(columns)} else None" if pair else _inverted(columns),
         milder=_of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
@@ -358,18 +362,24 @@ def _limit(columns: Columns) -> Iterable[str]:
 def _due(columns: Columns) -> Iterable[str]:
     """The statements that return the condition once it has held for long enough."""
     has_amounts, has_parameters = _kinds(columns, "AFTER")
-    own = f"getattr(self._vehicle.parameters, {columns('AFTER')})"
     if not has_amounts:
-        yield f"limit_ms = {own} * {columns('MS')}"
+        yield f"limit_ms = getattr(self._vehicle.parameters, {columns('AFTER')}) * {columns('MS')}"
         yield "return condition if 0 < limit_ms <= held_ms else None  # 0 switches it off"
-        return
-    yield f"limit_ms = {columns('MS')}"
-    if has_parameters:
+    elif not has_parameters:
+        yield f"return condition if held_ms >= {columns('MS')} else None"
+    else:
+        yield "return condition if self._is_due(condition, held_ms) else None"
+
+
+def _is_due(columns: Columns) -> Iterable[str]:
+    """The body of the method that says so, where some times are parameters and others are not."""
+    if _kinds(columns, "AFTER") == (True, True):
+        yield f"limit_ms = {columns('MS')}"
         yield f"if {columns('AFTER')} is not None:"
-        yield f"    limit_ms *= {own}"
+        yield f"    limit_ms *= getattr(self._vehicle.parameters, {columns('AFTER')})"
         yield "    if limit_ms == 0:  # switched off"
-        yield "        return None"
-    yield "return condition if held_ms >= limit_ms else None"
+        yield "        return False"
+        yield "return held_ms >= limit_ms"
 
 
 def _kinds(columns: Columns, column: str) -> tuple[bool, bool]:

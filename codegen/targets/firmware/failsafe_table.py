@@ -58,7 +58,9 @@ class Columns:
         """Those of all conditions of all failsafes."""
         values = {column: {row[column] for row in rows if column in row} for column in COLUMNS}
         shared = {column: next(iter(found)) for column, found in values.items() if len(found) == 1}
-        return Columns(tuple(rows), {column: value for column, value in shared.items() if column not in _LOOKED_UP})
+        # A name stays in the rows: it is looked up by what they have.
+        plain = {column: value for column, value in shared.items() if not value.startswith('"')}
+        return Columns(tuple(rows), {column: value for column, value in plain.items() if column not in _LOOKED_UP})
 
     @property
     def kept(self) -> list[str]:
