@@ -1,6 +1,7 @@
 """What frames tell of quantities, of frames that pymavlink makes: units, instances, sentinels, tables with one id."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -76,6 +77,14 @@ def test_the_number_of_the_first_instance_counts() -> None:
     frame = battery_status(common, 3, [11_000, *UNKNOWN[1:]])
     assert told(smart, frame, BATT_ID=3)["battery.voltage/0"] == 11.0
     assert told(SYSTEM, battery_status(common, 2, [11_000, *UNKNOWN[1:]])) == {}
+    # The rover's two batteries, as if their ids began with that parameter: 5 by its value, or with its default.
+    (table,) = SYSTEM.tables("BATTERY_STATUS")
+    assert table.component is not None
+    counted = replace(table, component=replace(table.component, first_number=smart.parameters["BATT_ID"]))
+    telling = Telling([counted])
+    for number, parameters, instances in ((6, {"BATT_ID": 5.0}, {1}), (4, {"BATT_ID": 5.0}, set()), (2, {}, {0})):
+        frame = battery_status(common, number, [11_000, *UNKNOWN[1:]])
+        assert {each.instance for each in telling.read(frame, parameters)} == instances
 
 
 def test_what_could_be_any_instance_is_not_taken() -> None:

@@ -87,9 +87,27 @@ class Nmea:
         piece = self._piece
         at = 0
         while at < count:
-            self._take(piece[at])
-            at += 1
+            if self._length != _IDLE and not self._ended:
+                at = self._fill(at, count)
+            if at < count:
+                self._take(piece[at])
+                at += 1
         return self.values[_NEW] != 0
+
+    def _fill(self, at, count):
+        """Take the usual characters of a line, as many as there are; return where others begin."""
+        piece, line, length, total = self._piece, self._line, self._length, self._sum
+        while at < count and length < _LONGEST:
+            byte = piece[at]
+            if byte < 43 or byte > 126:  # a dollar, a star, what is no text
+                break
+            line[length] = byte
+            total ^= byte
+            length += 1
+            at += 1
+        self._length = length
+        self._sum = total
+        return at
 
     def _take(self, byte):
         """Take a character of a line."""
