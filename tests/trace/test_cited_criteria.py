@@ -47,7 +47,7 @@ SECTIONS = {
 OF_THE_BEHAVIOUR = {
     "component": {"robustness", "scenarios", "steady"},
     "quantity": {"calibration", "invalid_after", "multiplier", "rounding", "stale_after", "warn_above"},
-    "reading": {"reference", "samples", "read_limit", "failure", "absence"},
+    "reading": {"reference", "samples", "read_limit", "failure", "absence", "when"},
 }
 """Aspects that test_frames.py and test_behaviour.py cite."""
 OF_THEIR_OWN = {"failsafe.first", "failsafe.second", "streams.rate", "streams.fixed", "command.done", "mode.change"}
