@@ -1,14 +1,16 @@
 """What there is to say about the program on the board and about the receiver."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from codegen.diff import behaviour_rules as rules
 from codegen.diff.commands import command_subjects
 from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
-from codegen.model.program import Failsafe, Program
+from codegen.model.failsafe import Condition, Failsafe
+from codegen.model.program import Program
 from codegen.model.receiver import Receiver
 from codegen.model.system import System
+from codegen.model.vehicle import Parameter
 
 
 def program_subjects(system: System) -> Iterator[Subject]:
@@ -38,6 +40,7 @@ def _program(program: Program) -> Subject:
     texts = (
         ("control slot every", amount(program.control_us, "us"), spec.control.at("rate")),
         ("links served every", amount(program.links_us, "us"), spec.control.at("links")),
+        ("checks made every", amount(program.checks_us, "us"), spec.control.at("checks")),
         ("missed slots reported every", amount(program.report_ms, "ms"), spec.control.at("report_every")),
         ("step of a save takes at most", amount(program.step_limit_us, "us"), spec.storage.at("step_limit")),
         ("parameters stored in", f"{', '.join(spec.storage.files)} by {spec.storage.chunk} bytes", spec.storage.place),
@@ -61,31 +64,55 @@ def _program(program: Program) -> Subject:
 
 def _failsafe(failsafe: Failsafe) -> Subject:
     spec = failsafe.spec
-    named = (
-        ("quantity", failsafe.quantity.path, "quantity"),
-        ("delay", failsafe.after.name, "after"),
-        ("least to arm", failsafe.minimum_to_arm.name if failsafe.minimum_to_arm else "", "minimum_to_arm"),
+    texts = (
+        ("watches", failsafe.watched, "watches"),
+        ("of", failsafe.component.name if failsafe.component else "", "watches"),
+        ("called", failsafe.title, "title"),
+        ("believed above", amount(failsafe.believed_above), "believed_above"),
+        ("looks", spec.when.value, "when"),
+        ("is over", failsafe.over.written if failsafe.over else "never", "over"),
+        ("forbids arming", "yes" if spec.arming else "no", "arming"),
+        ("switched off by", failsafe.enabled_by.name if failsafe.enabled_by else "", "enabled_by"),
         ("health in", failsafe.health.path if failsafe.health else "", "health"),
         ("level in", failsafe.level.path if failsafe.level else "", "level"),
         ("health told every", amount(failsafe.health_every_ms, "ms"), "health_every"),
-        ("used", failsafe.used.path if failsafe.used else "", "used"),
     )
-    levels = (("low", failsafe.low, spec.low), ("critical", failsafe.critical, spec.critical))
-    facts = [Fact(name, text, rules.FAILSAFE, spec.at(key)) for name, text, key in named]
-    for name, level, written in levels:
-        facts.append(Fact(f"{name} below", level.below.name, rules.FAILSAFE, written.at("below")))
-        facts.append(Fact(f"{name} does", level.action.name, rules.FAILSAFE, written.at("action")))
-        facts.append(Fact(f"{name} answers to", str(level.citation or ""), CITATION, written.at("requirement")))
+    facts = [Fact(name, text, rules.FAILSAFE, spec.at(key)) for name, text, key in texts]
+    facts.append(Fact("not armed while", _conditions(failsafe.to_arm), rules.FAILSAFE, spec.at("to_arm")))
+    for level in failsafe.levels:
+        written, action = level.spec, level.action
+        does = "" if action is None else action.name if isinstance(action, Parameter) else action.call
+        facts += [
+            Fact(f"{level.name} is level", str(level.number), rules.FAILSAFE, written.place),
+            Fact(f"{level.name} while", _conditions(level.conditions), rules.FAILSAFE, written.place),
+            Fact(f"{level.name} does", does, rules.FAILSAFE, written.at("action")),
+            Fact(f"{level.name} says", level.text.written, rules.FAILSAFE, written.at("text")),
+            Fact(f"{level.name} answers to", str(level.citation or ""), CITATION, written.at("requirement")),
+        ]
     facts.append(Fact("answers to", citations(failsafe.citation, failsafe.aspects), CITATION, spec.at("requirement")))
     return Subject(
-        name=f"failsafe of {failsafe.component.name}",
-        says=failsafe.quantity.path,
+        name=f"failsafe {failsafe.name}",
+        says=failsafe.watched,
         added=rules.FAILSAFE,
         removed=rules.FAILSAFE,
         place=spec.place,
         facts=tuple(facts),
-        cited=cited(failsafe.citation, failsafe.aspects, failsafe.low.citation, failsafe.critical.citation),
-        row=failsafe.component.name,
+        cited=cited(failsafe.citation, failsafe.aspects, *(level.citation for level in failsafe.levels)),
+        row=failsafe.name,
+    )
+
+
+def _conditions(conditions: Iterable[Condition]) -> str:
+    """Conditions as text that differs where one of them does."""
+    return "; ".join(
+        ", ".join(
+            (
+                condition.words,
+                *([f"for {condition.after.words}"] if condition.after else []),
+                *([f"until better by {condition.hysteresis}"] if condition.hysteresis else []),
+            )
+        )
+        for condition in conditions
     )
 
 

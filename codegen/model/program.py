@@ -9,8 +9,9 @@ from codegen.model.board_spec import LinkSpec
 from codegen.model.clock import SYSTEM_TIME
 from codegen.model.command import BUILT_IN, BuiltInCommand, Command, Mode, Needs
 from codegen.model.dialect import WireMessage
-from codegen.model.program_spec import ActionSpec, FailsafeSpec, VehicleSpec
-from codegen.model.vehicle import Citation, Component, Parameter, Quantity
+from codegen.model.failsafe import Failsafe
+from codegen.model.program_spec import ActionSpec, VehicleSpec
+from codegen.model.vehicle import Citation
 
 
 class LinkKind(Enum):
@@ -59,34 +60,6 @@ class BoardLink:
 
 
 @dataclass(frozen=True, slots=True)
-class FailsafeLevel:
-    """One level of a failsafe: the parameters with its threshold and with its action."""
-
-    below: Parameter
-    action: Parameter
-    citation: Citation | None
-
-
-@dataclass(frozen=True, slots=True)
-class Failsafe:
-    """A failsafe of two levels that watches ``quantity`` of ``component``; see FailsafeSpec."""
-
-    component: Component
-    quantity: Quantity
-    low: FailsafeLevel
-    critical: FailsafeLevel
-    after: Parameter
-    minimum_to_arm: Parameter | None
-    health: Quantity | None
-    level: Quantity | None
-    health_every_ms: int
-    used: Quantity | None
-    spec: FailsafeSpec
-    citation: Citation
-    aspects: Mapping[str, Citation]
-
-
-@dataclass(frozen=True, slots=True)
 class Program:
     """What the board runs: the main loop, the storage, arming, failsafes, services. Periods are in us and ms.
 
@@ -100,6 +73,7 @@ class Program:
 
     control_us: int
     links_us: int
+    checks_us: int
     report_ms: int
     step_limit_us: int
     failsafes: tuple[Failsafe, ...]

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
+from codegen.model.failsafe_spec import FailsafeSpec
 from codegen.source import Written
 
 
@@ -13,6 +14,11 @@ class ControlSpec(Written):
 
     rate: Amount = described("How often the control slot runs, such as 400 Hz.")
     links: Amount = described("How often links are served: what arrives is answered, what is due is sent.")
+    checks: Amount = described(
+        "How often failsafes look at what is not measured in a period of its own, and the checks before arming are "
+        "made where nothing is measured.",
+        default="10 Hz",
+    )
     report_every: Amount = described("Shortest time between two reports about missed slots, such as 10 s.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
@@ -48,45 +54,6 @@ class ArmingSpec(Written):
     criteria: Mapping[str, str] = described("Criteria for single aspects: command, reasons.", default_factory=dict)
 
     ASPECTS = ("command", "reasons")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FailsafeLevelSpec(Written):
-    """One level of a failsafe."""
-
-    below: str = described("Parameter with the threshold; 0 switches the level off.")
-    action: str = described("Parameter with the action, a value of one of the actions.")
-    requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FailsafeSpec(Written):
-    """A failsafe of two levels that watches one quantity of a component while the vehicle is armed."""
-
-    quantity: str = described("Quantity of the component that is compared with the thresholds.")
-    low: FailsafeLevelSpec = described("The first level.")
-    critical: FailsafeLevelSpec = described("The second level.")
-    after: str = described("Parameter with the seconds below a threshold; 0 switches both levels off.")
-    minimum_to_arm: str | None = described("Parameter with the least value to arm with; 0 is off.", default=None)
-    health: str | None = described(
-        "Quantity of the component that is 0 while healthy, 1 below the first threshold, 2 below the second or while "
-        "the watched quantity is unknown.",
-        default=None,
-    )
-    level: str | None = described(
-        "Quantity of the component that holds the level that was reached: 0 none, 1 low, 2 critical.", default=None
-    )
-    health_every: Amount | None = described(
-        "Shortest time between two texts about the health, such as 10 s; without it each change is told.", default=None
-    )
-    used: str | None = described("Quantity of the component that texts give as used, in mAh.", default=None)
-    requirement: str = described("Requirement, or criterion of one, that asks for it.")
-    criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: timer, off, disarmed, latch, text, action, status, health, health_text.",
-        default_factory=dict,
-    )
-
-    ASPECTS = ("timer", "off", "disarmed", "latch", "text", "action", "status", "health", "health_text")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -165,8 +132,7 @@ class VehicleSpec(Written):
     )
     code: CodeSpec | None = described("The user's code: by default a class Rover in a module rover.", default=None)
     failsafes: Mapping[str, FailsafeSpec] = described(
-        "Failsafes by the component that they watch.",
-        default_factory=dict,
+        "Failsafes by a name of their own: they may watch the same component.", default_factory=dict
     )
     actions: tuple[ActionSpec, ...] = described("What failsafes can do.", default=())
     modes: Mapping[str, ModeSpec] = described(

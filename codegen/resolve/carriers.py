@@ -5,6 +5,7 @@ from typing import TypeVar
 
 from codegen.frozen import dataclass
 from codegen.model.dialect import Dialect, WireField
+from codegen.model.failsafe_spec import FailsafeSpec
 from codegen.model.program import VEHICLE_QUANTITIES
 from codegen.model.receive_spec import ReceiveSpec
 from codegen.model.spec import Spec
@@ -67,7 +68,17 @@ def _compared(spec: Spec) -> Iterator[str]:
     if spec.vehicle is None:
         return
     yield from (f"vehicle.{name}" for name in VEHICLE_QUANTITIES)
-    for component, failsafe in spec.vehicle.failsafes.items():
-        for name in (failsafe.quantity, failsafe.health, failsafe.level, failsafe.used):
-            if name is not None:
-                yield f"{component}.{name}"
+    for failsafe in spec.vehicle.failsafes.values():
+        yield from _of_failsafe(failsafe)
+
+
+def _of_failsafe(failsafe: FailsafeSpec) -> Iterator[str]:
+    """The paths of what a failsafe compares, and of what it sets."""
+    component = (failsafe.watches or "").partition(".")[0]
+    conditions = [*failsafe.to_arm, *(each for level in failsafe.levels.values() for each in level.either)]
+    for path in (failsafe.watches, *(each.watches for each in conditions)):
+        if path is not None:
+            yield path
+    for name in (failsafe.health, failsafe.level):
+        if name is not None:
+            yield name if "." in name else f"{component}.{name}"

@@ -14,7 +14,7 @@ from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component, Parameter
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.commands import resolve_commands
-from codegen.resolve.failsafe import FailsafeResolver
+from codegen.resolve.failsafe import resolve_failsafes
 from codegen.resolve.modes import resolve_modes
 from codegen.resolve.named import is_name
 from codegen.resolve.services import SENT, Uses, service_constants, service_messages
@@ -54,11 +54,11 @@ def resolve_program(
     """
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
     links = read_rate(spec.control.links, spec.control.at("links"), report)
+    checks = read_rate(spec.control.checks, spec.control.at("checks"), report)
     report_ms = read_time(spec.control.report_every, unit_named("ms"), spec.control.at("report_every"), report)
     for place, message in _program_problems(spec, components):
         report.add(BAD_PROGRAM, place, message)
-    resolver = FailsafeResolver(written, parameters, components, spec.actions, index, report)
-    failsafes = [resolver.resolve(name, failsafe) for name, failsafe in spec.failsafes.items()]
+    failsafes = resolve_failsafes(spec, written, parameters, components, index, report)
     own = resolve_commands(commands, spec, dialect, index, report)
     modes = resolve_modes(spec, components, index, report)
     takes_long = any(command.spec.long for command in own)
@@ -83,6 +83,7 @@ def resolve_program(
     for record, key, period_us in (
         (spec.control, "rate", 1000000 / control if control else 0),
         (spec.control, "links", 1000000 / links if links else 0),
+        (spec.control, "checks", 1000000 / checks if checks else 0),
         (spec.control, "report_every", report_ms * 1000 if report_ms else 0),
         (code, "measure", 1000000 / measure if measure else 0),
     ):
@@ -92,7 +93,7 @@ def resolve_program(
     silence_ms = read_time(spec.services.silence, unit_named("ms"), spec.services.at("silence"), report)
     if control is None or links is None or report_ms is None or step_limit is None or fastest is None:
         return None
-    if silence_ms is None:
+    if silence_ms is None or checks is None:
         return None
     if links > control:
         message = f"links are served in a pass of the main loop, and that runs at {spec.control.rate} only"
@@ -100,9 +101,10 @@ def resolve_program(
     return Program(
         control_us=round(Fraction(1000000) / control),
         links_us=round(Fraction(1000000) / links),
+        checks_us=round(Fraction(1000000) / checks),
         report_ms=report_ms,
         step_limit_us=step_limit,
-        failsafes=tuple(failsafe for failsafe in failsafes if failsafe is not None),
+        failsafes=failsafes,
         actions=spec.actions,
         services=services,
         sent=SENT,
@@ -124,7 +126,7 @@ def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) ->
     vehicle = components.get("vehicle")
     if spec.arming is None:
         for name, failsafe in spec.failsafes.items():
-            yield failsafe.place, f"the failsafe of {name} acts while armed, and nothing can be armed without arming"
+            yield failsafe.place, f"the failsafe {name} acts on what can be armed, and nothing can without arming"
         for action in spec.actions:
             yield action.place, f"{action.call} is what a failsafe does, and there is none without arming"
     elif vehicle is None or vehicle.instances != 1:

@@ -3,9 +3,8 @@
 from collections.abc import Iterator
 
 from codegen.frozen import dataclass
-from codegen.model.program import Failsafe
 from codegen.model.system import System
-from codegen.model.vehicle import Parameter, Quantity, by_instance
+from codegen.model.vehicle import Quantity, by_instance
 
 SEVERE, MILD = "critical", "low"
 """Classes of the lines of levels in a chart: that of the highest level, and that of all others."""
@@ -33,27 +32,22 @@ def guards(system: System) -> tuple[Guard, ...]:
     """The failsafes of a program."""
     failsafes = system.program.failsafes if system.program else ()
     return tuple(
-        Guard(f"{failsafe.component.name}_failsafes", tuple(word for word, _ in _levels(failsafe)), _watches(failsafe))
+        Guard(
+            f"{failsafe.name}_failsafes",
+            tuple(level.name for level in failsafe.levels),
+            failsafe.quantity.path if failsafe.quantity else "",
+        )
         for failsafe in failsafes
     )
 
 
 def levels_of(system: System, quantity: Quantity, instance: int) -> Iterator[Level]:
-    """The levels of the failsafes that watch a quantity, with the parameters of an instance."""
+    """The levels of the failsafes that compare a quantity with parameters, with those of an instance."""
     count = system.components[quantity.component].instances
     for failsafe in system.program.failsafes if system.program else ():
-        if _watches(failsafe) == quantity.path:
-            levels = list(_levels(failsafe))
-            for number, (word, threshold) in enumerate(levels, 1):
-                parameter = by_instance(threshold, system.parameters, count)[instance]
-                yield Level(word, parameter.name, SEVERE if number == len(levels) else MILD)
-
-
-def _watches(failsafe: Failsafe) -> str:
-    return failsafe.quantity.path
-
-
-def _levels(failsafe: Failsafe) -> Iterator[tuple[str, Parameter]]:
-    """The levels in the order of their numbers, each with the parameter that has its threshold."""
-    yield "low", failsafe.low.below
-    yield "critical", failsafe.critical.below
+        for level in failsafe.levels:
+            for condition in level.conditions:
+                threshold = condition.limit.parameter if condition.limit else None
+                if condition.quantity is quantity and threshold is not None:
+                    parameter = by_instance(threshold, system.parameters, count)[instance]
+                    yield Level(level.name, parameter.name, SEVERE if level is failsafe.levels[-1] else MILD)

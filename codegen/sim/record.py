@@ -279,7 +279,7 @@ class Recording:
         word = words[level - 1] if 0 < level <= len(words) else f"level {level}" if level else "over"
         owner, _, name = (guard.path if guard else "").partition(".")
         label = f"{owner}[{index}].{name}" if index else f"{owner}.{name}"
-        return self.add(Kind.FAILSAFE, f"{record['title']} {word}", of=label if guard else "", word=word)
+        return self.add(Kind.FAILSAFE, f"{record['title']} {word}", of=label if guard and guard.path else "", word=word)
 
     def _take_frame(self, frame: bytes) -> None:
         if self._at_start is None:

@@ -6,7 +6,8 @@ specification says which criterion asks for each. A check of an aspect that nobo
 
 from collections.abc import Iterator, Mapping
 
-from codegen.model.program import Failsafe, Program
+from codegen.model.failsafe import Failsafe
+from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Citation
 
@@ -54,7 +55,7 @@ def _of_commands(program: Program) -> Iterator[_Cited]:
 
 def _of_failsafe(failsafe: Failsafe) -> Iterator[_Cited]:
     yield from _named("failsafe", failsafe.aspects)
-    for aspect, level in (("first", failsafe.low), ("second", failsafe.critical)):
+    for aspect, level in zip(("first", "second", "third"), failsafe.levels, strict=False):
         if level.citation is not None:
             yield f"failsafe.{aspect}", level.citation
 

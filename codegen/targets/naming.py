@@ -65,9 +65,9 @@ def message_about(message: "PopulatedMessage") -> tuple[str, ...]:
     return (*each, "page") if message.population.pages else each
 
 
-def failsafe_class(component: str) -> str:
-    """battery -> BatteryFailsafe."""
-    return f"{class_name(component)}Failsafe"
+def failsafe_function(name: str) -> str:
+    """depth -> depth_failsafes, what makes a failsafe, and the vehicle's list of it."""
+    return f"{name}_failsafes"
 
 
 def parameter_attribute(parameter: str) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from codegen.model.failsafe import Failsafe, Sense
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Parameter
 
@@ -56,13 +57,28 @@ def _program(parameter: Parameter, system: System) -> Iterator[str]:
     if system.component_parameter is parameter:
         yield "the component id"
     for failsafe in system.program.failsafes if system.program else ():
-        watched = f"the failsafe of {failsafe.quantity.path}"
-        for name, level in (("low", failsafe.low), ("critical", failsafe.critical)):
-            if level.below is parameter:
-                yield f"the {name} threshold of {watched}"
-            if level.action is parameter:
-                yield f"the {name} action of {watched}"
-        if failsafe.after is parameter:
-            yield f"the delay of {watched}"
-        if failsafe.minimum_to_arm is parameter:
-            yield f"the least {failsafe.quantity.path} to arm with"
+        yield from _failsafe(parameter, failsafe)
+
+
+def _failsafe(parameter: Parameter, failsafe: Failsafe) -> Iterator[str]:
+    watched = f"the failsafe of {failsafe.watched}"
+    for level in failsafe.levels:
+        for condition in level.conditions:
+            other = (
+                f", for {condition.quantity.path}"
+                if condition.quantity is not failsafe.quantity and condition.quantity
+                else ""
+            )
+            if condition.limit and condition.limit.parameter is parameter:
+                yield f"the {level.name} threshold of {watched}{other}"
+        if level.action is parameter:
+            yield f"the {level.name} action of {watched}"
+    delays = [condition.after.parameter for condition in failsafe.conditions if condition.after]
+    if any(delay is parameter for delay in delays):
+        yield f"the delay of {watched}"
+    for condition in failsafe.to_arm:
+        if condition.limit and condition.limit.parameter is parameter and condition.quantity:
+            end = "least" if condition.sense is Sense.BELOW else "most"
+            yield f"the {end} {condition.quantity.path} to arm with"
+    if failsafe.enabled_by is parameter:
+        yield f"whether {watched} is on"

@@ -3,7 +3,9 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.model.program import BoardLink, Failsafe, LinkKind
+from codegen.model.failsafe import Failsafe, FailsafeLevel
+from codegen.model.failsafe_spec import Watching
+from codegen.model.program import BoardLink, LinkKind
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
@@ -49,7 +51,7 @@ class LevelRow:
 
     watched: str
     level: str
-    below: str
+    when: str
     after: str
     action: str
     criterion: str
@@ -162,26 +164,54 @@ def _default_of(parameter: Parameter | None) -> str:
 def _levels(failsafe: Failsafe) -> list[LevelRow]:
     return [
         LevelRow(
-            watched=failsafe.quantity.path,
-            level=name,
-            below=f"{level.below.name}, {_default(level.below)}",
-            after=f"{failsafe.after.name}, {_default(failsafe.after)}",
-            action=f"{level.action.name}, {_default(level.action)}",
+            watched=(condition.quantity.path if condition.quantity else failsafe.watched),
+            level=f"{level.number} {level.name}",
+            when=f"{condition.sense.value} {condition.limit.default_words if condition.limit else ''}".rstrip(),
+            after=condition.after.default_words if condition.after else "at once",
+            action=_chosen(level),
             criterion=str(level.citation or failsafe.citation),
         )
-        for name, level in (("low", failsafe.low), ("critical", failsafe.critical))
+        for level in failsafe.levels
+        for condition in level.conditions
     ]
 
 
+def _chosen(level: FailsafeLevel) -> str:
+    if level.action is None:
+        return "a text"
+    if isinstance(level.action, Parameter):
+        return f"{level.action.name}, {_default(level.action)}"
+    return f"`{level.action.call}`"
+
+
 def _sentences(failsafe: Failsafe) -> list[str]:
-    quantity, least = failsafe.quantity.path, failsafe.minimum_to_arm
-    found = []
-    if least is not None:
-        found.append(f"Arming needs a {quantity} of {least.name}, {_default(least)}, which 0 switches off.")
+    watched, spec = failsafe.watched, failsafe.spec
+    found = [
+        f"The failsafe of {watched} looks {'at all times' if spec.when is Watching.ALWAYS else 'while armed'}; a level "
+        + ("stays until the next start." if spec.latch else "is over once nothing of it holds."),
+    ]
+    for condition in failsafe.to_arm:
+        limit = condition.limit.default_words if condition.limit else ""
+        off = ", which 0 switches off" if condition.limit and condition.limit.is_off_at_zero else ""
+        path = condition.quantity.path if condition.quantity else watched
+        found.append(f"The vehicle is not armed while {path} is {condition.sense.value} {limit}".rstrip() + f"{off}.")
+    if not spec.arming:
+        found.append("It does not keep the vehicle from being armed.")
+    if failsafe.enabled_by is not None:
+        found.append(f"{failsafe.enabled_by.name}, {_default(failsafe.enabled_by)}, switches it off with 0.")
+    if failsafe.believed_above is not None and failsafe.quantity is not None:
+        unit = failsafe.quantity.stored.name
+        found.append(f"A {watched} of {failsafe.believed_above} {unit} or less counts as unknown for its levels.")
     if failsafe.health is not None:
-        found.append(f"{failsafe.health.path} is 0 while {quantity} is good, 1 below low, 2 below critical or unknown.")
-    if failsafe.used is not None:
-        found.append(f"Texts of the failsafe have {failsafe.used.path}.")
+        last = failsafe.levels[-1].name
+        found.append(
+            f"{failsafe.health.path} is 0 while {watched} is good, else the number of the level whose condition holds, "
+            f"and that of {last} while it is unknown."
+        )
+    if failsafe.level is not None:
+        found.append(f"{failsafe.level.path} is the number of the level that was reached.")
+    texts = dict.fromkeys(level.text.written for level in failsafe.levels)
+    found.append(f"It says {' or '.join(f'`{text}`' for text in texts)}.")
     return found
 
 

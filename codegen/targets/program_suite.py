@@ -9,10 +9,13 @@ from codegen.model.vehicle import Component, Parameter, Reading, by_instance
 from codegen.targets.check_criteria import check_criteria
 from codegen.targets.command_facts import CommandFacts, command_facts
 from codegen.targets.component_facts import ComponentFacts, component_facts
+from codegen.targets.failsafe_facts import PairFacts, WatchFacts, pair_facts, watch_facts
 from codegen.targets.firmware.board import ReaderView, plain_readers
+from codegen.targets.firmware.failsafe import failsafe_views
 from codegen.targets.firmware.parameters import ParameterView, parameter_views
 from codegen.targets.firmware.program import ProgramView, program_view
 from codegen.targets.firmware.streams import StreamsView, streams_view
+from codegen.targets.firmware.words import word_layout
 from codegen.targets.generation_facts import (
     GenerationFacts,
     MessageFacts,
@@ -56,6 +59,8 @@ class ProgramSuiteView:
     """What the checks of the program compare with; ``criteria`` are those of each aspect of the checks."""
 
     program: ProgramView
+    pairs: tuple[PairFacts, ...]
+    watched: tuple[WatchFacts, ...]
     components: tuple[ComponentFacts, ...]
     readers: tuple[ReaderView, ...]
     parameters: tuple[ParameterView, ...]
@@ -105,7 +110,9 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
     alone = [message for message in streams.messages if message.is_alone]
     streamed = {message.id for stream in streams.streams for message in stream.messages}
     view = ProgramSuiteView(
-        program=program_view(system, program),
+        program=program_view(system, program, failsafe_views(system, program, word_layout(system))),
+        pairs=pair_facts(system, program),
+        watched=watch_facts(system, program),
         components=tuple(component for component in component_facts(system) if component.measured),
         readers=plain_readers(system),
         parameters=parameter_views(system),

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from codegen.model.failsafe import Sense
 from codegen.model.price import on_by_default
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.vehicle import Quantity
@@ -65,8 +66,24 @@ def _withheld(message: PopulatedMessage, system: System) -> WithheldMessage:
 
 
 def known_words(system: System) -> tuple[KnownWord, ...]:
-    """A value for everything that a message is withheld for: with it, each of them goes out."""
-    return tuple(dict.fromkeys(_known(system)))
+    """A value for everything that a message is withheld for, with which each goes out, or that keeps from arming."""
+    return tuple(dict.fromkeys((*_known(system), *_calm(system))))
+
+
+def _calm(system: System) -> Iterator[KnownWord]:
+    """What failsafes watch and nothing measures, with values that are beyond no threshold."""
+    measured = {component for component, _, _ in system.measured()}
+    layout = word_layout(system)
+    for failsafe in system.program.failsafes if system.program else ():
+        quantity = failsafe.quantity
+        if quantity is None or quantity.component in measured or not failsafe.spec.arming:
+            continue
+        is_below = any(condition.sense is Sense.BELOW for condition in failsafe.conditions)
+        value = str(quantity.maximum if is_below else quantity.minimum)
+        places = layout.places(quantity.component, age_word(quantity)) if quantity.ages else ()
+        for instance in range(system.components[quantity.component].instances):
+            expires = places[instance] if places else None
+            yield KnownWord(quantity.component, instance, quantity.attribute, value, expires)
 
 
 def _known(system: System) -> Iterator[KnownWord]:

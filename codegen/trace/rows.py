@@ -113,17 +113,14 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
         section = written[name] or program.spec
         yield from _aspects(Kind.PROGRAM, name, aspects, section, symbols.part_of_program(name))
     for failsafe in program.failsafes:
-        name = failsafe.component.name
-        found = symbols.failsafe(failsafe.component)
-        yield from _whole(Kind.FAILSAFE, name, failsafe.citation, failsafe.spec, found)
-        yield from _aspects(Kind.FAILSAFE, name, failsafe.aspects, failsafe.spec, found)
-        for part, level, spec in (
-            ("low", failsafe.low, failsafe.spec.low),
-            ("critical", failsafe.critical, failsafe.spec.critical),
-        ):
+        found = symbols.failsafe(failsafe)
+        yield from _whole(Kind.FAILSAFE, failsafe.name, failsafe.citation, failsafe.spec, found)
+        yield from _aspects(Kind.FAILSAFE, failsafe.name, failsafe.aspects, failsafe.spec, found)
+        for level in failsafe.levels:
             if level.citation is not None:
-                used = [*found, *_attributes((level.below, level.action), symbols)]
-                yield Row(Kind.FAILSAFE, name, part, str(level.citation), spec.place, tuple(used))
+                used = [*found, *_attributes(level.parameters, symbols)]
+                place = level.spec.place
+                yield Row(Kind.FAILSAFE, failsafe.name, level.name, str(level.citation), place, tuple(used))
     for command in program.commands:
         found = symbols.command(command)
         yield from _whole(Kind.COMMAND, command.name, command.citation, command.spec, found)

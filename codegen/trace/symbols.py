@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from codegen.frozen import dataclass
 from codegen.model.answer import Answer
 from codegen.model.command import Command
+from codegen.model.failsafe import Failsafe
 from codegen.model.program import BoardLink, LinkKind
 from codegen.model.reception import ReceivedField, Reception
 from codegen.model.source_kind import Source
@@ -19,7 +20,7 @@ from codegen.targets.naming import (
     builder_name,
     class_names,
     encoder_name,
-    failsafe_class,
+    failsafe_function,
     parameter_attribute,
     state_class,
     writer_name,
@@ -130,9 +131,9 @@ class Symbols:
         """Its attribute and its property; of a measured one also what converts counts."""
         return self._all(self._quantity(quantity))
 
-    def failsafe(self, component: Component) -> tuple[Symbol, ...]:
-        """Its class."""
-        return self._all([(FAILSAFE, failsafe_class(component.name))])
+    def failsafe(self, failsafe: Failsafe) -> tuple[Symbol, ...]:
+        """What makes it, and the class of all."""
+        return self._all([(FAILSAFE, failsafe_function(failsafe.name)), (FAILSAFE, "Failsafe")])
 
     def part_of_program(self, name: str) -> tuple[Symbol, ...]:
         """The modules of one part of the program, by its key in vehicle.yaml."""

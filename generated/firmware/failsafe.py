@@ -1,7 +1,7 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 085475eff43ab31b
-"""Failsafes: what is done when a measured value stays too low while the vehicle is armed."""
+# Inputs: 260cb5a375930085
+"""Failsafes: what is done when a value stays beyond a threshold."""
 
 import time
 
@@ -11,145 +11,178 @@ from micropython import const
 _MAV_SEVERITY_INFO = const(6)
 _MAV_SEVERITY_WARNING = const(4)
 
-OK, LOW, CRITICAL = 0, 1, 2
+OK = 0  # no level
 _HEALTH = (
     (_MAV_SEVERITY_INFO, "healthy"),
     (_MAV_SEVERITY_WARNING, "warning"),
-    (_MAV_SEVERITY_WARNING, "unhealthy"),
+    (_MAV_SEVERITY_WARNING, "unhealthy"),  # the last level
 )
-_LONGEST_MS = const(1 << 24)  # time below a threshold is not counted further
-_ABOVE = const(-1)
+_LONGEST_MS = const(1 << 24)  # how long a condition holds is not counted further
+_NOT = const(-1)  # it does not hold
+_UNKNOWN = const(-1073741824)  # as in words
 
-# Names of the parameters that each has of its own.
-_BATT_LOW_VOLT = ("batt_low_volt", "batt2_low_volt")
-_BATT_FS_LOW_ACT = ("batt_fs_low_act", "batt2_fs_low_act")
-_BATT_CRT_VOLT = ("batt_crt_volt", "batt2_crt_volt")
-_BATT_FS_CRT_ACT = ("batt_fs_crt_act", "batt2_fs_crt_act")
-_BATT_LOW_TIMER = ("batt_low_timer", "batt2_low_timer")
-_BATT_ARM_VOLT = ("batt_arm_volt", "batt2_arm_volt")
+# Where a condition has what.
+_LEVEL = const(0)
+_LIMIT = const(1)
+_AFTER = const(2)
+_WHY = const(3)
+_ACTION = const(4)
+_PLACE = const(0)  # of all
+_OFF = const(0)  # of all
+_FLOOR = const(0)  # of all
+_MS = const(1000)  # of all
+_ARMED = const(0)  # among the words of the vehicle
+_COUNT = const(3)
+_TIMED_FROM = const(1)
+_WATCHED_AT = const(0)
+_SWITCH_AT = const(12)
+_LEVEL_AT = const(10)
+_HEALTH_AT = const(9)
+_HEALTH_EVERY_MS = const(10000)
+
+# battery.voltage: low (FR-00020.1), critical (FR-00020.2)
+_BATTERY = (
+    (
+        (0, "batt_arm_volt", None, "below minimum arming voltage", 0),
+        (1, "batt_low_volt", "batt_low_timer", "low voltage failsafe", "batt_fs_low_act"),
+        (2, "batt_crt_volt", "batt_low_timer", "critical voltage failsafe", "batt_fs_crt_act"),
+    ),
+    (
+        (0, "batt2_arm_volt", None, "below minimum arming voltage", 0),
+        (1, "batt2_low_volt", "batt2_low_timer", "low voltage failsafe", "batt2_fs_low_act"),
+        (2, "batt2_crt_volt", "batt2_low_timer", "critical voltage failsafe", "batt2_fs_crt_act"),
+    ),
+)
 
 
-class BatteryFailsafe:
-    """Watches the voltage of one battery, FR-00020.
+class Failsafe:
+    """Watches one thing: how long each condition of its levels holds without a break.
 
-    `title` is what texts call it. `level` is the highest that was reached: it stays until the next start and only
-    rises. A value of 0 or less, or an unknown one, neither restarts a timer nor lets it go on.
+    `title` is what texts call it, `level` the highest it reached: it stays until the next start and only rises.
+    A value that is unknown, or not believed, neither restarts a time nor lets it go on.
     """
 
-    def __init__(self, state, texts, instance=0):
-        self._state = state
-        self._parameters = state.parameters
-        self._battery = state.battery[instance]
-        self._texts = texts
-        self._instance = instance
-        self.title = f"Battery {instance + 1}"
+    def __init__(self, vehicle, component, title, conditions):
+        self.title = title
         self.level = OK
+        self._vehicle = vehicle
+        self._conditions = conditions
+        self._component = component
+        self._vehicle_words = vehicle.state.vehicle.words
+        self._held_ms = [_NOT] * len(conditions)
         self._updated_ms = time.ticks_ms()
-        self._low_ms = _ABOVE  # how long it has been below BATT_LOW_VOLT
-        self._critical_ms = _ABOVE  # how long it has been below BATT_CRT_VOLT
+        self._reached = None  # the condition that led to the level
+        self._now = OK  # the last level of which a condition holds
         self._told_ms = None  # when a change of health was logged
         self._told = OK
 
     def update(self, now_ms):
         """Look at the latest value; return the level that is reached just now, else 0. Call it after each reading."""
-        if not self._battery.monitored:
+        if not self._component.words[_SWITCH_AT]:
             return OK
         passed_ms = time.ticks_diff(now_ms, self._updated_ms)
         self._updated_ms = now_ms
-        value = self._battery.voltage_mv
-        self._set_health(value, now_ms)
-        if not self._state.vehicle.armed:
-            self._low_ms = _ABOVE
-            self._critical_ms = _ABOVE
-            return OK
-        if value is None or value <= 0:
-            return OK
-        self._low_ms = _below(self._low_ms, passed_ms, self._is_low(value))  # FR-00020.1
-        self._critical_ms = _below(self._critical_ms, passed_ms, self._is_critical(value))  # FR-00020.2
-        return self._escalate()
-
-    def _is_low(self, value):
-        return value < getattr(self._parameters, _BATT_LOW_VOLT[self._instance])
-
-    def _is_critical(self, value):
-        return value < getattr(self._parameters, _BATT_CRT_VOLT[self._instance])
-
-    def _escalate(self):
-        limit_ms = getattr(self._parameters, _BATT_LOW_TIMER[self._instance]) * 1000
-        if limit_ms <= 0:  # BATT_LOW_TIMER 0 switches both levels off
-            return OK
-        if self._critical_ms >= limit_ms and self.level < CRITICAL:
-            return self._reach(CRITICAL, "critical")
-        if self._low_ms >= limit_ms and self.level < LOW:
-            return self._reach(LOW, "low")
+        due = None
+        for index in range(_TIMED_FROM, _COUNT):
+            due = self._look(index, passed_ms) or due
+        self._set_health(now_ms)
+        if due and due[_LEVEL] > self.level:
+            return self._reach(due)
         return OK
 
-    def _reach(self, level, word):
-        self.level = level
-        self._battery.failsafe_number = level
-        self._texts.say(_MAV_SEVERITY_WARNING, self._text(word))
-        return level
+    def _look(self, index, passed_ms):
+        """Count how long a condition holds; return it if that is long enough, else None."""
+        condition = self._conditions[index]
+        holds = self._holds(condition)
+        if holds:
+            self._now = condition[_LEVEL]
+        if not self._vehicle_words[_ARMED]:
+            self._held_ms[index] = _NOT
+            return None
+        if self._component.words[_PLACE] <= _FLOOR:
+            return None
+        if not holds:
+            self._held_ms[index] = _NOT
+            return None
+        held_ms = self._held_ms[index]
+        if held_ms == _NOT:
+            held_ms = 0
+        elif held_ms < _LONGEST_MS:
+            held_ms += passed_ms
+        self._held_ms[index] = held_ms
+        limit_ms = getattr(self._vehicle.parameters, condition[_AFTER]) * _MS
+        return condition if 0 < limit_ms <= held_ms else None  # 0 switches it off
 
-    def _text(self, word):
-        battery = self._battery
-        used = battery.consumed_mah or 0
-        return f"{self.title} is {word} {battery.voltage:.2f}V used {used} mAh"
+    def _holds(self, condition):
+        """Return whether a condition holds; not while the value is unknown."""
+        value = self._component.words[_PLACE]
+        if value == _UNKNOWN:
+            return False
+        limit = getattr(self._vehicle.parameters, condition[_LIMIT])
+        if limit == _OFF:  # switched off
+            return False
+        return value < limit
+
+    def _reach(self, condition):
+        level = condition[_LEVEL]
+        self.level = level
+        self._reached = condition
+        self._component.words[_LEVEL_AT] = level
+        word = ("low", "critical")[level - 1]
+        self._vehicle.texts.say(_MAV_SEVERITY_WARNING, _battery_text(self.title, self._component, word))
+        return level
 
     def action(self):
         """Return the action of the level that was reached, 0 for none."""
-        if self.level == CRITICAL:
-            return getattr(self._parameters, _BATT_FS_CRT_ACT[self._instance])
-        if self.level == LOW:
-            return getattr(self._parameters, _BATT_FS_LOW_ACT[self._instance])
-        return 0
+        return getattr(self._vehicle.parameters, self._reached[_ACTION]) if self.level else 0
 
     def problem(self):
         """Return why the vehicle must not be armed, as words to put behind the title, or None."""
-        battery = self._battery
-        if not battery.monitored:
+        if not self._component.words[_SWITCH_AT]:
             return None
-        value = battery.voltage_mv
-        if value is None:
+        if self._component.words[_WATCHED_AT] == _UNKNOWN:
             return "unhealthy"
-        if self._is_below_minimum(value):
-            return "below minimum arming voltage"
-        if self._is_low(value):
-            return "low voltage failsafe"
-        if self._is_critical(value):
-            return "critical voltage failsafe"
-        if self.level != OK:
-            return "low voltage failsafe" if self.level == LOW else "critical voltage failsafe"
-        if self._is_inverted():
-            return "voltage failsafe critical >= low"
-        return None
+        for condition in self._conditions:
+            if self._holds(condition):
+                return condition[_WHY]
+        if self.level:
+            return self._reached[_WHY]
+        return self._mixed_up()
 
-    def _is_below_minimum(self, value):
-        return value < getattr(self._parameters, _BATT_ARM_VOLT[self._instance])
+    def _mixed_up(self):
+        """Return which level that is on would not be worse than the one before it, in words, or None."""
+        first = getattr(self._vehicle.parameters, self._conditions[1][_LIMIT])
+        second = getattr(self._vehicle.parameters, self._conditions[2][_LIMIT])
+        return "voltage failsafe critical >= low" if 0 < first <= second else None
 
-    def _is_inverted(self):
-        low = getattr(self._parameters, _BATT_LOW_VOLT[self._instance])
-        return 0 < low <= getattr(self._parameters, _BATT_CRT_VOLT[self._instance])
-
-    def _set_health(self, value, now_ms):
-        health = self._health(value)
-        self._battery.health_number = health
-        if self._told_ms is not None and time.ticks_diff(now_ms, self._told_ms) >= 10000:
+    def _set_health(self, now_ms):
+        health = self._now
+        self._now = OK
+        if self._component.words[_WATCHED_AT] == _UNKNOWN:
+            health = 2
+        self._component.words[_HEALTH_AT] = health
+        if self._told_ms is not None and time.ticks_diff(now_ms, self._told_ms) >= _HEALTH_EVERY_MS:
             self._told_ms = None  # at once, since ticks of long ago seem to lie ahead
         if health != self._told and self._told_ms is None:
             self._told = health
             self._told_ms = now_ms
-            self._texts.say(_HEALTH[health][0], self.title + " health: " + _HEALTH[health][1])
-
-    def _health(self, value):
-        if value is None or self._is_critical(value):
-            return CRITICAL
-        return LOW if self._is_low(value) else OK
+            severity, word = _HEALTH[2 if health == 2 else health and 1]
+            self._vehicle.texts.say(severity, self.title + " health: " + word)
 
 
-def _below(since_ms, passed_ms, is_below):
-    """Return how long a value has been below, now that so much time has passed."""
-    if not is_below:
-        return _ABOVE
-    if since_ms == _ABOVE:
-        return 0
-    return min(since_ms + passed_ms, _LONGEST_MS)
+def _battery_text(title, battery, level):
+    consumed = battery.consumed or 0
+    return f"{title} is {level} {battery.voltage:.2f}V used {consumed:.0f} mAh"
+
+
+def battery_failsafes(vehicle):
+    """Return what watches battery.voltage of each, FR-00020."""
+    return [
+        Failsafe(
+            vehicle,
+            vehicle.state.battery[instance],
+            f"Battery {instance + 1}",
+            _BATTERY[instance],
+        )
+        for instance in range(2)
+    ]

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 45021648ef30c333
+# Inputs: a0543e47b28a74b8
 """The program: what the board starts."""
 
 import asyncio

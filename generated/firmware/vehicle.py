@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 085475eff43ab31b
+# Inputs: 260cb5a375930085
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -10,7 +10,7 @@ import time
 import machine
 from board import Board
 from connection import Connection
-from failsafe import BatteryFailsafe
+from failsafe import battery_failsafes
 from guard import Guard
 from micropython import const
 from parameters import Parameters
@@ -57,7 +57,6 @@ class Vehicle:
         self._guard = Guard()
         self.board = Board(self.texts, self.parameters) if board is None else board
         self.state = SystemState(self.parameters, self.texts)
-        self.battery_failsafes = [BatteryFailsafe(self.state, self.texts, instance) for instance in range(2)]
         self._restart_ms = None
         self._reported = 0
         # The order within a pass (FR-00071): control, readings with their failsafes, arming checks, links.
@@ -67,6 +66,7 @@ class Vehicle:
         self.scheduler.every(REPORT_US, self._report, "report")
         ports = self.board.open_ports() if ports is None else ports
         self.connections = [self._connect(port) for port in ports]
+        self.battery_failsafes = battery_failsafes(self)
 
     # What the user's code overrides.
 
@@ -168,32 +168,32 @@ class Vehicle:
 
     def _watch_battery(self):
         self.state.update_battery(self.board)
-        self._check_battery(time.ticks_ms())
+        self._check(self.battery_failsafes)
         self.state.vehicle.ready = False  # a check that fails does not leave an old answer
         self.state.vehicle.ready = self._is_ready()
         self.state.vehicle.load_dpct = self.scheduler.load
 
-    def _check_battery(self, now_ms):
+    def _check(self, failsafes):
         """Do what the highest level asks for that is reached just now, unless a higher one was reached before."""
-        acting = self._acting_battery(now_ms, self._highest_battery_level() or 1)
+        acting = self._acting(failsafes, self._highest(failsafes) or 1)
         if acting is not None:
             self._set_status()
             self._act(acting.action())
 
-    def _acting_battery(self, now_ms, least):
-        acting = None
-        for instance in range(2):
-            level = self.battery_failsafes[instance].update(now_ms)
-            if level >= least:
-                acting = self.battery_failsafes[instance]
-                least = level + 1
-        return acting
-
-    def _highest_battery_level(self):
+    def _highest(self, failsafes):
         highest = 0
-        for failsafe in self.battery_failsafes:
-            highest = max(highest, failsafe.level)
+        for failsafe in failsafes:
+            if failsafe.level > highest:  # noqa: PLR1730  max() takes longer
+                highest = failsafe.level
         return highest
+
+    def _acting(self, failsafes, least):
+        acting = None
+        for index in range(len(failsafes)):  # in few variables: those of a larger function lie on the heap
+            if failsafes[index].update(time.ticks_ms()) >= least:
+                acting = failsafes[index]
+                least = acting.level + 1
+        return acting
 
     def _communicate(self):
         now_ms = time.ticks_ms()
@@ -209,9 +209,8 @@ class Vehicle:
     def _set_status(self):
         vehicle = self.state.vehicle
         vehicle.status = _MAV_STATE_ACTIVE if vehicle.armed else _MAV_STATE_STANDBY
-        for failsafe in self.battery_failsafes:
-            if failsafe.level:
-                vehicle.status = _MAV_STATE_CRITICAL
+        if self._highest(self.battery_failsafes):
+            vehicle.status = _MAV_STATE_CRITICAL
 
     def _act(self, action):
         if action == 1:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: bc8409631c556526
+# Inputs: d75cc9fe4c2ac8dd
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -413,7 +413,7 @@ class Watch:
         needs(FAILSAFES, "a failsafe")
         self.facts = FAILSAFES[0]
         self.rover = ready_rover(at_us=at_us, flash=flash)
-        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafes")[0]
+        self.failsafe = getattr(self.rover, self.facts["list"])[0]
         component = getattr(self.rover.state, self.facts["component"])
         self.component = component if self.facts["instances"] == 1 else component[0]
         self.parameters = self.rover.parameters

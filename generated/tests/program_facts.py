@@ -8,11 +8,12 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: e7a1ffdeb97c88f6
+# Inputs: e0c8271815c377cb
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
 LINKS_US = 10000
+CHECKS_US = 100000
 SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
@@ -152,9 +153,10 @@ MEASURED = (
     },
 )
 
-# Failsafes; a threshold in stored steps is the parameter's steps times its scale.
+# Failsafes of two levels below parameters; a threshold in stored steps is the parameter's steps times its scale.
 FAILSAFES = (
     {
+        "list": "battery_failsafes",
         "component": "battery",
         "instances": 2,
         "title": "Battery 1",
@@ -162,27 +164,54 @@ FAILSAFES = (
         "attribute": "voltage_mv",
         "unit": "V",
         "divisor": 1000,
+        "words": ('low', 'critical'),
+        "minimum": "batt_arm_volt",
         "low": "batt_low_volt",
-        "low_scale": 1,
         "low_action": "batt_fs_low_act",
-        "critical": "batt_crt_volt",
-        "critical_scale": 1,
-        "critical_action": "batt_fs_crt_act",
         "after": "batt_low_timer",
+        "critical": "batt_crt_volt",
+        "critical_action": "batt_fs_crt_act",
+        "minimum_scale": 1,
+        "low_scale": 1,
+        "critical_scale": 1,
         "families": {
-            "low": ["batt_low_volt", "batt2_low_volt"],
-            "critical": ["batt_crt_volt", "batt2_crt_volt"],
-            "low_action": ["batt_fs_low_act", "batt2_fs_low_act"],
-            "critical_action": ["batt_fs_crt_act", "batt2_fs_crt_act"],
-            "minimum": ["batt_arm_volt", "batt2_arm_volt"],
-            "after": ["batt_low_timer", "batt2_low_timer"],
+            "minimum": ['batt_arm_volt', 'batt2_arm_volt'],
+            "low": ['batt_low_volt', 'batt2_low_volt'],
+            "low_action": ['batt_fs_low_act', 'batt2_fs_low_act'],
+            "after": ['batt_low_timer', 'batt2_low_timer'],
+            "critical": ['batt_crt_volt', 'batt2_crt_volt'],
+            "critical_action": ['batt_fs_crt_act', 'batt2_fs_crt_act'],
         },
         "level": "failsafe_number",
-        "minimum": "batt_arm_volt",
-        "minimum_scale": 1,
         "health": "health_number",
         "used": "consumed_mah",
         "enabled": "monitored",
+    },
+)
+
+# All failsafes. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of
+# the threshold, whether 0 switches it off, parameter and milliseconds of the time, hysteresis, the quantity's limits.
+WATCHED = (
+    {
+        "list": "battery_failsafes",
+        "component": "battery",
+        "watched": "voltage_mv",
+        "measured": True,
+        "title": "Battery 1",
+        "levels": ('low', 'critical'),
+        "actions": ('batt_fs_low_act', 'batt_fs_crt_act'),
+        "conditions": (
+            (1, "voltage_mv", "below", "batt_low_volt", 1, True, "batt_low_timer", 1000, 0, -1073741823, 1073741823),
+            (2, "voltage_mv", "below", "batt_crt_volt", 1, True, "batt_low_timer", 1000, 0, -1073741823, 1073741823),
+            (0, "voltage_mv", "below", "batt_arm_volt", 1, True, None, 0, 0, -1073741823, 1073741823),
+        ),
+        "is_latched": True,
+        "is_always": False,
+        "forbids_arming": True,
+        "enabled_by": None,
+        "floor": 0,
+        "level": "failsafe_number",
+        "switch": "monitored",
     },
 )
 

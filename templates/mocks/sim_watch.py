@@ -19,6 +19,8 @@ class Watch:
         found = []
         attributes = vehicle.__dict__
         for name in sorted(attributes):
+            if name.startswith("_"):  # a list of what has a name of its own, too
+                continue
             value = attributes[name]
             several = value if isinstance(value, (list, tuple)) else (value,)
             for index, each in enumerate(several):

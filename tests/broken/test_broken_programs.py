@@ -13,8 +13,8 @@ VEHICLE = "smart_battery/vehicle.yaml"
 PARAMETERS = "smart_battery/parameters.yaml"
 LIST = "  smart_battery: smart_battery/codegen.yaml"
 FAILSAFE = (
-    "failsafes:\n  battery:\n    quantity: voltage\n    low: {below: BATT_CAPACITY, action: BATT_MONITOR}\n"
-    "    critical: {below: BATT_CAPACITY, action: BATT_MONITOR}\n    after: BATT_CAPACITY\n    requirement: FR-00020\n"
+    "failsafes:\n  battery:\n    watches: battery.voltage\n    levels: {low: {below: BATT_CAPACITY}}\n"
+    "    requirement: FR-00020\n"
 )
 
 

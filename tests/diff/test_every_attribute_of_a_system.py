@@ -70,6 +70,12 @@ UNSEEN = {
     "Converter.bits": "a default, compared with the channels",
     "Converter.reference": "a default, compared with the channels",
     "Parameter.instance": "part of the family, compared with the component",
+    "Setting.count": "follows from the parameter, or is the amount in its words",
+    "Setting.unit": "that of the quantity, which is compared itself",
+    "FailsafeText.parts": "follow from the text as it is written",
+    "Shown.quantity": "follows from the text as it is written",
+    "Shown.decimals": "follows from the text as it is written",
+    "Shown.unknown": "follows from the text as it is written",
     "FixedAnswer.meaning": "words for the value that is compared",
 }
 """Attributes that are not changed here, and why."""
@@ -228,7 +234,7 @@ EXPECTED = {
     "Trend.readings": {"quantity-source-changed"},
     "Stream.fastest": {"stream-rate-changed"},
     "AdcChannel.samples": {"adc-channel-changed"},
-    "Failsafe.after": {"failsafe-changed"},
+    "Condition.sense": {"failsafe-changed"},
     "Program.control_us": {"program-changed"},
     "Receiver.stale_after_ms": {"receiver-changed"},
     "Generations.new": {"generations-changed"},

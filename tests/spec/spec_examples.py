@@ -28,8 +28,8 @@ GOOD = {
         "control: {rate: 400 Hz, report_every: 10 s, links: 100 Hz}\n"
         "storage: {files: [a, b], chunk: 64, step_limit: 10 ms, requirement: R}\n"
         "arming: {force: 21196}\nservices: {fastest: 10 Hz}\nsystem_id: SYSID\nfailsafes:\n  battery:\n"
-        "    quantity: voltage\n    low: {below: LOW, action: LOW_ACT}\n"
-        "    critical: {below: CRT, action: CRT_ACT, requirement: R.1}\n    after: TIMER\n    requirement: R\n"
+        "    watches: battery.voltage\n    levels:\n      low: {below: LOW, action: LOW_ACT}\n"
+        "      critical: {below: CRT, action: CRT_ACT, requirement: R.1}\n    after: TIMER\n    requirement: R\n"
         "actions:\n  - {value: 1, call: hold, mode: 4, doc: d}\n  - {value: 2, call: stop, disarm: true, doc: d}\n"
     ),
     "receiver": "component: battery\nstale_after: 10 s\nrate_over: 1 min\nrequirement: R.1\n",

@@ -8,6 +8,7 @@ from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_fil
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.commands import command_table_view
+from codegen.targets.firmware.failsafe import failsafe_views
 from codegen.targets.firmware.further import further_module_view
 from codegen.targets.firmware.message_function import functions_view
 from codegen.targets.firmware.numbers import with_numbers
@@ -133,7 +134,8 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
     files |= _receiving_files(system, layout) if system.receptions else {}
     paths = [specification_file(system, f"{name}.yaml") for name in ("vehicle", "state", "parameters", "board")]
     paths.append(system.spec.project.place.file)
-    view = program_view(system, program)
+    failsafes = failsafe_views(system, program, layout)
+    view = program_view(system, program, failsafes)
     vehicle = specification_file(system, "vehicle.yaml")
     commands = specification_file(system, "commands.yaml")
     if program.commands:
@@ -142,7 +144,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "main.py": (view, [vehicle]),
         "vehicle.py": (view, paths),
         "commands.py": (view, [vehicle]),
-        **({"failsafe.py": (view, paths)} if program.failsafes else {}),
+        **({"failsafe.py": (failsafes, paths)} if failsafes else {}),
         **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
     }
     for name, (shown, sources) in read.items():

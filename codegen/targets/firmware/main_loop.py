@@ -1,4 +1,7 @@
-"""Views of what the main loop calls: the user's code, and each component that is measured."""
+"""Views of what the main loop calls: the user's code, each component that is measured, and what is checked."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from codegen.frozen import dataclass
 from codegen.model.program import Program
@@ -19,37 +22,47 @@ class CallView:
 
 @dataclass(frozen=True, slots=True)
 class JobView:
-    """A component that is measured, in which period, with its failsafe, if it has one.
+    """What is done every ``period_us``: a component is measured, or what nothing measures is checked.
 
-    ``afterwards`` are the statements behind those that read it.
+    ``name`` is what texts call it where it fails, ``component`` None where nothing is measured.
     """
 
-    component: str
+    name: str
+    method: str
+    component: str | None
     period_us: int
-    failsafe: FailsafeView | None
-    afterwards: tuple[str, ...]
+    statements: tuple[str, ...]
 
 
 def job_views(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[JobView, ...]:
-    """The components that are measured, in the order of state.yaml."""
-    watched = {failsafe.component: failsafe for failsafe in failsafes}
+    """The components that are measured, in the order of state.yaml, and behind them what is checked beside them."""
     names = [reading.component.name for reading in system.readings() if reading.is_first]
-    return tuple(
+    jobs = [
         JobView(
+            name=name,
+            method=f"_watch_{name}",
             component=name,
             period_us=(system.components[name].period_ms or 100) * 1000,
-            failsafe=watched.get(name),
-            afterwards=(
-                *([f"self._check_{name}(time.ticks_ms())"] if name in watched else []),
-                *(_after_readings(system, program) if name == names[-1] else []),
+            statements=(
+                f"self.state.update_{name}(self.board)",
+                *_checks(each for each in failsafes if each.is_measured and each.component == name),
             ),
         )
         for name in names
-    )
+    ]
+    checked = tuple(_checks(each for each in failsafes if not each.is_measured))
+    told = _about_itself(system, program)
+    if checked or (told and not jobs):
+        jobs.append(JobView("checks", "_watch", None, program.checks_us, checked))
+    return (*jobs[:-1], *(replace(job, statements=(*job.statements, *told)) for job in jobs[-1:]))
 
 
-def _after_readings(system: System, program: Program) -> tuple[str, ...]:
-    """What the vehicle tells about itself as soon as everything is read."""
+def _checks(failsafes: Iterable[FailsafeView]) -> Iterator[str]:
+    return (f"self._check(self.{failsafe.attribute})" for failsafe in failsafes)
+
+
+def _about_itself(system: System, program: Program) -> tuple[str, ...]:
+    """What the vehicle tells about itself as soon as everything is read and checked."""
     can_arm = program.spec.arming is not None
     ready = (
         "self.state.vehicle.ready = False  # a check that fails does not leave an old answer",
@@ -60,14 +73,14 @@ def _after_readings(system: System, program: Program) -> tuple[str, ...]:
 
 
 def call_views(system: System, program: Program, jobs: tuple[JobView, ...]) -> tuple[CallView, ...]:
-    """The user's code first, then the sensors, then each component that is measured."""
+    """The user's code first, then the sensors, then what is measured and checked."""
     measure = CallView(program.measure_us or 0, "measure", "measure", str(program.cited.get("measure", "")))
     readings = [
         CallView(
             job.period_us,
-            f"_watch_{job.component}",
-            job.component,
-            str(system.components[job.component].citation or ""),
+            job.method,
+            job.name,
+            str(system.components[job.component].citation or "") if job.component else "",
         )
         for job in jobs
     ]

@@ -1,5 +1,7 @@
 """View of vehicle.py, and of the modules around it: the program as a whole, the storage and what failsafes do."""
 
+from collections.abc import Iterator, Sequence
+
 from codegen.frozen import dataclass
 from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
@@ -12,7 +14,7 @@ from codegen.targets.firmware.commands import (
     mode_statements,
     mode_views,
 )
-from codegen.targets.firmware.failsafe import FailsafeView, failsafe_families, failsafe_views
+from codegen.targets.firmware.failsafe import FailsafesView, FailsafeView
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.firmware.receiving import call_name, received_beside
 from codegen.targets.imports import import_lines
@@ -62,6 +64,7 @@ class ProgramView:
     control_us: int
     control_hz: str
     links_us: int
+    checks_us: int
     links_hz: str
     report_ms: int
     step_limit_us: int
@@ -74,7 +77,10 @@ class ProgramView:
     class_name: str
     silence_ms: int
     failsafes: tuple[FailsafeView, ...]
-    families: tuple[str, ...]
+    failsafe_lists: tuple[str, ...]
+    checked: str
+    everything: str
+    recovers: bool
     actions: tuple[ActionView, ...]
     order: tuple[str, ...]
     calls: tuple[CallView, ...]
@@ -92,9 +98,9 @@ class ProgramView:
     cited: dict[str, str]
 
 
-def program_view(system: System, program: Program) -> ProgramView:
-    """The view of the whole program."""
-    failsafes = failsafe_views(program)
+def program_view(system: System, program: Program, whole: FailsafesView | None) -> ProgramView:
+    """The view of the whole program; ``whole`` has its failsafes."""
+    failsafes = whole.failsafes if whole else ()
     jobs = job_views(system, program, failsafes)
     can_arm = program.spec.arming is not None
     return ProgramView(
@@ -102,6 +108,7 @@ def program_view(system: System, program: Program) -> ProgramView:
         control_us=program.control_us,
         control_hz=program.spec.control.rate,
         links_us=program.links_us,
+        checks_us=program.checks_us,
         links_hz=program.spec.control.links,
         report_ms=program.report_ms,
         step_limit_us=program.step_limit_us,
@@ -114,7 +121,10 @@ def program_view(system: System, program: Program) -> ProgramView:
         class_name=program.class_name,
         silence_ms=program.silence_ms,
         failsafes=failsafes,
-        families=failsafe_families(program),
+        failsafe_lists=tuple(_failsafe_lists(failsafes)),
+        checked=_checked(failsafes),
+        everything=_everything(failsafes),
+        recovers=whole is not None and whole.has_recovery,
         actions=tuple(_action(action, has_modes=bool(program.modes)) for action in program.actions),
         order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
         calls=call_views(system, program, jobs),
@@ -144,7 +154,7 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("board", "Board"),
         *_answering(system, program).items(),
         ("connection", "Connection"),
-        *(("failsafe", failsafe.class_name) for failsafe in failsafes),
+        *(("failsafe", failsafe.attribute) for failsafe in failsafes),
         ("guard", "Guard"),
         *([("long_commands", "LongCommands")] if _takes_long(program) else []),
         ("micropython", "const"),
@@ -172,6 +182,38 @@ def _answering(system: System, program: Program) -> dict[str, str]:
         **({"command_cancel": "answer_cancel"} if program.cancels else {}),
         **({"mode_service": "answer_modes"} if program.modes else {}),
     }
+
+
+def _failsafe_lists(failsafes: tuple[FailsafeView, ...]) -> Iterator[str]:
+    """The statements that make the lists of failsafes: of each its instances, all, and those that arming asks."""
+    for failsafe in failsafes:
+        yield f"self.{failsafe.attribute} = {failsafe.attribute}(self)"
+    if len(failsafes) > 1:
+        yield f"self._failsafes = {_all(failsafes)}"
+    asked = [failsafe for failsafe in failsafes if failsafe.has_arming]
+    if asked and len(asked) < len(failsafes):
+        yield "# Those that are asked before arming."
+        yield f"self._asked = {_all(asked)}"
+
+
+def _all(failsafes: Sequence[FailsafeView]) -> str:
+    lists = [f"self.{failsafe.attribute}" for failsafe in failsafes]
+    if len(lists) < 3:
+        return " + ".join(lists)
+    return "(\n            " + "\n            + ".join(lists) + "\n        )"
+
+
+def _checked(failsafes: tuple[FailsafeView, ...]) -> str:
+    """The list of those that arming asks; nothing where there are none."""
+    asked = sum(failsafe.has_arming for failsafe in failsafes)
+    if not asked:
+        return ""
+    return _everything(failsafes) if asked == len(failsafes) else "self._asked"
+
+
+def _everything(failsafes: tuple[FailsafeView, ...]) -> str:
+    """The list of all of them."""
+    return f"self.{failsafes[0].attribute}" if len(failsafes) == 1 else "self._failsafes"
 
 
 def _connecting(system: System, program: Program) -> tuple[str, ...]:

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_watch.py: do not edit.
-# Inputs: 9b5498cbb9eb708d
+# Inputs: e75667ad7aacba2a
 """What the vehicle does in a simulation, taken from its state whenever that changes: nothing is read out of texts."""
 
 
@@ -21,6 +21,8 @@ class Watch:
         found = []
         attributes = vehicle.__dict__
         for name in sorted(attributes):
+            if name.startswith("_"):  # a list of what has a name of its own, too
+                continue
             value = attributes[name]
             several = value if isinstance(value, (list, tuple)) else (value,)
             for index, each in enumerate(several):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: fef77f659f25277a
+# Inputs: 75553f21686f2852
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -235,7 +235,7 @@ def counts_lead_to_both_levels():
     if not (0 < critical < low < full and 0 < timer <= 120):
         raise NotHereError("defaults that both levels can be reached with")
     rover = new_rover()
-    failsafe = getattr(rover, facts["component"] + "_failsafes")[0]
+    failsafe = getattr(rover, facts["list"])[0]
     _let_run(rover, measured, full - 1, 1)
     assert rover.arm(force=True) is None
     _let_run(rover, measured, (low + critical) // 2, timer + 1)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: f0917c8077eaddf6
+# Inputs: badbf16213596266
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
@@ -215,7 +215,7 @@ def _two_actions():
 
 
 def _levels(rover, facts):
-    return [failsafe.level for failsafe in getattr(rover, facts["component"] + "_failsafes")]
+    return [failsafe.level for failsafe in getattr(rover, facts["list"])]
 
 
 def failsafe_of_one_is_its_own():

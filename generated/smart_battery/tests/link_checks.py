@@ -1,11 +1,23 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: db5a33857b128d3d
+# Inputs: 72f1e7e0538c565d
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
 import sys
 
-from program_bench import SECOND_US, GroundStation, Port, live, machine, main, messages, new_rover, run, run_passes
+from program_bench import (
+    SECOND_US,
+    GroundStation,
+    Port,
+    live,
+    machine,
+    main,
+    messages,
+    needs,
+    new_rover,
+    run,
+    run_passes,
+)
 from program_facts import CONTROL_US, LINKS_US, MEASURED, STREAMS
 
 import board
@@ -199,6 +211,7 @@ def datagrams_over_the_loopback():
 
 def boards_own_ports():
     """With the ports of the board description, on a host without credentials: the program runs and tells about it."""
+    needs(hasattr(board.Board, "open_ports"), "links")
     machine.reset_serial()
     if hasattr(board, "open_usb"):  # it would write to where this program prints
         board.open_usb = lambda _name, size: Port()  # noqa: ARG005  as the board calls it

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: 31f5349a9e611b42
+# Inputs: 1e62a585338511fb
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -63,7 +63,7 @@ def order_within_a_pass():
         name = measured["component"]
         noted(name, getattr(rover.state, "update_" + name), rover.state, "update_" + name)
     for facts in FAILSAFES:
-        failsafe = getattr(rover, facts["component"] + "_failsafes")[0]
+        failsafe = getattr(rover, facts["list"])[0]
         noted("failsafe", failsafe.update, failsafe, "update")
     if FORCE_ARM is not None:
         noted("arming", rover.check_arming, rover, "check_arming")

@@ -15,6 +15,7 @@
 
 CONTROL_US = 50000
 LINKS_US = 50000
+CHECKS_US = 100000
 SILENCE_MS = 10000
 STEP_LIMIT_US = 10000
 REPORT_MS = 10000
@@ -127,8 +128,12 @@ MEASURED = (
     },
 )
 
-# Failsafes; a threshold in stored steps is the parameter's steps times its scale.
+# Failsafes of two levels below parameters; a threshold in stored steps is the parameter's steps times its scale.
 FAILSAFES = ()
+
+# All failsafes. Of a condition: level (0 is looked at for arming alone), attribute, what holds, parameter and factor of
+# the threshold, whether 0 switches it off, parameter and milliseconds of the time, hysteresis, the quantity's limits.
+WATCHED = ()
 
 # Actions: value of the parameter, call, drive mode (None: stays), whether the vehicle is disarmed.
 ACTIONS = ()

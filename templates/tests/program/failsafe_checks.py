@@ -233,7 +233,7 @@ def counts_lead_to_both_levels():
     if not (0 < critical < low < full and 0 < timer <= 120):
         raise NotHereError("defaults that both levels can be reached with")
     rover = new_rover()
-    failsafe = getattr(rover, facts["component"] + "_failsafes")[0]
+    failsafe = getattr(rover, facts["list"])[0]
     _let_run(rover, measured, full - 1, 1)
     assert rover.arm(force=True) is None
     _let_run(rover, measured, (low + critical) // 2, timer + 1)

@@ -213,7 +213,7 @@ def _two_actions():
 
 
 def _levels(rover, facts):
-    return [failsafe.level for failsafe in getattr(rover, facts["component"] + "_failsafes")]
+    return [failsafe.level for failsafe in getattr(rover, facts["list"])]
 
 
 def failsafe_of_one_is_its_own():

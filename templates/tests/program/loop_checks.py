@@ -61,7 +61,7 @@ def order_within_a_pass():
         name = measured["component"]
         noted(name, getattr(rover.state, "update_" + name), rover.state, "update_" + name)
     for facts in FAILSAFES:
-        failsafe = getattr(rover, facts["component"] + "_failsafes")[0]
+        failsafe = getattr(rover, facts["list"])[0]
         noted("failsafe", failsafe.update, failsafe, "update")
     if FORCE_ARM is not None:
         noted("arming", rover.check_arming, rover, "check_arming")

@@ -411,7 +411,7 @@ class Watch:
         needs(FAILSAFES, "a failsafe")
         self.facts = FAILSAFES[0]
         self.rover = ready_rover(at_us=at_us, flash=flash)
-        self.failsafe = getattr(self.rover, self.facts["component"] + "_failsafes")[0]
+        self.failsafe = getattr(self.rover, self.facts["list"])[0]
         component = getattr(self.rover.state, self.facts["component"])
         self.component = component if self.facts["instances"] == 1 else component[0]
         self.parameters = self.rover.parameters

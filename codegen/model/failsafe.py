@@ -1,0 +1,164 @@
+"""A failsafe, resolved: conditions on quantities or on silence, the levels that they lead to, and what is done then."""
+
+from collections.abc import Mapping
+from enum import Enum
+
+from codegen.frozen import dataclass
+from codegen.model.failsafe_spec import ConditionSpec, FailsafeLevelSpec, FailsafeSpec
+from codegen.model.program_spec import ActionSpec
+from codegen.model.unit import Unit, decimal
+from codegen.model.vehicle import Citation, Component, Parameter, Quantity
+
+
+class Sense(Enum):
+    """When a condition holds."""
+
+    BELOW = "below"
+    ABOVE = "above"
+    UNKNOWN = "unknown"
+    SILENT = "silent"
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A threshold or a time, in whole ``unit``: so many for each step of a ``parameter``, or ``count`` of them.
+
+    A parameter that starts at 0 or above switches what it belongs to off with 0 (``is_off_at_zero``).
+    """
+
+    parameter: Parameter | None
+    count: int
+    unit: Unit
+
+    @property
+    def is_off_at_zero(self) -> bool:
+        """Whether 0 switches it off."""
+        return self.parameter is not None and self.parameter.minimum >= 0
+
+    @property
+    def words(self) -> str:
+        """The parameter, or the amount, for people."""
+        if self.parameter is not None:
+            return self.parameter.name
+        return f"{self.count} {self.unit.name}".rstrip()
+
+    @property
+    def default_words(self) -> str:
+        """The same with the parameter's default: ``BATT_LOW_VOLT, 10.5 V by default``."""
+        if self.parameter is None:
+            return self.words
+        unit = f" {self.parameter.unit.name}" if self.parameter.unit.name else ""
+        return f"{self.words}, {decimal(self.parameter.default * self.parameter.step)}{unit} by default"
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """What holds or does not: of a ``quantity``, or of the ground station where that is None.
+
+    ``limit`` is what it is compared with, in stored units of the quantity; ``after`` how long it has to hold, in ms, at
+    once where that is None; ``hysteresis`` how much better the quantity has to be, in its stored units. All conditions
+    of a failsafe are on quantities of the same component.
+    """
+
+    sense: Sense
+    quantity: Quantity | None
+    limit: Setting | None
+    after: Setting | None
+    hysteresis: int
+    spec: ConditionSpec | FailsafeLevelSpec
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Those that it reads."""
+        return tuple(each.parameter for each in (self.limit, self.after) if each and each.parameter)
+
+    @property
+    def words(self) -> str:
+        """The condition, for people: ``battery.voltage below BATT_LOW_VOLT``."""
+        subject = self.quantity.path if self.quantity else "ground station"
+        limit = f" {self.limit.words}" if self.limit else ""
+        return f"{subject} {self.sense.value}{limit}"
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A quantity in a text: with so many ``decimals``, or ``unknown`` in its place."""
+
+    quantity: Quantity
+    decimals: int
+    unknown: str
+
+
+@dataclass(frozen=True, slots=True)
+class FailsafeText:
+    """A text in ``parts``: letters, ``{name}`` and ``{level}`` as they are, and quantities. ``written`` has all."""
+
+    written: str
+    parts: tuple[str | Shown, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FailsafeLevel:
+    """A level: the conditions that lead to it, each by itself, and what is done once it is reached.
+
+    ``action`` is the parameter that chooses, or the action itself, or None: then only a text is sent.
+    """
+
+    name: str
+    number: int
+    conditions: tuple[Condition, ...]
+    action: Parameter | ActionSpec | None
+    text: FailsafeText
+    citation: Citation | None
+    spec: FailsafeLevelSpec
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Those that it reads, once each: thresholds, times, the action."""
+        read = [parameter for condition in self.conditions for parameter in condition.parameters]
+        chosen = [self.action] if isinstance(self.action, Parameter) else []
+        return tuple({parameter.name: parameter for parameter in (*read, *chosen)}.values())
+
+
+@dataclass(frozen=True, slots=True)
+class Failsafe:
+    """A failsafe; ``component`` is the one that it watches, or that has its level; see FailsafeSpec.
+
+    ``quantity`` is what it watches, or None: then it waits for ground stations. ``believed_above`` is in stored units.
+    """
+
+    name: str
+    component: Component | None
+    quantity: Quantity | None
+    levels: tuple[FailsafeLevel, ...]
+    to_arm: tuple[Condition, ...]
+    title: str
+    over: FailsafeText | None
+    believed_above: int | None
+    enabled_by: Parameter | None
+    health: Quantity | None
+    health_every_ms: int
+    level: Quantity | None
+    spec: FailsafeSpec
+    citation: Citation
+    aspects: Mapping[str, Citation]
+
+    @property
+    def instances(self) -> int:
+        """How many things it watches, each for itself."""
+        return self.component.instances if self.component else 1
+
+    @property
+    def watched(self) -> str:
+        """What it watches, for people."""
+        return self.quantity.path if self.quantity else "the ground station"
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Those of all levels, the mildest first."""
+        return tuple(condition for level in self.levels for condition in level.conditions)
+
+    @property
+    def recovers(self) -> bool:
+        """Whether it can be over."""
+        return not self.spec.latch

@@ -1,0 +1,326 @@
+# Generated from templates/tests/program/watched_checks.py: do not edit.
+# Inputs: 31f384b83129cd3b
+"""Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
+
+from program_bench import (
+    GroundStation,
+    NotHereError,
+    main,
+    mock_time,
+    needs,
+    needs_arming,
+    new_rover,
+)
+from program_facts import CHECKS_US, MEASURED, PARAMETERS, WATCHED
+
+import dialect
+import messages
+
+LEVEL, ATTRIBUTE, SENSE, LIMIT, FACTOR, IS_OFF_AT_ZERO, AFTER, AFTER_MS, SLACK, LOW, HIGH = range(11)
+GCS = 6  # MAV_TYPE
+
+
+class Bench:
+    """A vehicle of which one failsafe is looked at; what it watches has the values that a check gives it."""
+
+    def __init__(self, facts, is_armed=True):
+        self.facts = facts
+        self.rover = new_rover()
+        self.failsafe = getattr(self.rover, facts["list"])[0]
+        check, own = self.rover._check, getattr(self.rover, facts["list"])
+        self.rover._check = lambda failsafes: check(failsafes) if failsafes is own else None  # the others rest
+        self.period_us = CHECKS_US
+        self.component = None
+        self.values = {}
+        self.rover.disarm = lambda **_forced: None  # else an action hides what else there is
+        if facts["component"]:
+            self.component = getattr(self.rover.state, facts["component"])[0]
+        if facts["measured"]:
+            self.period_us = next(each for each in MEASURED if each["component"] == facts["component"])["period_us"]
+            name = "update_" + facts["component"]
+            self._read = getattr(self.rover.state, name)
+            setattr(self.rover.state, name, self._update)
+        if is_armed:
+            assert self.rover.arm(force=True) is None
+
+    def _update(self, board):
+        self._read(board)
+        self._set()
+
+    def _set(self):
+        for attribute, value in self.values.items():
+            setattr(self.component, attribute, value)
+
+    def rests(self, condition):
+        """Give each quantity a value with which nothing holds, and switch off what else may hold with `condition`."""
+        for other in self.facts["conditions"]:
+            if other[ATTRIBUTE] and other is not condition:
+                if other[LIMIT] and other[IS_OFF_AT_ZERO]:
+                    setattr(self.rover.parameters, other[LIMIT], 0)
+                good = other[HIGH] if other[SENSE] == "below" else other[LOW]
+                self.values.setdefault(other[ATTRIBUTE], good)
+
+    def run(self, seconds=None, passes=None):
+        """Run passes, one in each period; return the numbers of those in which the level changed, with the level."""
+        found = []
+        count = passes if passes is not None else int(seconds * 1000000) // self.period_us
+        for number in range(count):
+            before = self.failsafe.level
+            if not self.facts["measured"]:
+                self._set()
+            self.rover.run_pass()
+            if self.failsafe.level != before:
+                found.append((number, self.failsafe.level))
+            mock_time.advance_us(self.period_us)
+        return found
+
+    def delay(self, condition):
+        """Return after how many passes a condition has held for long enough: the first of them begins it."""
+        after_ms = condition[AFTER_MS]
+        if condition[AFTER]:
+            parameter = next(each for each in PARAMETERS if each["attribute"] == condition[AFTER])
+            steps = max(1, parameter["minimum"])
+            setattr(self.rover.parameters, condition[AFTER], steps)
+            after_ms *= steps
+        return -(-after_ms * 1000 // self.period_us)
+
+    def limit(self, condition):
+        """Return what a condition compares with, in stored steps; a parameter is set to half of its range."""
+        if not condition[LIMIT]:
+            return condition[FACTOR]
+        parameter = next(each for each in PARAMETERS if each["attribute"] == condition[LIMIT])
+        high = min(parameter["maximum"], condition[HIGH] // condition[FACTOR])
+        steps = (max(parameter["minimum"], -(-condition[LOW] // condition[FACTOR])) + high) // 2
+        setattr(self.rover.parameters, condition[LIMIT], steps)
+        return steps * condition[FACTOR]
+
+
+def _each(kinds=("below", "above")):
+    """Return failsafes with their timed conditions of some kinds; leave the check out where there are none."""
+    needs_arming()
+    found = []
+    for facts in WATCHED:
+        found += [(facts, each) for each in facts["conditions"] if each[LEVEL] and each[SENSE] in kinds]
+    needs(found, "a failsafe of this kind")
+    return found
+
+
+def _sides(condition, limit):
+    """Return the value at the threshold, which is good, and the next one beyond it."""
+    beyond = limit - 1 if condition[SENSE] == "below" else limit + 1
+    if not condition[LOW] <= beyond <= condition[HIGH]:
+        raise NotHereError("a threshold within the limits")
+    return limit, beyond
+
+
+def _on(facts, condition, is_armed=True):
+    """Return a bench in which only this condition can hold, with its values at and beyond the threshold."""
+    bench = Bench(facts, is_armed)
+    at, beyond = _sides(condition, bench.limit(condition))
+    bench.rests(condition)
+    bench.values[condition[ATTRIBUTE]] = at
+    return bench, at, beyond
+
+
+def _first(level, found):
+    """Return the pass in which at least a level was reached."""
+    return next((number for number, reached in found if reached >= level), None)
+
+
+def a_condition_holds_beyond_its_threshold_for_its_time():
+    """At the threshold nothing is reached; one step beyond it the level comes with the reading that ends the time."""
+    for facts, condition in _each():
+        bench, at, beyond = _on(facts, condition)
+        due = bench.delay(condition)
+        bench.values[condition[ATTRIBUTE]] = at
+        assert _first(condition[LEVEL], bench.run(passes=due + 3)) is None, condition
+        bench.values[condition[ATTRIBUTE]] = beyond
+        if due:
+            assert _first(condition[LEVEL], bench.run(passes=due)) is None, condition
+        assert _first(condition[LEVEL], bench.run(passes=1)) == 0, (condition, bench.failsafe.level)
+        if facts["level"]:
+            assert getattr(bench.component, facts["level"]) == bench.failsafe.level
+
+
+def one_good_reading_begins_the_time_anew():
+    """A value at the threshold restarts the time; one that is unknown neither restarts it nor lets it go on."""
+    for facts, condition in _each():
+        bench, at, beyond = _on(facts, condition)
+        due = bench.delay(condition)
+        if due < 3:
+            continue
+        for between, expected in ((at, due), (None, 1)):
+            bench, at, beyond = _on(facts, condition)
+            bench.delay(condition)
+            bench.values[condition[ATTRIBUTE]] = beyond
+            bench.run(passes=due)
+            bench.values[condition[ATTRIBUTE]] = between
+            bench.run(passes=2)
+            bench.values[condition[ATTRIBUTE]] = beyond
+            found = _first(condition[LEVEL], bench.run(passes=due + 3))
+            assert found == (expected if between is not None else 0), (condition, between, found)
+
+
+def unknown_counts_from_when_it_is_unknown():
+    """A condition on unknown holds while nothing is known, and not a moment else."""
+    for facts, condition in _each(("unknown",)):
+        bench = Bench(facts)
+        due = bench.delay(condition)
+        bench.rests(condition)
+        for known in (condition[LOW], condition[HIGH]):
+            bench.values[condition[ATTRIBUTE]] = known
+            assert bench.run(passes=due + 3) == [], condition
+        bench.values[condition[ATTRIBUTE]] = None
+        assert bench.run(passes=due) == [], condition
+        assert _first(condition[LEVEL], bench.run(passes=1)) == 0, condition
+
+
+def disarmed_only_what_always_watches_acts():
+    """While disarmed nothing is reached, but by what looks always."""
+    for facts, condition in _each():
+        bench, _, beyond = _on(facts, condition, is_armed=False)
+        due = bench.delay(condition)
+        bench.values[condition[ATTRIBUTE]] = beyond
+        bench.run(passes=due + 5)
+        assert (bench.failsafe.level >= condition[LEVEL]) == facts["is_always"], condition
+
+
+def a_level_stays_or_is_over():
+    """What is latched stays; what is not is over once the value is better by the hysteresis, and that is told once."""
+    for facts, condition in _each():
+        bench, at, beyond = _on(facts, condition)
+        due = bench.delay(condition)
+        bench.values[condition[ATTRIBUTE]] = beyond
+        bench.run(passes=due + 1)
+        level = bench.failsafe.level
+        assert level >= condition[LEVEL]
+        step = 1 if condition[SENSE] == "below" else -1
+        better = at + step * condition[SLACK]
+        if condition[SLACK]:
+            bench.values[condition[ATTRIBUTE]] = better - step
+            assert bench.run(passes=5) == [], condition
+        bench.values[condition[ATTRIBUTE]] = None
+        assert bench.run(passes=5) == [], condition
+        bench.values[condition[ATTRIBUTE]] = min(max(better, condition[LOW]), condition[HIGH])
+        said = bench.rover.texts.last
+        found = bench.run(passes=5)
+        if facts["is_latched"]:
+            assert found == [], condition
+            assert bench.rover.state.vehicle.status == dialect.MAV_STATE_CRITICAL
+            continue
+        assert found, condition
+        assert found[0][0] == 0, (condition, found)
+        assert bench.failsafe.level < condition[LEVEL], (condition, found)
+        assert bench.rover.texts.last == said + 1
+        if not bench.failsafe.level:
+            severity, _ = bench.rover.texts.get(said + 1)
+            assert severity == dialect.MAV_SEVERITY_NOTICE
+            assert bench.rover.state.vehicle.status == dialect.MAV_STATE_ACTIVE
+
+
+def a_parameter_of_0_switches_off():
+    """A threshold of 0, a time of 0 and the failsafe's own switch."""
+    for facts, condition in _each():
+        switches = [each for each in (condition[AFTER], facts["enabled_by"]) if each]
+        if condition[LIMIT] and condition[IS_OFF_AT_ZERO]:
+            switches.append(condition[LIMIT])
+        for switch in switches:
+            bench, _, beyond = _on(facts, condition)
+            due = bench.delay(condition)
+            bench.values[condition[ATTRIBUTE]] = beyond
+            setattr(bench.rover.parameters, switch, 0)
+            bench.run(passes=due + 5)
+            assert bench.failsafe.level < condition[LEVEL], (condition, switch)
+
+
+def arming_asks_for_every_condition():
+    """Beyond a threshold, and while unknown, the vehicle is not armed, with a text that names the failsafe."""
+    needs_arming()
+    needs(WATCHED, "a failsafe")
+    for facts in WATCHED:
+        for condition in facts["conditions"]:
+            if condition[SENSE] not in ("below", "above"):
+                continue
+            bench, at, beyond = _on(facts, condition, is_armed=False)
+            for value, is_free in ((at, True), (beyond, False), (None, condition[ATTRIBUTE] != facts["watched"])):
+                bench.values[condition[ATTRIBUTE]] = value
+                bench._set()
+                problem = bench.failsafe.problem()
+                assert (problem is None) == is_free, (condition, value, problem)
+                refused = bench.rover.arming_problem()
+                if facts["forbids_arming"] and not is_free:
+                    assert refused is not None
+
+
+def each_text_fits_one_frame():
+    """A text of the failsafe has at most 50 characters where the values are those that bring it."""
+    for facts, condition in _each():
+        bench, _, beyond = _on(facts, condition)
+        due = bench.delay(condition)
+        bench.values[condition[ATTRIBUTE]] = beyond
+        before = bench.rover.texts.last
+        bench.run(passes=due + 2)
+        texts = [bench.rover.texts.get(number) for number in range(before + 1, bench.rover.texts.last + 1)]
+        texts = [text for severity, text in texts if severity == dialect.MAV_SEVERITY_WARNING]
+        assert texts, condition
+        assert max(len(text) for text in texts) <= 50, texts
+
+
+def silence_is_counted_from_the_last_heartbeat():
+    """Nobody is missed before the first HEARTBEAT; then each level comes in its time, and a HEARTBEAT ends it."""
+    found = _each(("silent",))
+    for facts in {each["list"]: each for each, _ in found}.values():
+        levels = [each for each in facts["conditions"] if each[SENSE] == "silent"]
+        bench = Bench(facts)
+        if facts["enabled_by"]:
+            setattr(bench.rover.parameters, facts["enabled_by"], 1)
+        delays = [bench.delay(each) for each in levels]
+        assert bench.run(passes=max(delays) + 10) == [], "nobody was heard yet"
+        station = GroundStation(bench.rover.port)
+        for times in range(2):
+            station.send(messages.Heartbeat, type=GCS)
+            changes = bench.run(passes=1 + max(delays) + 3)
+            if times and not facts["is_latched"]:
+                assert changes[0] == (0, 0) or changes[0] == (1, 0), changes
+                changes = changes[1:]
+            assert [level for _, level in changes] == [each[LEVEL] for each in levels], changes
+            for (number, _), delay in zip(changes, delays):  # noqa: B905  MicroPython has no strict
+                assert delay <= number <= delay + 2, (number, delay)
+            if facts["is_latched"]:
+                break
+
+
+def silence_begins_anew_with_each_heartbeat():
+    """A ground station that is heard just before the time is over is never missed, one that others talk over is."""
+    found = _each(("silent",))
+    for facts, condition in found:
+        bench = Bench(facts)
+        if facts["enabled_by"]:
+            setattr(bench.rover.parameters, facts["enabled_by"], 1)
+        delay = min(bench.delay(each) for each in facts["conditions"])
+        station = GroundStation(bench.rover.port)
+        for _ in range(5):
+            station.send(messages.Heartbeat, type=GCS)
+            assert bench.run(passes=delay - 1) == [], condition
+        other = 0  # a HEARTBEAT of anything else than a ground station
+        for _ in range(delay + 3):
+            station.send(messages.Heartbeat, type=other)
+            bench.run(passes=1)
+        assert bench.failsafe.level >= 1
+
+
+CHECKS = (
+    (a_condition_holds_beyond_its_threshold_for_its_time, "failsafe.timer"),
+    (one_good_reading_begins_the_time_anew, "failsafe.timer"),
+    (unknown_counts_from_when_it_is_unknown, "failsafe.unknown"),
+    (disarmed_only_what_always_watches_acts, "failsafe.disarmed"),
+    (a_level_stays_or_is_over, "failsafe.latch", "failsafe.recovery"),
+    (a_parameter_of_0_switches_off, "failsafe.off"),
+    (arming_asks_for_every_condition, "arming.reasons"),
+    (each_text_fits_one_frame, "failsafe.text"),
+    (silence_is_counted_from_the_last_heartbeat, "failsafe.timer"),
+    (silence_begins_anew_with_each_heartbeat, "failsafe.timer"),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)
