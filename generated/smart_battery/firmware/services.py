@@ -1,12 +1,12 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: ec2da6b723da15d7
+# Inputs: 5ed6bbcc801c1971
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
-from struct import calcsize
 
 import messages
 from commands import Commands
+from fields import lay_out
 from listeners import Listeners
 from micropython import const
 from parameter_service import ParameterService
@@ -47,17 +47,6 @@ def receivable(*others):
     return [kind(unknown=False) for kind in kinds + others]
 
 
-def _place(kind, *names):
-    """Return where the payload of a kind of message has the field of one of these names, -1 if it has none."""
-    at = 0
-    for word in kind.FIELDS.split():
-        name, form = word.split(":", 1)
-        if name in names:
-            return at
-        at += calcsize("<" + form.split("=")[0])
-    return -1
-
-
 def _both(first, second):
     def take(message):
         first(message)
@@ -83,7 +72,8 @@ class Services:
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
-        self._takers = {}
+        self._of_all = {}  # who takes messages without a target, by their ids, and those with one
+        self._of_target = {}
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
@@ -102,10 +92,10 @@ class Services:
 
         The link has to receive it, see receivable(). What is for everybody, or names no target, is for this vehicle.
         """
-        found = self._takers.get(kind.ID)
-        if found is not None:
-            taker = _both(found[2], taker)
-        self._takers[kind.ID] = _place(kind, "target_system", "target"), _place(kind, "target_component"), taker
+        fields = " " + kind.FIELDS
+        takers = self._of_target if " target_system:" in fields or " target:" in fields else self._of_all
+        found = takers.get(kind.ID)
+        takers[kind.ID] = taker if found is None else _both(found, taker)
 
     def run(self):
         """Go on with what takes several passes."""
@@ -114,22 +104,28 @@ class Services:
 
     def handle(self, message):
         """Give a message to who takes it, if it is for this vehicle and not its own; 0 addresses everybody."""
-        taker = self._takers.get(message.ID)
-        if taker is None:
-            return
         connection = self._connection
-        own = connection.system_id
         sent = message._image  # frames_plain says what it holds
-        if sent[7] == own and sent[8] == connection.component_id:
+        if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
-        sent = message.wire
-        at = taker[0]
-        if at >= 0 and sent[at] != 0 and sent[at] != own:
-            return
-        at = taker[1]
-        if at >= 0 and sent[at] != 0 and sent[at] != connection.component_id:
-            return
-        taker[2](message)
+        taker = self._of_all.get(message.ID)
+        if taker is None and self._is_addressed(message):
+            taker = self._of_target.get(message.ID)
+        if taker is not None:
+            taker(message)
+
+    def _is_addressed(self, message):
+        if message.ID not in self._of_target:
+            return False
+        layout = message._layout or lay_out(message)
+        wire = message.wire
+        target = wire[(layout.get("target_system") or layout["target"])[1]]
+        if target != 0 and target != self._connection.system_id:  # noqa: PLR1714  a tuple would take heap
+            return False
+        if "target_component" not in layout:
+            return True
+        target = wire[layout["target_component"][1]]
+        return target == 0 or target == self._connection.component_id  # noqa: PLR1714  as above
 
     def _hear(self, message):
         if message.raw("type") == _MAV_TYPE_GCS:
