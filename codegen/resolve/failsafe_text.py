@@ -31,6 +31,8 @@ def read_text(
             parts.append(f"{{{name}}}")
             continue
         quantity = watched if name == VALUE else component.quantities.get(name) if component else None
+        if quantity is None and component and name in component.spec.quantities:
+            continue  # what is wrong with it was reported
         if quantity is None or quantity.elements is not None:
             known = [NAME, LEVEL, *([VALUE] if watched else []), *(component.quantities if component else ())]
             message = f"a text has no {{{name}}} to show"

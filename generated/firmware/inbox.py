@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: a2ad009d28f4b8e7
+# Inputs: 1072121dd6afbfb7
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
 import time
@@ -8,7 +8,6 @@ from micropython import const
 
 _BUFFER = const(512)  # bytes that one readinto() takes; of UDP it has to be a whole datagram, or its end is lost
 _PIECE = const(32)  # bytes that are searched for frames at once
-_BITS = const(5)  # of how many of a piece's bytes are left at the end
 _PIECES = const(8)  # in a pass
 _BUDGET_US = const(500)  # no more pieces in a pass from here on: bytes that look like frames take long to be searched
 
@@ -17,8 +16,7 @@ class Inbox:
     """Messages that arrive at a port.
 
     What was read is handed to the link in pieces. Views of these are made once, and bytes that do not fill a piece are
-    copied to a smaller buffer, of which there are pieces of 1, 2, 4, 8 and 16 bytes: a view for each length and place
-    would take the memory of all of them.
+    copied to a smaller buffer: a view for each length and place would take the memory of all of them.
     """
 
     def __init__(self, port, link):
@@ -27,9 +25,9 @@ class Inbox:
         self._buffer = bytearray(_BUFFER)
         whole = memoryview(self._buffer)
         self._pieces = [whole[at : at + _PIECE] for at in range(0, _BUFFER, _PIECE)]
-        self._rest = bytearray(_PIECE // 2)
+        self._rest = bytearray(_PIECE)
         rest = memoryview(self._rest)
-        self._rests = [rest[: 1 << bit] for bit in range(_BITS)]
+        self._rests = [rest[:length] for length in range(_PIECE)]
         self._length = 0  # bytes that were read
         self._taken = 0  # that the link has; at the end it may be more
         self._is_open = False  # whether the link may find more in the last piece
@@ -66,16 +64,9 @@ class Inbox:
         if left >= _PIECE:
             self._link.put(self._pieces[at // _PIECE])
         else:
-            self._put_rest(at, left)
+            for index in range(left):
+                self._rest[index] = self._buffer[at + index]
+            self._link.put(self._rests[left])
         self._taken = at + _PIECE
         self._is_open = True
         self._pieces_left -= 1
-
-    def _put_rest(self, at, left):
-        for bit in range(_BITS):
-            length = 1 << bit
-            if left & length:
-                for index in range(length):
-                    self._rest[index] = self._buffer[at + index]
-                self._link.put(self._rests[bit])
-                at += length

@@ -20,7 +20,7 @@ def next_due(times, now_us: int) -> int:
     while at < count:
         late_us = now_us - slot[1] & 0x3FFFFFFF
         # Further ahead than it can be: nobody asked for so long that the ticks went half round.
-        if late_us < 0x20000000 or late_us < 0x40000000 - slot[2]:
+        if late_us < 0x20000000 or late_us - 0x20000000 < 0x20000000 - slot[2]:
             slot[1] = now_us - late_us % slot[2] + slot[2] & 0x3FFFFFFF
             return at
         slot = ptr32(int(slot) + 8)

@@ -26,7 +26,7 @@ CHANGES = [
     ("own_commands.py", "if said is False:", "if said is None:", {"refusals_have_failed"}),
     ("own_commands.py", "if said is NotImplemented:", "if said is Ellipsis:", {"unwritten_is_unsupported"}),
     ("own_commands.py", "    with guard:\n        return judged(method(*values))\n", "    return judged(method(*values))\n", {"exceptions_have_failed"}),
-    ("services.py", "if at >= 0 and sent[at] != 0 and sent[at] != own:", "if False:", {"others_are_left_alone"}),
+    ("services.py", "if target != 0 and target != self._connection.system_id:", "if False:", {"others_are_left_alone"}),
     ("long_commands.py", "_TELL_MS = const(1000)", "_TELL_MS = const(2000)", {"progress_is_told"}),
     ("long_commands.py", "self._running.remove(running)", "pass", {"progress_is_told", "cancelled_ends"}),
     ("long_commands.py", "progress=running.progress,", "progress=0,", {"progress_is_told"}),

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from textwrap import wrap
 
 from codegen.frozen import dataclass
 from codegen.model.affine import AffineMap
@@ -68,6 +69,10 @@ def title_of(command: Command) -> str:
     return command.spec.method.replace("_", " ").capitalize()
 
 
+_ROOM = 100
+"""Columns of a line of the table behind its indentation, with a comma."""
+
+
 def _row(command: Command, dialect: Dialect) -> CommandRow:
     has_position = any(param.axis for param in command.params)
     enum = dialect.enums.get("MAV_FRAME")
@@ -107,7 +112,11 @@ def _param(param: CommandParam, *, is_int: bool) -> str:
         "None" if param.default is None else argument_text(param, param.default),
         quoted(f"{param.name} must be {param.limits}"),
     )
-    return f"({', '.join(parts)})"
+    line = f"({', '.join(parts)})"
+    if len(line) <= _ROOM:
+        return line
+    own = [each for part in parts for each in ([f"{part},"] if '"' in part else wrap(f"{part},", _ROOM))]
+    return "\n                ".join(("(", *own)) + "\n            )"
 
 
 def _factor(scale: AffineMap) -> tuple[str, str]:

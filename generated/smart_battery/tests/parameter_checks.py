@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 199a0c3a7f8ab426
+# Inputs: f551ad4c886b1054
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
@@ -188,4 +188,4 @@ CHECKS = (
 )
 
 if __name__ == "__main__":
-    main(CHECKS)
+    main(CHECKS, PARAMETERS)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: d75cc9fe4c2ac8dd
+# Inputs: ebedb3b30d5c3d95
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -469,11 +469,11 @@ def _outcome(check):
     return None
 
 
-def main(checks):
-    """Run the checks and print what went wrong in each, or null, by their names."""
+def main(checks, subject=True):
+    """Run the checks and print what went wrong in each, or null, by their names; without a subject all are left out."""
     if IS_MICROPYTHON:
         machine.reset_analog()
     outcomes = {}
     for check, *_ in checks:
-        outcomes[check.__name__] = _outcome(check)
+        outcomes[check.__name__] = _outcome(check) if subject else "left out: there is nothing of it"
     print(json.dumps(outcomes))

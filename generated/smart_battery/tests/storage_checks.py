@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 8b9c2e52229adf1c
+# Inputs: 8e1447db89fe1508
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -331,4 +331,4 @@ CHECKS = (
 )
 
 if __name__ == "__main__":
-    main(CHECKS)
+    main(CHECKS, PARAMETERS)

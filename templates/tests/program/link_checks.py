@@ -16,7 +16,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import CONTROL_US, LINKS_US, MEASURED, STREAMS
+from program_facts import CONTROL_US, LINKS_US, MEASURED, PARAMETERS, STREAMS
 
 import board
 from serial_port import open_uart
@@ -117,6 +117,7 @@ def full_buffer_drops_whole_frames():
 
 def slow_line_takes_the_whole_list():
     """A list of parameters over a UART as slow as a radio: nothing is missing in it."""
+    needs(PARAMETERS, "parameters")
     rover, station, line, _ = _wired()
     station.send(messages.ParamRequestList)
     for _ in range(2000):

@@ -186,4 +186,4 @@ CHECKS = (
 )
 
 if __name__ == "__main__":
-    main(CHECKS)
+    main(CHECKS, PARAMETERS)

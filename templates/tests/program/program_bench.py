@@ -467,11 +467,11 @@ def _outcome(check):
     return None
 
 
-def main(checks):
-    """Run the checks and print what went wrong in each, or null, by their names."""
+def main(checks, subject=True):
+    """Run the checks and print what went wrong in each, or null, by their names; without a subject all are left out."""
     if IS_MICROPYTHON:
         machine.reset_analog()
     outcomes = {}
     for check, *_ in checks:
-        outcomes[check.__name__] = _outcome(check)
+        outcomes[check.__name__] = _outcome(check) if subject else "left out: there is nothing of it"
     print(json.dumps(outcomes))

@@ -329,4 +329,4 @@ CHECKS = (
 )
 
 if __name__ == "__main__":
-    main(CHECKS)
+    main(CHECKS, PARAMETERS)
