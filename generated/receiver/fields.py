@@ -1,5 +1,5 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: af0b838f24acb016
+# Inputs: c64f9831032a41f5
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
@@ -294,6 +294,11 @@ def _demand(field, value):
     # MicroPython's struct wraps what is too large, and its bool is no kind of int.
     if not (_carries_float(code, value) if code in "fd" else isinstance(value, (int, bool)) and low <= value <= high):
         raise ValueError(f"cannot carry {value!r}")
+
+
+def places(message, names):
+    """Return what a message's image has to hold about its live fields; live_fields describes it."""
+    return _live().places(message, names)
 
 
 def take_live(message, field):

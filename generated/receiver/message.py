@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 46982de65d3a0f31
+# Inputs: 4cae417178ba4ebd
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -41,7 +41,7 @@ class Message:
         ValueError: a field cannot be live. KeyError: there is no such field.
         """
         length = self.LENGTH
-        places, count = _places(self, live) if live else (b"\0\0\0\0\4\0\1", 0)
+        places, count = _read_fields().places(self, live) if live else (b"\0\0\0\0\4\0\1", 0)
         start = 9 + len(places)
         image = bytearray(start + ((length + 15) & -16))  # frames_plain says what it holds
         pack_into("<IBB", image, 0, self.ID | self.CRC_EXTRA << 24, length, self.BASE_LENGTH)
@@ -114,12 +114,6 @@ class Message:
         """Write several fields, see set(), all of them or, if one is refused, none; return the message itself."""
         (_fields or _read_fields()).update(self, values)
         return self
-
-
-def _places(message, live):
-    from live_fields import places  # noqa: PLC0415  it takes heap only where there are any
-
-    return places(message, live)
 
 
 def _read_fields():

@@ -294,6 +294,11 @@ def _demand(field, value):
         raise ValueError(f"cannot carry {value!r}")
 
 
+def places(message, names):
+    """Return what a message's image has to hold about its live fields; live_fields describes it."""
+    return _live().places(message, names)
+
+
 def take_live(message, field):
     """Read the live values of a field from the payload, as a frame that is received does."""
     _live().take(message, field)

@@ -39,7 +39,7 @@ class Message:
         ValueError: a field cannot be live. KeyError: there is no such field.
         """
         length = self.LENGTH
-        places, count = _places(self, live) if live else (b"\0\0\0\0\4\0\1", 0)
+        places, count = _read_fields().places(self, live) if live else (b"\0\0\0\0\4\0\1", 0)
         start = 9 + len(places)
         image = bytearray(start + ((length + 15) & -16))  # frames_plain says what it holds
         pack_into("<IBB", image, 0, self.ID | self.CRC_EXTRA << 24, length, self.BASE_LENGTH)
@@ -112,12 +112,6 @@ class Message:
         """Write several fields, see set(), all of them or, if one is refused, none; return the message itself."""
         (_fields or _read_fields()).update(self, values)
         return self
-
-
-def _places(message, live):
-    from live_fields import places  # noqa: PLC0415  it takes heap only where there are any
-
-    return places(message, live)
 
 
 def _read_fields():
