@@ -1,6 +1,8 @@
 """The generated suite notices a fault in the generated firmware: each mutation below makes its part of it fail."""
 
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -110,12 +112,6 @@ WRONG_BEHAVIOUR = [
     ("failure-that-is-over-in-machine-code", "samples_viper.py", "failures[instance] = 0", "pass"),
 ]
 
-MUTATIONS = [
-    pytest.param(part, *case[1:], id=case[0])
-    for part, cases in ((FRAMES, WRONG_FRAMES), (BEHAVIOUR, WRONG_BEHAVIOUR))
-    for case in cases
-]
-
 
 def copy_of_generated(folder: Path) -> Path:
     """Copy what the suite needs of the committed output."""
@@ -133,15 +129,55 @@ def test_untouched_firmware_passes(part, tmp_path):
     suite_is_green(copy_of_generated(tmp_path), part)
 
 
-@pytest.mark.parametrize(("part", "file", "old", "new"), MUTATIONS)
-def test_mutation_is_caught(part, file, old, new, tmp_path):
-    """One change in the firmware, and the suite fails with a failed test (not with an error of the tests)."""
-    generated = copy_of_generated(tmp_path)
+def mutated(folder: Path, file: str, old: str, new: str) -> tuple[Path, tuple[str, ...]]:
+    """A copy with one change in its firmware, and the interpreters that run that form of it."""
+    generated = copy_of_generated(folder)
     path = generated / "firmware" / file
     text = path.read_text()
     assert old in text, f"{old!r} is not in {file}"
     path.write_text(text.replace(old, new, 1))
-    ran = {"_viper": ("-k", "micropython"), "_plain": ("-k", "cpython")}.get(path.stem[-6:], ())  # who runs that form
+    forms = {"_viper": ("micropython",), "_plain": ("cpython",)}
+    return generated, forms.get(path.stem[-6:], ("cpython", "micropython"))
+
+
+def answers(generated: Path, interpreter: str) -> str:
+    """What the firmware makes of all cases, as the suite asks for it."""
+    ask = "import sys; from interpreters import CASES, run_under; "
+    ask += "print(run_under(sys.argv[1], 'runner.py', str(CASES), heap='64m'))"
+    command = [sys.executable, "-c", ask, interpreter]
+    done = subprocess.run(command, cwd=generated / "tests", capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def untouched() -> dict[str, str]:
+    """The answers of the committed firmware, by interpreter."""
+    return {interpreter: answers(ROOT / "generated", interpreter) for interpreter in ("cpython", "micropython")}
+
+
+@pytest.mark.parametrize(("file", "old", "new"), [pytest.param(*case[1:], id=case[0]) for case in WRONG_FRAMES])
+def test_another_answer_is_given(file, old, new, tmp_path, untouched):
+    """One change in the firmware, and it answers a case otherwise; the suite holds each answer to pymavlink's, exactly.
+
+    That the committed firmware's answers are the right ones, and that another one fails, is shown beside this.
+    """
+    generated, interpreters = mutated(tmp_path, file, old, new)
+    assert any(answers(generated, interpreter) != untouched[interpreter] for interpreter in interpreters)
+
+
+@pytest.mark.parametrize(
+    ("part", "file", "old", "new"),
+    [
+        pytest.param(part, *case[1:], id=case[0])
+        for part, cases in ((FRAMES, WRONG_FRAMES[-1:]), (BEHAVIOUR, WRONG_BEHAVIOUR))
+        for case in cases
+    ],
+)
+def test_mutation_is_caught(part, file, old, new, tmp_path):
+    """One change in the firmware, and the suite fails with a failed test (not with an error of the tests)."""
+    generated, interpreters = mutated(tmp_path, file, old, new)
+    ran = ("-k", interpreters[0]) if len(interpreters) == 1 else ()
     done = run_suite(generated, part, options=("-x", *ran))
     assert done.returncode == 1, done.stdout[-2000:]
     assert " failed" in done.stdout
