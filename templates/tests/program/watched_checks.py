@@ -247,7 +247,7 @@ def _choices(action):
     if not isinstance(action, str):
         return [(None, next((each for each in ACTIONS if each[0] == action), none))]
     parameter = next(each for each in PARAMETERS if each["attribute"] == action)
-    actions = [none] + [each for each in ACTIONS]  # noqa: C416, RUF005  MicroPython cannot
+    actions = [none] + [each for each in ACTIONS]  # noqa: C416  MicroPython cannot
     return [(action, each) for each in actions if parameter["minimum"] <= each[0] <= parameter["maximum"]]
 
 
