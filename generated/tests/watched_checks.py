@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 0174bb0b79d49a0a
+# Inputs: f3be17eec638dbc3
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -249,7 +249,7 @@ def _choices(action):
     if not isinstance(action, str):
         return [(None, next((each for each in ACTIONS if each[0] == action), none))]
     parameter = next(each for each in PARAMETERS if each["attribute"] == action)
-    actions = [none] + [each for each in ACTIONS]  # noqa: C416, RUF005  MicroPython cannot
+    actions = [none] + [each for each in ACTIONS]  # noqa: C416  MicroPython cannot
     return [(action, each) for each in actions if parameter["minimum"] <= each[0] <= parameter["maximum"]]
 
 
