@@ -38,7 +38,7 @@ def put(text: str, folder: Path) -> None:
 
 
 def run(commands: str, folder: Path) -> str:
-    """What commands print. A simulation sends to nobody; what takes a simulated day and shows no criterion is left out."""
+    """What commands print. A simulation sends to nobody; what takes a simulated day is left out."""
     for old, new in (
         ("pip install pytest\n", ""),
         ("--speed max", "--speed max --out udp:127.0.0.1:9"),
