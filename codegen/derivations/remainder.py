@@ -44,7 +44,7 @@ class Left(Derivation):
         return (self.of, self.rest.after)
 
     def uses(self, quantity: Quantity) -> Iterator[tuple[Parameter, str]]:
-        yield self.rest.full, f"of what {quantity.path} is left"
+        yield self.rest.full, f"what {quantity.path} is counted from"
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         rest = self.rest
