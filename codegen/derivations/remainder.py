@@ -49,7 +49,8 @@ class Left(Derivation):
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         rest = self.rest
         share = "" if rest.share is None else f", of {rest.share}"
-        yield DerivationFact("left of", f"{rest.full.name} * {rest.steps} after {rest.after}{share}", "left_of")
+        text = f"{rest.full.name} * {rest.steps} after {rest.after} of {self.of}{share}"
+        yield DerivationFact("left of", text, "left_of")
 
     def words(self, quantity: Quantity) -> str:
         return f"{self.rest.full.name} less {quantity.component}.{self.rest.after}"

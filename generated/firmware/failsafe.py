@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 5b5fd1d782dfdc8e
+# Inputs: 2fa9911d90d9f091
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 210851827a37f4e7
+# Inputs: b417b807b6801deb
 """The program: what the board starts."""
 
 import asyncio
