@@ -44,12 +44,13 @@ class Left(Derivation):
         return (self.of, self.rest.after)
 
     def uses(self, quantity: Quantity) -> Iterator[tuple[Parameter, str]]:
-        yield self.rest.full, f"of what {quantity.path} is left"
+        yield self.rest.full, f"what {quantity.path} is counted from"
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         rest = self.rest
         share = "" if rest.share is None else f", of {rest.share}"
-        yield DerivationFact("left of", f"{rest.full.name} * {rest.steps} after {rest.after}{share}", "left_of")
+        text = f"{rest.full.name} * {rest.steps} after {rest.after} of {self.of}{share}"
+        yield DerivationFact("left of", text, "left_of")
 
     def words(self, quantity: Quantity) -> str:
         return f"{self.rest.full.name} less {quantity.component}.{self.rest.after}"

@@ -47,6 +47,13 @@ def _number(number: int, parameter: Parameter | None) -> str:
     return f"{number}, default of {parameter.name}" if parameter else str(number)
 
 
+def _when(channel: AdcChannel) -> str:
+    if channel.when is None:
+        return "always"
+    parameter, steps = channel.when
+    return f"while {parameter.name} is {amount(steps * parameter.step, parameter.unit.name)}"
+
+
 def _channel(channel: AdcChannel) -> Subject:
     spec = channel.spec
     pin = f"GPIO of {channel.pin.name}, {channel.gpio} at first" if channel.pin else f"GPIO {channel.gpio}"
@@ -54,6 +61,7 @@ def _channel(channel: AdcChannel) -> Subject:
         Fact("pin", pin, rules.CHANNEL, spec.at("gpio")),
         Fact("resolution", f"{channel.bits} bits, {channel.full_scale} at full scale", rules.CHANNEL, spec.at("bits")),
         Fact("reference", amount(channel.reference, "V"), rules.CHANNEL, spec.at("reference")),
+        Fact("read", _when(channel), rules.CHANNEL, spec.at("when")),
         Fact("samples", str(channel.samples), rules.CHANNEL, spec.at("samples")),
         Fact("time for a mean", amount(channel.read_limit_us, "us"), rules.CHANNEL, spec.at("read_limit")),
         Fact("answers to", ", ".join(cited(channel.citation, channel.aspects)), CITATION, spec.at("requirement")),

@@ -125,6 +125,7 @@ def _quantity(quantity: Quantity) -> Subject:
         Fact("unknown after", amount(trust.stale_after_ms, "ms"), rules.QUANTITY_AGE, spec.at("stale_after")),
         Fact("failures until unknown:", amount(trust.invalid_after), rules.QUANTITY_AGE, spec.at("invalid_after")),
         Fact("answers to", citations(quantity.citation, quantity.aspects), CITATION, spec.at("requirement")),
+        Fact("called", quantity.called, rules.QUANTITY_SOURCE, spec.at("called")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )
     return Subject(

@@ -17,6 +17,10 @@ class QuantitySpec(Written):
     """One quantity of the vehicle state, kept by the firmware as an integer of ``stored`` units."""
 
     doc: str = described("What the quantity is, for people.")
+    called: str | None = described(
+        "What texts say of it when the vehicle is not armed, as in: below minimum arming capacity. Default: its name.",
+        default=None,
+    )
     unit: str | None = described("Unit that people and documents use (V, A, %); absent for pure numbers.", default=None)
     stored: str | None = described("Unit of one integer step in the firmware (mV, cA). Default: unit.", default=None)
     enum: str | None = described("Enum of the dialect whose values the quantity takes.", default=None)

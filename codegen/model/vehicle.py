@@ -178,6 +178,11 @@ class Quantity(Cited):
         return f"{self.component}.{self.name}"
 
     @property
+    def called(self) -> str:
+        """What texts of failsafes say of it."""
+        return self.spec.called or self.name
+
+    @property
     def length(self) -> int:
         """How many bytes of a text are kept; 0 of anything else."""
         return self.spec.text or 0 if self.kind is QuantityKind.TEXT else 0

@@ -74,7 +74,7 @@ def _sums(reading: Reading, system: System) -> Iterator[Diagnostic]:
         if rest is not None and quantity in reading.given:
             worst = rest.full.maximum * rest.steps * ((rest.share or 1) + 1)
         if lasting is not None and quantity in reading.given:
-            worst = max(most * SMOOTH_STEPS * 2, _largest_left(quantities[lasting.left]) * lasting.factor)
+            worst = max(most * SMOOTH_STEPS * 2, _largest_left(quantities.get(lasting.left)) * lasting.factor)
         if worst > SMALL_INT_MAX:
             hint = "a shorter stale_after, a smaller max of its parameters, or a coarser unit"
             yield Diagnostic(quantity.spec.place, RULE, f"{quantity.path}: counting it reaches {worst}", hint)
@@ -90,8 +90,9 @@ def _largest(reading: Reading, system: System) -> int:
     return max(abs(end) for both in ends for end in both)
 
 
-def _largest_left(quantity: Quantity) -> int:
-    rest = quantity.derivation.remains
+def _largest_left(quantity: Quantity | None) -> int:
+    """The most that can be left; nothing where what is wrong with it was reported."""
+    rest = quantity.derivation.remains if quantity else None
     return rest.full.maximum * rest.steps if rest else 0
 
 

@@ -8,6 +8,7 @@ from codegen.model.system import System
 from codegen.model.vehicle import Parameter, Reading
 from codegen.targets.cases import first_attribute
 from codegen.targets.firmware.board import adc_input
+from codegen.targets.naming import parameter_attribute
 
 Settings = Mapping[str, int]
 """Steps of parameters, by their attributes."""
@@ -65,7 +66,7 @@ def _facts(reading: Reading, system: System) -> ReadingFacts:
         on=on,
         off=off,
         extremes=tuple({**on, **found} for found in _extremes(conversion.factors)),
-        builders=_builders(component.name, system),
+        builders=_builders(reading, system),
         cited={
             "failure": quantity.cited("invalid_after"),
             "stale_after": quantity.cited("stale_after"),
@@ -108,13 +109,15 @@ def _switched(reading: Reading) -> tuple[dict[str, int], tuple[Settings, ...]]:
     switch, when = reading.component.switch, reading.conversion.channel.when
     on: dict[str, int] = {}
     off: list[Settings] = []
+    if switch is not None and not reading.is_first:  # others may be at the pin that the first one takes then
+        on.update({parameter_attribute(name): 0 for name in switch.siblings[1:]})
     if switch is not None and switch.default == 0:
         on[first_attribute(switch)] = max(switch.choices or (switch.maximum,))
     if when is not None:
         parameter, steps = when
         on[first_attribute(parameter)] = steps
         other = [value for value in parameter.choices or (parameter.minimum, parameter.maximum) if value != steps]
-        off += [{first_attribute(parameter): value} for value in other]
+        off += [{**on, first_attribute(parameter): value} for value in other]
     return on, tuple(off)
 
 
@@ -127,10 +130,11 @@ def _extremes(factors: tuple[Factor, ...]) -> Iterator[dict[str, int]]:
         }
 
 
-def _builders(component: str, system: System) -> tuple[str, ...]:
-    """The messages, in lower case, whose builders read a component and so notice that a reading of it is old."""
+def _builders(reading: Reading, system: System) -> tuple[str, ...]:
+    """The messages, in lower case, whose builders read what comes of a reading and so notice that it is old."""
+    given = {f"{reading.component.name}.{quantity.name}" for quantity in reading.given}
     return tuple(
         message.name.lower()
         for message in system.messages
-        if any(quantity.component == component for answer in message.answers for quantity in answer.quantities)
+        if any(quantity.decided_by in given for answer in message.answers for quantity in answer.quantities)
     )

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 39cc7d02773ef247
+# Inputs: fd68d344d31edd75
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine
@@ -35,6 +35,10 @@ class Board:
         inputs = AdcInputs(log, "battery {}", pins, open_adc, battery_reading)
         self.battery_failures = inputs.failures  # failed readings in a row, of each
         self.read_battery_adc = inputs.read
+        if any(getattr(parameters, each) == 4 for each in _BATT_MONITOR):
+            import battery_current  # noqa: PLC0415  where it is measured only
+
+            battery_current.connect(self, parameters, log)
 
     def open_ports(self):
         """Return the ports to ground stations; one that cannot be opened says so and takes nothing."""

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 260cb5a375930085
+# Inputs: 2fa9911d90d9f091
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time
@@ -22,36 +22,46 @@ _NOT = const(-1)  # it does not hold
 _UNKNOWN = const(-1073741824)  # as in words
 
 # Where a condition has what.
-_LEVEL = const(0)
-_LIMIT = const(1)
-_AFTER = const(2)
-_WHY = const(3)
-_ACTION = const(4)
-_PLACE = const(0)  # of all
+_PLACE = const(0)
+_LEVEL = const(1)
+_LIMIT = const(2)
+_FLOOR = const(3)
+_AFTER = const(4)
+_MS = const(5)
+_WHY = const(6)
+_ACTION = const(7)
 _OFF = const(0)  # of all
-_FLOOR = const(0)  # of all
-_MS = const(1000)  # of all
 _ARMED = const(0)  # among the words of the vehicle
-_COUNT = const(3)
-_TIMED_FROM = const(1)
+_COUNT = const(6)
+_TIMED_FROM = const(2)
 _WATCHED_AT = const(0)
-_SWITCH_AT = const(12)
-_LEVEL_AT = const(10)
-_HEALTH_AT = const(9)
+_SWITCH_AT = const(13)
+_LEVEL_AT = const(11)
+_HEALTH_AT = const(10)
 _HEALTH_EVERY_MS = const(10000)
 
 # battery.voltage: low (FR-00020.1), critical (FR-00020.2)
 _BATTERY = (
     (
-        (0, "batt_arm_volt", None, "below minimum arming voltage", 0),
-        (1, "batt_low_volt", "batt_low_timer", "low voltage failsafe", "batt_fs_low_act"),
-        (2, "batt_crt_volt", "batt_low_timer", "critical voltage failsafe", "batt_fs_crt_act"),
+        (0, 0, "batt_arm_volt", _UNKNOWN, None, 0, "below minimum arming voltage", 0),
+        (5, 0, "batt_arm_mah", _UNKNOWN, None, 0, "below minimum arming capacity", 0),
+        (0, 1, "batt_low_volt", 0, "batt_low_timer", 1000, "low voltage failsafe", "batt_fs_low_act"),
+        (5, 1, "batt_low_mah", _UNKNOWN, None, 0, "low capacity failsafe", "batt_fs_low_act"),
+        (0, 2, "batt_crt_volt", 0, "batt_low_timer", 1000, "critical voltage failsafe", "batt_fs_crt_act"),
+        (5, 2, "batt_crt_mah", _UNKNOWN, None, 0, "critical capacity failsafe", "batt_fs_crt_act"),
     ),
     (
-        (0, "batt2_arm_volt", None, "below minimum arming voltage", 0),
-        (1, "batt2_low_volt", "batt2_low_timer", "low voltage failsafe", "batt2_fs_low_act"),
-        (2, "batt2_crt_volt", "batt2_low_timer", "critical voltage failsafe", "batt2_fs_crt_act"),
+        (0, 0, "batt2_arm_volt", _UNKNOWN, None, 0, "below minimum arming voltage", 0),
+        (5, 0, "batt2_arm_mah", _UNKNOWN, None, 0, "below minimum arming capacity", 0),
+        (0, 1, "batt2_low_volt", 0, "batt2_low_timer", 1000, "low voltage failsafe", "batt2_fs_low_act"),
+        (5, 1, "batt2_low_mah", _UNKNOWN, None, 0, "low capacity failsafe", "batt2_fs_low_act"),
+        (0, 2, "batt2_crt_volt", 0, "batt2_low_timer", 1000, "critical voltage failsafe", "batt2_fs_crt_act"),
+        (5, 2, "batt2_crt_mah", _UNKNOWN, None, 0, "critical capacity failsafe", "batt2_fs_crt_act"),
     ),
+)
+_BATTERY_INVERTED = (
+    (2, 4, "voltage failsafe critical >= low"),
+    (3, 5, "capacity failsafe critical >= low"),
 )
 
 
@@ -99,7 +109,7 @@ class Failsafe:
         if not self._vehicle_words[_ARMED]:
             self._held_ms[index] = _NOT
             return None
-        if self._component.words[_PLACE] <= _FLOOR:
+        if self._component.words[condition[_PLACE]] <= condition[_FLOOR]:
             return None
         if not holds:
             self._held_ms[index] = _NOT
@@ -110,12 +120,19 @@ class Failsafe:
         elif held_ms < _LONGEST_MS:
             held_ms += passed_ms
         self._held_ms[index] = held_ms
-        limit_ms = getattr(self._vehicle.parameters, condition[_AFTER]) * _MS
-        return condition if 0 < limit_ms <= held_ms else None  # 0 switches it off
+        return condition if self._is_due(condition, held_ms) else None
+
+    def _is_due(self, condition, held_ms):
+        limit_ms = condition[_MS]
+        if condition[_AFTER] is not None:
+            limit_ms *= getattr(self._vehicle.parameters, condition[_AFTER])
+            if limit_ms == 0:  # switched off
+                return False
+        return held_ms >= limit_ms
 
     def _holds(self, condition):
         """Return whether a condition holds; not while the value is unknown."""
-        value = self._component.words[_PLACE]
+        value = self._component.words[condition[_PLACE]]
         if value == _UNKNOWN:
             return False
         limit = getattr(self._vehicle.parameters, condition[_LIMIT])
@@ -151,9 +168,16 @@ class Failsafe:
 
     def _mixed_up(self):
         """Return which level that is on would not be worse than the one before it, in words, or None."""
-        first = getattr(self._vehicle.parameters, self._conditions[1][_LIMIT])
-        second = getattr(self._vehicle.parameters, self._conditions[2][_LIMIT])
-        return "voltage failsafe critical >= low" if 0 < first <= second else None
+        for pair in _BATTERY_INVERTED:
+            if self._is_inverted(pair):
+                return pair[2]
+        return None
+
+    def _is_inverted(self, pair):
+        milder, worse = self._conditions[pair[0]], self._conditions[pair[1]]
+        first = getattr(self._vehicle.parameters, milder[_LIMIT])
+        second = getattr(self._vehicle.parameters, worse[_LIMIT])
+        return 0 < first <= second
 
     def _set_health(self, now_ms):
         health = self._now
@@ -170,9 +194,14 @@ class Failsafe:
             self._vehicle.texts.say(severity, self.title + " health: " + word)
 
 
+def _shown(value, decimals, unknown):
+    return unknown if value is None else "{:.{}f}".format(value, decimals)
+
+
 def _battery_text(title, battery, level):
+    voltage = _shown(battery.voltage, 2, "unknown")
     consumed = battery.consumed or 0
-    return f"{title} is {level} {battery.voltage:.2f}V used {consumed:.0f} mAh"
+    return f"{title} is {level} {voltage}V used {consumed:.0f} mAh"
 
 
 def battery_failsafes(vehicle):

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: a0543e47b28a74b8
+# Inputs: b417b807b6801deb
 """The program: what the board starts."""
 
 import asyncio

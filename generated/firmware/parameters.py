@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: 41e8b457276efa55
+# Inputs: ec477cab74ce813b
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -9,6 +9,30 @@ from conversion import to_steps
 # name: (smallest, largest, numerator, denominator, type, used after a restart only)
 # A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
 _TABLE = {
+    "BATT2_AMP_OFFSET": (
+        0,
+        3300,
+        1,
+        1000,
+        9,  # real32
+        True,
+    ),
+    "BATT2_AMP_PERVLT": (
+        0,
+        9900,
+        1,
+        100,
+        9,  # real32
+        True,
+    ),
+    "BATT2_ARM_MAH": (
+        0,
+        1000000,
+        1,
+        1,
+        6,  # int32
+        False,
+    ),
     "BATT2_ARM_VOLT": (
         0,
         100000,
@@ -25,6 +49,14 @@ _TABLE = {
         6,  # int32
         False,
     ),
+    "BATT2_CRT_MAH": (
+        0,
+        1000000,
+        1,
+        1,
+        9,  # real32
+        False,
+    ),
     "BATT2_CRT_VOLT": (
         0,
         100000,
@@ -32,6 +64,14 @@ _TABLE = {
         1000,
         9,  # real32
         False,
+    ),
+    "BATT2_CURR_PIN": (
+        26,
+        28,
+        1,
+        1,
+        2,  # int8
+        True,
     ),
     "BATT2_FS_CRT_ACT": (
         0,
@@ -47,6 +87,14 @@ _TABLE = {
         1,
         1,
         2,  # int8
+        False,
+    ),
+    "BATT2_LOW_MAH": (
+        0,
+        1000000,
+        1,
+        1,
+        9,  # real32
         False,
     ),
     "BATT2_LOW_TIMER": (
@@ -67,7 +115,7 @@ _TABLE = {
     ),
     "BATT2_MONITOR": (
         0,
-        3,
+        4,
         1,
         1,
         2,  # int8
@@ -89,6 +137,30 @@ _TABLE = {
         2,  # int8
         True,
     ),
+    "BATT_AMP_OFFSET": (
+        0,
+        3300,
+        1,
+        1000,
+        9,  # real32
+        True,
+    ),
+    "BATT_AMP_PERVLT": (
+        0,
+        9900,
+        1,
+        100,
+        9,  # real32
+        True,
+    ),
+    "BATT_ARM_MAH": (
+        0,
+        1000000,
+        1,
+        1,
+        6,  # int32
+        False,
+    ),
     "BATT_ARM_VOLT": (
         0,
         100000,
@@ -105,6 +177,14 @@ _TABLE = {
         6,  # int32
         False,
     ),
+    "BATT_CRT_MAH": (
+        0,
+        1000000,
+        1,
+        1,
+        9,  # real32
+        False,
+    ),
     "BATT_CRT_VOLT": (
         0,
         100000,
@@ -112,6 +192,14 @@ _TABLE = {
         1000,
         9,  # real32
         False,
+    ),
+    "BATT_CURR_PIN": (
+        26,
+        28,
+        1,
+        1,
+        2,  # int8
+        True,
     ),
     "BATT_FS_CRT_ACT": (
         0,
@@ -127,6 +215,14 @@ _TABLE = {
         1,
         1,
         2,  # int8
+        False,
+    ),
+    "BATT_LOW_MAH": (
+        0,
+        1000000,
+        1,
+        1,
+        9,  # real32
         False,
     ),
     "BATT_LOW_TIMER": (
@@ -147,7 +243,7 @@ _TABLE = {
     ),
     "BATT_MONITOR": (
         0,
-        3,
+        4,
         1,
         1,
         2,  # int8
@@ -221,8 +317,8 @@ _TABLE = {
 NAMES = tuple(sorted(_TABLE))
 
 _CHOICES = {}  # steps that are accepted, where not all between the limits are
-_CHOICES["BATT2_MONITOR"] = (0, 3)
-_CHOICES["BATT_MONITOR"] = (0, 3)
+_CHOICES["BATT2_MONITOR"] = (0, 3, 4)
+_CHOICES["BATT_MONITOR"] = (0, 3, 4)
 _ATTRIBUTES = {}  # where an attribute is not called as its parameter is, in small letters
 
 
@@ -235,16 +331,28 @@ class Parameters:
 
     def __init__(self):
         self.changes = 0
+        # Voltage of the current sensor while no current flows.
+        self.batt2_amp_offset = 0  # 0 V, in steps of 0.001 V
+        # Current for each volt of the current sensor.
+        self.batt2_amp_pervlt = 1700  # 17 A/V, in steps of 0.01 A/V
+        # Least charge that is left to arm with; 0 switches the check off.
+        self.batt2_arm_mah = 0  # 0 mAh
         # Least voltage to arm with; 0 switches the check off.
         self.batt2_arm_volt = 0  # 0 V, in steps of 0.001 V
         # Charge of the full pack.
         self.batt2_capacity = 3300  # 3300 mAh
+        # Charge that is left below which the second failsafe acts at once, with a current sensor; 0 switches it off.
+        self.batt2_crt_mah = 0  # 0 mAh
         # Voltage below which the second failsafe acts; 0 switches it off.
         self.batt2_crt_volt = 9900  # 9.9 V, in steps of 0.001 V
+        # GPIO number of the pin that the current sensor of the battery is connected to.
+        self.batt2_curr_pin = 28  # 28
         # What the second failsafe does.
         self.batt2_fs_crt_act = 2  # 2: Hold
         # What the first failsafe does.
         self.batt2_fs_low_act = 2  # 2: Hold
+        # Charge that is left below which the first failsafe acts at once, with a current sensor; 0 switches it off.
+        self.batt2_low_mah = 0  # 0 mAh
         # Time that the voltage stays below a threshold before its failsafe acts; 0 switches both failsafes off.
         self.batt2_low_timer = 10  # 10 s
         # Voltage below which the first failsafe acts; 0 switches it off.
@@ -255,16 +363,28 @@ class Parameters:
         self.batt2_volt_mult = 39500  # 3.95, in steps of 0.0001
         # GPIO number of the pin that the divided battery voltage is connected to.
         self.batt2_volt_pin = 27  # 27
+        # Voltage of the current sensor while no current flows.
+        self.batt_amp_offset = 0  # 0 V, in steps of 0.001 V
+        # Current for each volt of the current sensor.
+        self.batt_amp_pervlt = 1700  # 17 A/V, in steps of 0.01 A/V
+        # Least charge that is left to arm with; 0 switches the check off.
+        self.batt_arm_mah = 0  # 0 mAh
         # Least voltage to arm with; 0 switches the check off.
         self.batt_arm_volt = 0  # 0 V, in steps of 0.001 V
         # Charge of the full pack.
         self.batt_capacity = 3300  # 3300 mAh
+        # Charge that is left below which the second failsafe acts at once, with a current sensor; 0 switches it off.
+        self.batt_crt_mah = 0  # 0 mAh
         # Voltage below which the second failsafe acts; 0 switches it off.
         self.batt_crt_volt = 9900  # 9.9 V, in steps of 0.001 V
+        # GPIO number of the pin that the current sensor of the battery is connected to.
+        self.batt_curr_pin = 28  # 28
         # What the second failsafe does.
         self.batt_fs_crt_act = 2  # 2: Hold
         # What the first failsafe does.
         self.batt_fs_low_act = 2  # 2: Hold
+        # Charge that is left below which the first failsafe acts at once, with a current sensor; 0 switches it off.
+        self.batt_low_mah = 0  # 0 mAh
         # Time that the voltage stays below a threshold before its failsafe acts; 0 switches both failsafes off.
         self.batt_low_timer = 10  # 10 s
         # Voltage below which the first failsafe acts; 0 switches it off.

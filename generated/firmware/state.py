@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 39cc7d02773ef247
+# Inputs: fd68d344d31edd75
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -32,37 +32,52 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(139)
+_SIZE = const(169)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(67)
+_BATTERY_SIZE = const(82)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TEMPERATURE_CDEGC = const(7)
-_BATTERY_TREND_MV_S = const(8)
-_BATTERY_HEALTH_NUMBER = const(9)
-_BATTERY_FAILSAFE_NUMBER = const(10)
-_BATTERY_SWAPS_NUMBER = const(11)
-_BATTERY_MONITORED = const(12)
-_BATTERY_PROTECTED = const(13)
-_BATTERY_COUNT = const(14)
-_BATTERY_MULTIPLIER = const(15)
-_BATTERY_FAILURES = const(16)
-_BATTERY_IS_LOGGED = const(17)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_WARNED_MS = const(19)
-_BATTERY_GONE = const(20)
-_BATTERY_TREND_COUNT = const(21)
-_BATTERY_TREND_NEWER = const(22)
-_BATTERY_TREND_OLDER = const(23)
-_BATTERY_TREND_READINGS = const(24)
-_BATTERY_CELLS_MV = const(64)
-_VEHICLE = const(134)
+_BATTERY_TIME_LEFT_S = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
+_BATTERY_TREND_MV_S = const(9)
+_BATTERY_HEALTH_NUMBER = const(10)
+_BATTERY_FAILSAFE_NUMBER = const(11)
+_BATTERY_SWAPS_NUMBER = const(12)
+_BATTERY_MONITORED = const(13)
+_BATTERY_PROTECTED = const(14)
+_BATTERY_COUNT = const(15)
+_BATTERY_MULTIPLIER = const(16)
+_BATTERY_FAILURES = const(17)
+_BATTERY_IS_LOGGED = const(18)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_WARNED_MS = const(20)
+_BATTERY_GONE = const(21)
+_BATTERY_CURRENT_COUNT = const(22)
+_BATTERY_CURRENT_MULTIPLIER = const(23)
+_BATTERY_CURRENT_OFFSET = const(24)
+_BATTERY_CURRENT_FAILURES = const(25)
+_BATTERY_CURRENT_IS_LOGGED = const(26)
+_BATTERY_CURRENT_IS_READ = const(27)
+_BATTERY_CURRENT_EXPIRES_MS = const(28)
+_BATTERY_CURRENT_SINCE_MS = const(29)
+_BATTERY_CONSUMED_REST = const(30)
+_BATTERY_ENERGY_LOW = const(31)
+_BATTERY_ENERGY_MIDDLE = const(32)
+_BATTERY_ENERGY_HIGH = const(33)
+_BATTERY_BATT_CAPACITY = const(34)
+_BATTERY_TIME_LEFT_MEAN = const(35)
+_BATTERY_TREND_COUNT = const(36)
+_BATTERY_TREND_NEWER = const(37)
+_BATTERY_TREND_OLDER = const(38)
+_BATTERY_TREND_READINGS = const(39)
+_BATTERY_CELLS_MV = const(79)
+_VEHICLE = const(164)
 _VEHICLE_SIZE = const(5)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
@@ -98,6 +113,10 @@ _BATTERY_START = (
     0,
     _BATTERY_IS_LOGGED,
     0,
+    _BATTERY_CURRENT_FAILURES,
+    0,
+    _BATTERY_CURRENT_IS_LOGGED,
+    0,
     _BATTERY_GONE,
     0,
 )
@@ -124,21 +143,24 @@ class BatteryState(Component):
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000)
-    # Current drawn from the pack, negative while charging. The rover has no sensor for it [cA]
-    # A, or None while it is unknown; FR-00068.4
+    # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [cA]
+    # A, or None while it is unknown; FR-00077.3
     current_ca, current = number(_BATTERY_CURRENT_CA, -32768, 32767, "current", 100)
-    # Charge drawn since the pack was full, or put in [mAh]
-    # mAh, or None while it is unknown; FR-00068.6
+    # Charge drawn since the start, or since the pack was put in [mAh]
+    # mAh, or None while it is unknown; FR-00077.5
     consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
-    # Energy drawn since the pack was full, or put in [hJ]
-    # hJ, or None while it is unknown; FR-00068.6
+    # Energy drawn since the start, or since the pack was put in [hJ]
+    # hJ, or None while it is unknown; FR-00077.5
     energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1)
     # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
     # %, or None while it is unknown; FR-00068.5
     remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
-    # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]
-    # mAh, or None while it is unknown; FR-00072.4
+    # Charge that is left of BATT_CAPACITY, where current is measured [mAh]
+    # mAh, or None while it is unknown; FR-00077.6
     left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1)
+    # How long the charge is enough, as far as the last half minute tells [s]
+    # s, or None while it is unknown; FR-00077.7
+    time_left_s, time_left = number(_BATTERY_TIME_LEFT_S, 0, 1000000, "time_left", 1)
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell. Unknown until code sets it [mV]
@@ -211,6 +233,10 @@ class BatteryState(Component):
     def forget(self):
         """Make everything that is measured unknown."""
         self.words[_BATTERY_VOLTAGE_MV] = UNKNOWN
+        self.words[_BATTERY_CURRENT_CA] = UNKNOWN
+        self.words[_BATTERY_REMAINING_PCT] = UNKNOWN
+        self.words[_BATTERY_LEFT_MAH] = UNKNOWN
+        self.words[_BATTERY_TIME_LEFT_S] = UNKNOWN
         self.words[_BATTERY_TREND_MV_S] = UNKNOWN
         self.words[_BATTERY_TREND_COUNT] = 0
         self.words[_BATTERY_TREND_NEWER] = 0
@@ -275,6 +301,7 @@ class SystemState:
         read = read_battery
         ticks = time.ticks_ms
         first = 0
+        further = self._further_battery()
         try:
             board = yield
             while True:
@@ -285,6 +312,8 @@ class SystemState:
                         self.tell_battery(told & 15, told >> 4)
                     else:
                         first = 0
+                        for update in further:
+                            update(board)
                         board = yield
                 except Exception as error:
                     from reading_turns import failed  # noqa: PLC0415  boards of codegen raise nothing
@@ -294,6 +323,15 @@ class SystemState:
         except (KeyboardInterrupt, SystemExit):
             self._start_battery()  # that was the end of this one
             raise
+
+    def _further_battery(self):
+        """Return what takes a turn of each further reading that is taken at all."""
+        found = []
+        if any(getattr(self.parameters, each) == 4 for each in _BATT_MONITOR):
+            import battery_current  # noqa: PLC0415  where it is measured only
+
+            found.append(battery_current.turn(self, self._log))
+        return found
 
     def tell_battery(self, told, instance, error=None):
         """Do what a reading gives cause to, or tell of a board that raises."""

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 39cc7d02773ef247
+# Inputs: fd68d344d31edd75
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -7,23 +7,32 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY_VOLTAGE_MV = const(0)
+_BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TREND_MV_S = const(8)
-_BATTERY_SWAPS_NUMBER = const(11)
-_BATTERY_MONITORED = const(12)
-_BATTERY_COUNT = const(14)
-_BATTERY_MULTIPLIER = const(15)
-_BATTERY_FAILURES = const(16)
-_BATTERY_IS_LOGGED = const(17)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_WARNED_MS = const(19)
-_BATTERY_GONE = const(20)
-_BATTERY_TREND_COUNT = const(21)
-_BATTERY_TREND_NEWER = const(22)
-_BATTERY_TREND_OLDER = const(23)
-_BATTERY_TREND_READINGS = const(24)
+_BATTERY_REMAINING_PCT = const(4)
+_BATTERY_LEFT_MAH = const(5)
+_BATTERY_TIME_LEFT_S = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TREND_MV_S = const(9)
+_BATTERY_SWAPS_NUMBER = const(12)
+_BATTERY_MONITORED = const(13)
+_BATTERY_COUNT = const(15)
+_BATTERY_MULTIPLIER = const(16)
+_BATTERY_FAILURES = const(17)
+_BATTERY_IS_LOGGED = const(18)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_WARNED_MS = const(20)
+_BATTERY_GONE = const(21)
+_BATTERY_CURRENT_EXPIRES_MS = const(28)
+_BATTERY_CONSUMED_REST = const(30)
+_BATTERY_ENERGY_LOW = const(31)
+_BATTERY_ENERGY_MIDDLE = const(32)
+_BATTERY_ENERGY_HIGH = const(33)
+_BATTERY_TREND_COUNT = const(36)
+_BATTERY_TREND_NEWER = const(37)
+_BATTERY_TREND_OLDER = const(38)
+_BATTERY_TREND_READINGS = const(39)
 
 
 def read_battery(words, every, board, ticks, first):
@@ -87,8 +96,12 @@ def _take_battery(battery, now_ms):
             battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
             if battery[_BATTERY_CONSUMED_MAH] != _UNKNOWN:
                 battery[_BATTERY_CONSUMED_MAH] = 0
+                battery[_BATTERY_CONSUMED_REST] = 180000
             if battery[_BATTERY_ENERGY_HJ] != _UNKNOWN:
                 battery[_BATTERY_ENERGY_HJ] = 0
+                battery[_BATTERY_ENERGY_LOW] = 0
+                battery[_BATTERY_ENERGY_MIDDLE] = 0
+                battery[_BATTERY_ENERGY_HIGH] = 5000
             battery[_BATTERY_COUNTED_FROM_FULL] = 0
         battery[_BATTERY_GONE] = is_gone
         # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
@@ -140,11 +153,18 @@ def expire_battery(battery, now_ms):
     """Forget a reading that has become too old, FR-00067.3."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if battery[_BATTERY_EXPIRES_MS] != _UNKNOWN:
-        age = now_ms - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if age > 0 and age < 0x20000000:
+        if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
             battery[_BATTERY_TREND_COUNT] = 0
             battery[_BATTERY_TREND_NEWER] = 0
             battery[_BATTERY_TREND_OLDER] = 0
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if battery[_BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+        if now_ms - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+            battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+            battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+            battery[_BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN

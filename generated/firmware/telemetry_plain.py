@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: ae3d42ae737638ed
+# Inputs: daf292b1b19d0c4e
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -23,26 +23,28 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(67)
+_BATTERY_SIZE = const(82)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TEMPERATURE_CDEGC = const(7)
-_BATTERY_TREND_MV_S = const(8)
-_BATTERY_HEALTH_NUMBER = const(9)
-_BATTERY_FAILSAFE_NUMBER = const(10)
-_BATTERY_MONITORED = const(12)
-_BATTERY_PROTECTED = const(13)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_TREND_COUNT = const(21)
-_BATTERY_TREND_NEWER = const(22)
-_BATTERY_TREND_OLDER = const(23)
-_BATTERY_CELLS_MV = const(64)
-_VEHICLE = const(134)
+_BATTERY_TIME_LEFT_S = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
+_BATTERY_TREND_MV_S = const(9)
+_BATTERY_HEALTH_NUMBER = const(10)
+_BATTERY_FAILSAFE_NUMBER = const(11)
+_BATTERY_MONITORED = const(13)
+_BATTERY_PROTECTED = const(14)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_CURRENT_EXPIRES_MS = const(28)
+_BATTERY_TREND_COUNT = const(36)
+_BATTERY_TREND_NEWER = const(37)
+_BATTERY_TREND_OLDER = const(38)
+_BATTERY_CELLS_MV = const(79)
+_VEHICLE = const(164)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
 _VEHICLE_MODE_NUMBER = const(2)
@@ -137,14 +139,22 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[battery + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
             words[battery + _BATTERY_TREND_COUNT] = 0
             words[battery + _BATTERY_TREND_NEWER] = 0
             words[battery + _BATTERY_TREND_OLDER] = 0
             words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_CURRENT_CA] = _UNKNOWN
+            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
+            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
+            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
+            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
     # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
     wire[0] = 0
@@ -279,14 +289,22 @@ def write_battery_status(value, place, wire, words, instance):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[battery + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
             words[battery + _BATTERY_TREND_COUNT] = 0
             words[battery + _BATTERY_TREND_NEWER] = 0
             words[battery + _BATTERY_TREND_OLDER] = 0
             words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_CURRENT_CA] = _UNKNOWN
+            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
+            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
+            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
+            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = words[battery + _BATTERY_CONSUMED_MAH]
@@ -403,11 +421,16 @@ def write_battery_status(value, place, wire, words, instance):
         value = 100
     wire[35] = value & 0xFF
 
-    # time_remaining: unknown (0), 0 (FR-00068.6)
-    wire[36] = 0
-    wire[37] = 0
-    wire[38] = 0
-    wire[39] = 0
+    # time_remaining [s]: battery.time_left (FR-00077.7)
+    value = words[battery + _BATTERY_TIME_LEFT_S]
+    if value < 1:
+        value = 0 if value == _UNKNOWN else 1  # unknown, or too small
+    elif value > 1000000:
+        value = 1000000
+    wire[36] = value & 0xFF
+    wire[37] = value >> 8 & 0xFF
+    wire[38] = value >> 16 & 0xFF
+    wire[39] = value >> 24 & 0xFF
 
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
     wire[40] = 0
@@ -625,14 +648,22 @@ def write_battery_status_v2(value, place, wire, words, instance):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[battery + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
             words[battery + _BATTERY_TREND_COUNT] = 0
             words[battery + _BATTERY_TREND_NEWER] = 0
             words[battery + _BATTERY_TREND_OLDER] = 0
             words[battery + _BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if words[battery + _BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
+        if value - words[battery + _BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            words[battery + _BATTERY_CURRENT_CA] = _UNKNOWN
+            words[battery + _BATTERY_REMAINING_PCT] = _UNKNOWN
+            words[battery + _BATTERY_LEFT_MAH] = _UNKNOWN
+            words[battery + _BATTERY_TIME_LEFT_S] = _UNKNOWN
+            words[battery + _BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = words[battery + _BATTERY_VOLTAGE_MV]
@@ -977,8 +1008,7 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[battery + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[battery + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[battery + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[battery + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[battery + _BATTERY_TREND_MV_S] = _UNKNOWN
             words[battery + _BATTERY_TREND_COUNT] = 0

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: ae3d42ae737638ed
+# Inputs: daf292b1b19d0c4e
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -30,26 +30,28 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(67)
+_BATTERY_SIZE = const(82)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
-_BATTERY_COUNTED_FROM_FULL = const(6)
-_BATTERY_TEMPERATURE_CDEGC = const(7)
-_BATTERY_TREND_MV_S = const(8)
-_BATTERY_HEALTH_NUMBER = const(9)
-_BATTERY_FAILSAFE_NUMBER = const(10)
-_BATTERY_MONITORED = const(12)
-_BATTERY_PROTECTED = const(13)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_TREND_COUNT = const(21)
-_BATTERY_TREND_NEWER = const(22)
-_BATTERY_TREND_OLDER = const(23)
-_BATTERY_CELLS_MV = const(64)
-_VEHICLE = const(134)
+_BATTERY_TIME_LEFT_S = const(6)
+_BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
+_BATTERY_TREND_MV_S = const(9)
+_BATTERY_HEALTH_NUMBER = const(10)
+_BATTERY_FAILSAFE_NUMBER = const(11)
+_BATTERY_MONITORED = const(13)
+_BATTERY_PROTECTED = const(14)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_CURRENT_EXPIRES_MS = const(28)
+_BATTERY_TREND_COUNT = const(36)
+_BATTERY_TREND_NEWER = const(37)
+_BATTERY_TREND_OLDER = const(38)
+_BATTERY_CELLS_MV = const(79)
+_VEHICLE = const(164)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
 _VEHICLE_MODE_NUMBER = const(2)
@@ -236,14 +238,22 @@ def encode_sys_status(link, state):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
             battery[_BATTERY_TREND_COUNT] = 0
             battery[_BATTERY_TREND_NEWER] = 0
             battery[_BATTERY_TREND_OLDER] = 0
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        if int(ticks_ms()) - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+            battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+            battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+            battery[_BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
     # onboard_control_sensors_present: MAV_SYS_STATUS_SENSOR_BATTERY if battery.monitored (FR-00068.9)
     flags = 0x10000000
@@ -395,7 +405,6 @@ def battery_status_frame(link, state, instance: int):
     battery = ptr32(int(words) + 4 * (_BATTERY + _BATTERY_SIZE * instance))
 
     # What nothing below writes is 0.
-    wire32[9] = 0
     wire32[10] = 0
     wire32[11] = 0
     wire32[12] = 0
@@ -403,14 +412,22 @@ def battery_status_frame(link, state, instance: int):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
             battery[_BATTERY_TREND_COUNT] = 0
             battery[_BATTERY_TREND_NEWER] = 0
             battery[_BATTERY_TREND_OLDER] = 0
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        if int(ticks_ms()) - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+            battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+            battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+            battery[_BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
     # current_consumed [mAh]: battery.consumed (FR-00068.6)
     value = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign
@@ -505,7 +522,13 @@ def battery_status_frame(link, state, instance: int):
         value = 100
     wire[35] = value
 
-    # time_remaining: unknown (0), 0 (FR-00068.6)
+    # time_remaining [s]: battery.time_left (FR-00077.7)
+    value = (battery[_BATTERY_TIME_LEFT_S] ^ sign) - sign
+    if value < 1:
+        value = 0 if value == _UNKNOWN else 1  # unknown, or too small
+    elif value > 1000000:
+        value = 1000000
+    wire32[9] = value
 
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
 
@@ -817,14 +840,22 @@ def battery_status_v2_frame(link, state, instance: int):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
             battery[_BATTERY_TREND_COUNT] = 0
             battery[_BATTERY_TREND_NEWER] = 0
             battery[_BATTERY_TREND_OLDER] = 0
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
+
+    # The current is forgotten once it is older than 1000 ms (FR-00077.4).
+    if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
+        if int(ticks_ms()) - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
+            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+            battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+            battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+            battery[_BATTERY_CURRENT_EXPIRES_MS] = _UNKNOWN
 
     # voltage [V]: battery.voltage [mV] (FR-00072.4)
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
@@ -1329,8 +1360,7 @@ def battery_cell_voltages_frame(link, state, instance: int, page: int):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_TREND_MV_S] = _UNKNOWN
             battery[_BATTERY_TREND_COUNT] = 0

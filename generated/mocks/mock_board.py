@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 2a92b42889802605
+# Inputs: 06c14d3a4cf39c62
 """Raspberry Pi Pico 2 W on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time
@@ -20,6 +20,9 @@ class MockBoard(Board):
         self._battery_inputs = [machine.analog(gpio) for gpio in (26, 27)]
         for analog in self._battery_inputs:
             analog.absent = absent
+        self._battery_current_inputs = [machine.analog(gpio) for gpio in (28, 28)]
+        for analog in self._battery_current_inputs:
+            analog.absent = absent
         Board.__init__(self, log, parameters)
 
     def set_adc_value(self, count, instance=0):
@@ -39,6 +42,24 @@ class MockBoard(Board):
     def delay_adc(self, microseconds, instance=0):
         """Let every sample take so long."""
         self._battery_inputs[instance].delay_us = microseconds
+
+    def set_battery_current_adc_value(self, count, instance=0):
+        """Let every sample of the battery_current read this count, 0 to 4095."""
+        if not 0 <= count <= 4095:
+            raise ValueError(f"an ADC of 12 bits does not read {count!r}")
+        self._battery_current_inputs[instance].source = count
+
+    def set_battery_current_adc_waveform(self, waveform, instance=0):
+        """Let samples follow a list of counts, or a function of the microseconds since the start."""
+        self._battery_current_inputs[instance].source = waveform
+
+    def fail_battery_current_adc(self, samples, instance=0):
+        """Let the next samples fail."""
+        self._battery_current_inputs[instance].failures = samples
+
+    def delay_battery_current_adc(self, microseconds, instance=0):
+        """Let every sample take so long."""
+        self._battery_current_inputs[instance].delay_us = microseconds
 
 
 def scenario(name, readings=20):

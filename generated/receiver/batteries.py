@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: faa35fa65895ad6c
+# Inputs: c99746be0ecba79b
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -28,7 +28,7 @@ def _read_battery_status(message):
         "battery_function": entry(enum_names.MAV_BATTERY_FUNCTION, get("battery_function")),
         "info.chemistry": entry(enum_names.MAV_BATTERY_TYPE, get("type")),
         "remaining": get("battery_remaining"),  # %
-        "time_remaining": get("time_remaining"),  # s
+        "time_left": get("time_remaining"),  # s
         "charge_state": entry(enum_names.MAV_BATTERY_CHARGE_STATE, get("charge_state")),
         "is_charging": is_entry(get("charge_state"), 7),
         "mode": entry(enum_names.MAV_BATTERY_MODE, get("mode")),
@@ -285,7 +285,7 @@ class BatteryView(View):
         "remaining": (1, 0),
         "status_flags": (1,),
         "temperature": (1, 0),
-        "time_remaining": (0,),
+        "time_left": (0,),
         "under_voltage": (1, 0),
         "voltage": (1, 0),
     }
@@ -333,7 +333,7 @@ class BatteryView(View):
 
     @property
     def consumed(self):
-        """Charge drawn since the pack was full, or put in. Unit: mAh."""
+        """Charge drawn since the start, or since the pack was put in. Unit: mAh."""
         return self._quantity("consumed")
 
     @property
@@ -348,7 +348,7 @@ class BatteryView(View):
 
     @property
     def energy(self):
-        """Energy drawn since the pack was full, or put in. Unit: hJ."""
+        """Energy drawn since the start, or since the pack was put in. Unit: hJ."""
         return self._quantity("energy")
 
     @property
@@ -363,7 +363,7 @@ class BatteryView(View):
 
     @property
     def left(self):
-        """Charge that is left. Unit: mAh."""
+        """Charge that is left of BATT_CAPACITY, where current is measured. Unit: mAh."""
         return self._quantity("left")
 
     @property
@@ -397,9 +397,9 @@ class BatteryView(View):
         return self._quantity("temperature")
 
     @property
-    def time_remaining(self):
-        """`time_remaining` of BATTERY_STATUS. Unit: s."""
-        return self._quantity("time_remaining")
+    def time_left(self):
+        """How long the charge is enough, as far as the last half minute tells. Unit: s."""
+        return self._quantity("time_left")
 
     @property
     def under_voltage(self):

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: d1e233d84d7428ef
+# Inputs: bac46ce8a5e40897
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -28,6 +28,7 @@ from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
 from streams import Streams  # noqa: E402
 
+import readings_checks  # noqa: E402
 import telemetry  # noqa: E402
 
 try:
@@ -192,7 +193,7 @@ def battery_broken_board_does_not_raise():
             state.update_battery(board)
         assert state.battery[0].voltage_mv is None
         # One error of each that is measured.
-        assert len(log.lines) <= len([each for each in state.battery if each.monitored]), log.lines
+        assert len(log.lines) <= 2 * len([each for each in state.battery if each.monitored]), log.lines
     # Who interrupts a reading gets the next one nevertheless.
     good, state, _ = fresh(3063)
     try:
@@ -322,6 +323,70 @@ def battery_steady_cycle_allocates_nothing():
     assert len(log.lines) <= 1, log.lines
 
 
+def reading_of(settings):
+    """Return a board, a state, and the log of both, with parameters that are set so."""
+    log = Log()
+    parameters = Parameters()
+    for name, steps in settings.items():
+        setattr(parameters, name, steps)
+    board = MockBoard(log=log, parameters=parameters)
+    return board, known(SystemState(parameters, log=log)), log
+
+
+BATTERY_CURRENT = {
+    "name": "battery_current",
+    "input": "battery_current_adc",
+    "component": "battery",
+    "attribute": "current_ca",
+    "several": True,
+    "counts": (2559, 2431),
+    "instances": 2,
+    "full_scale": 4095,
+    "invalid_after": 5,
+    "stale_after_ms": 1000,
+    "on": {"batt2_monitor": 0, "batt_monitor": 4},
+    "off": [
+        {"batt2_monitor": 0, "batt_monitor": 0},
+        {"batt2_monitor": 0, "batt_monitor": 3},
+    ],
+    "extremes": [
+        {"batt2_monitor": 0, "batt_amp_offset": 0, "batt_amp_pervlt": 0, "batt_monitor": 4},
+        {"batt2_monitor": 0, "batt_amp_offset": 3300, "batt_amp_pervlt": 9900, "batt_monitor": 4},
+    ],
+    "builders": [telemetry.build_sys_status, telemetry.build_battery_status, telemetry.build_battery_status_v2],
+    "others": [
+        {
+            "name": "battery",
+            "input": "adc",
+            "component": "battery",
+            "attribute": "voltage_mv",
+            "several": True,
+            "counts": (2559, 2431),
+        },
+    ],
+}
+
+
+def battery_current_fails_alone():
+    readings_checks.fails_alone(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_ages_alone():
+    readings_checks.ages_alone(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_raises_nothing():
+    readings_checks.raises_nothing(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_is_left_alone_where_it_is_off():
+    readings_checks.is_left_alone_where_it_is_off(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_allocates_nothing():
+    readings_checks.allocates_nothing(BATTERY_CURRENT, reading_of)
+
+
 def every_value_allocates_nothing():
     state = known(SystemState(log=Log()))
     link = Link(Sink())
@@ -333,6 +398,7 @@ def every_value_allocates_nothing():
         (state.battery[0], "energy_hj"),
         (state.battery[0], "remaining_pct"),
         (state.battery[0], "left_mah"),
+        (state.battery[0], "time_left_s"),
         (state.battery[0], "counted_from_full"),
         (state.battery[0], "temperature_cdegc"),
         (state.battery[0], "trend_mv_s"),
@@ -408,6 +474,13 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
         "left",
         5,
         (-1, 1073741824),
+    ),
+    (
+        "battery",
+        "time_left_s",
+        "time_left",
+        5,
+        (-1, 1000001),
     ),
     (
         "battery",
@@ -615,21 +688,33 @@ def late_pass_sends_no_burst():
 def parameters_start_with_their_defaults():
     parameters = Parameters()
     for attribute, name, steps, value in (
+        ("batt2_amp_offset", "BATT2_AMP_OFFSET", 0, 0.0),
+        ("batt2_amp_pervlt", "BATT2_AMP_PERVLT", 1700, 17.0),
+        ("batt2_arm_mah", "BATT2_ARM_MAH", 0, 0.0),
         ("batt2_arm_volt", "BATT2_ARM_VOLT", 0, 0.0),
         ("batt2_capacity", "BATT2_CAPACITY", 3300, 3300.0),
+        ("batt2_crt_mah", "BATT2_CRT_MAH", 0, 0.0),
         ("batt2_crt_volt", "BATT2_CRT_VOLT", 9900, 9.9),
+        ("batt2_curr_pin", "BATT2_CURR_PIN", 28, 28.0),
         ("batt2_fs_crt_act", "BATT2_FS_CRT_ACT", 2, 2.0),
         ("batt2_fs_low_act", "BATT2_FS_LOW_ACT", 2, 2.0),
+        ("batt2_low_mah", "BATT2_LOW_MAH", 0, 0.0),
         ("batt2_low_timer", "BATT2_LOW_TIMER", 10, 10.0),
         ("batt2_low_volt", "BATT2_LOW_VOLT", 10500, 10.5),
         ("batt2_monitor", "BATT2_MONITOR", 0, 0.0),
         ("batt2_volt_mult", "BATT2_VOLT_MULT", 39500, 3.95),
         ("batt2_volt_pin", "BATT2_VOLT_PIN", 27, 27.0),
+        ("batt_amp_offset", "BATT_AMP_OFFSET", 0, 0.0),
+        ("batt_amp_pervlt", "BATT_AMP_PERVLT", 1700, 17.0),
+        ("batt_arm_mah", "BATT_ARM_MAH", 0, 0.0),
         ("batt_arm_volt", "BATT_ARM_VOLT", 0, 0.0),
         ("batt_capacity", "BATT_CAPACITY", 3300, 3300.0),
+        ("batt_crt_mah", "BATT_CRT_MAH", 0, 0.0),
         ("batt_crt_volt", "BATT_CRT_VOLT", 9900, 9.9),
+        ("batt_curr_pin", "BATT_CURR_PIN", 28, 28.0),
         ("batt_fs_crt_act", "BATT_FS_CRT_ACT", 2, 2.0),
         ("batt_fs_low_act", "BATT_FS_LOW_ACT", 2, 2.0),
+        ("batt_low_mah", "BATT_LOW_MAH", 0, 0.0),
         ("batt_low_timer", "BATT_LOW_TIMER", 10, 10.0),
         ("batt_low_volt", "BATT_LOW_VOLT", 10500, 10.5),
         ("batt_monitor", "BATT_MONITOR", 3, 3.0),
@@ -644,7 +729,7 @@ def parameters_start_with_their_defaults():
     ):
         assert getattr(parameters, attribute) == steps, name
         assert abs(parameters.get(name) - value) < 1e-5, name
-    assert len(parameters.names()) == 26
+    assert len(parameters.names()) == 38
 
 
 def parameters_keep_their_limits():
@@ -697,6 +782,11 @@ CHECKS = (
     ("FR-00069.6", battery_calibration),
     ("NFR-00062.2", battery_scenarios),
     ("NFR-00060.3", battery_steady_cycle_allocates_nothing),
+    ("FR-00077.4", battery_current_fails_alone),
+    ("FR-00077.4", battery_current_ages_alone),
+    ("FR-00067.5", battery_current_raises_nothing),
+    ("FR-00077.2", battery_current_is_left_alone_where_it_is_off),
+    ("NFR-00060.3", battery_current_allocates_nothing),
     ("FR-00068.8", heartbeat_stream_keeps_its_rate),
     ("FR-00068.9", extended_status_stream_keeps_its_rate),
     ("FR-00068.2", extra1_stream_keeps_its_rate),

@@ -34,8 +34,8 @@ def test_the_name_of_the_clocks_is_taken(tmp_path, monkeypatch, capsys):
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
     table = tmp_path / "specs" / "messages" / "battery_status.yaml"
     text = table.read_text()
-    assert "time_remaining: {unknown: true" in text
-    table.write_text(text.replace("time_remaining: {unknown: true", "time_remaining: {clock: boot"))
+    assert "time_remaining: {state: battery.time_left" in text
+    table.write_text(text.replace("time_remaining: {state: battery.time_left", "time_remaining: {clock: boot"))
     state = tmp_path / "specs" / "state.yaml"
     own = "components:\n  clock:\n    doc: d\n    quantities:\n      turn: {doc: d, initial: 0, min: 0, max: 1}\n"
     state.write_text(state.read_text().replace("components:\n", own, 1))

@@ -24,7 +24,7 @@ CASES = [
         "  battery:\n    doc: One",
         "  batteri:\n    doc: One",
         "no component battery",
-        at="board.yaml:55:5",
+        at="board.yaml:64:5",
         is_alone=False,
     ),
     # defaults

@@ -11,7 +11,7 @@ MULTIPLIER = "    default: 3.95\n"
 CASES = {
     "cells 4": (
         [("board.yaml", "    cells: 3\n", "    cells: 4\n")],
-        "specs/board.yaml:38:12: warning pack-beyond-adc: battery 1 and 2 have 16.8 V when full, and the ADC shows 13.035 V",
+        "specs/board.yaml:47:12: warning pack-beyond-adc: battery 1 and 2 have 16.8 V when full, and the ADC shows 13.035 V",
         "BATT_VOLT_MULT of at least 5.091, 5.2528 for the warning above 17.333 V",
     ),
     "cells 4 of the second": (
@@ -31,7 +31,7 @@ CASES = {
     ),
     "more cells than elements": (
         [("board.yaml", "    cells: 3\n", "    cells: 15\n")],
-        "specs/board.yaml:38:12: warning values-beyond-message: battery 1 has 15 cells, and BATTERY_STATUS has room for 14",
+        "specs/board.yaml:47:12: warning values-beyond-message: battery 1 has 15 cells, and BATTERY_STATUS has room for 14",
         "battery.voltage is sent instead",
     ),
 }

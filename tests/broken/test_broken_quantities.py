@@ -37,11 +37,9 @@ CASES = [
     ),
     Case(
         "not-as-kept",
-        STATE,
-        "      left:\n        doc: Charge that is left. Nothing on the rover counts it; code that does sets it.\n"
-        "        unit: mAh\n        stored: mAh\n",
-        "      left:\n        doc: Charge that is left. Nothing on the rover counts it; code that does sets it.\n"
-        "        unit: mAh\n        stored: mAh\n        max: 3000000000\n",
+        "smart_battery/state.yaml",
+        "        stored: mAh\n        min: 0\n",
+        "        stored: mAh\n        min: 0\n        max: 3000000000\n",
         "battery.left is kept in mAh as an integer of 32 bits, and capacity_remaining is float in Ah",
         at="messages/battery_status_v2.yaml:13:31",
     ),
@@ -59,13 +57,13 @@ def test_a_quantity_that_is_kept_more_coarsely_than_it_goes_out_is_told(tmp_path
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
     state = tmp_path / "specs" / "state.yaml"
     text = state.read_text()
-    assert "        stored: mAh\n        restarts_with" in text
+    assert "        stored: mAh\n        integral_of" in text
     monkeypatch.chdir(tmp_path)
     main(["check"])
     assert "coarse-quantity" not in capsys.readouterr().out
-    state.write_text(text.replace("        stored: mAh\n        restarts_with", "        restarts_with"))
+    state.write_text(text.replace("        stored: mAh\n        integral_of", "        integral_of"))
     main(["check"])
     told = capsys.readouterr().out
-    assert "specs/state.yaml:47:7: warning coarse-quantity: battery.consumed is kept in whole mAh" in told
+    assert "specs/state.yaml:53:7: warning coarse-quantity: battery.consumed is kept in whole mAh" in told
     assert "BATTERY_STATUS_V2.capacity_consumed is a float in Ah" in told
     assert "hint: stored: mAh, if whole units are meant" in told

@@ -7,16 +7,17 @@ import pytest
 from test_broken_tables import Case, check_place, name_of
 
 STATE = "state.yaml"
-CURRENT = "        unit: A\n        stored: cA\n"
-CHARGE = "        unit: mAh\n        stored: mAh\n        restarts_with: swaps\n"
-LEFT = "        unit: mAh\n        stored: mAh\n        min: 0\n"
-OF = "        left_of: BATT_CAPACITY\n"
+CURRENT = "        adc: battery_current\n        multiplier: BATT_AMP_PERVLT\n        offset: BATT_AMP_OFFSET\n"
+CHARGE = "        integral_of: current\n        restarts_with"
+LEFT = "        left_of: BATT_CAPACITY\n        after: consumed\n"
+LOST = "        left_of: §BATT_CAPA\n        after: consumed\n        requirement: FR-00077.6"
+TIME = "        lasts: left\n        at: current\n        over: 30 s\n"
 PIN = "    pin: BATT_VOLT_PIN\n"
 
 
 def measured(lines: str) -> str:
     """The current of the rover, measured as these lines say."""
-    return CURRENT + "        adc: battery_voltage\n" + "".join(f"        {line}\n" for line in lines.split("; "))
+    return "        adc: battery_current\n" + "".join(f"        {line}\n" for line in lines.split("; "))
 
 
 CASES = [
@@ -25,7 +26,7 @@ CASES = [
     Case("unit-mismatch", STATE, CURRENT, measured("multiplier: 17 A/V; offset: §2 A"), "but a voltage is needed"),
     Case("bad-amount", STATE, CURRENT, measured("multiplier: §17 amps"), "neither a parameter nor an amount"),
     Case("unknown-parameter", STATE, CURRENT, measured("multiplier: 17 A/V; offset: §BATT_OFFS"), "no parameter"),
-    Case("bad-quantity", STATE, CURRENT, CURRENT + "        offset: §0.3 V\n", "needs both adc and multiplier"),
+    Case("bad-quantity", STATE, CURRENT, "        offset: §0.3 V\n", "needs both adc and multiplier", is_alone=False),
     Case(
         "reading-beyond-limits",
         STATE,
@@ -34,16 +35,35 @@ CASES = [
         "battery.current is 0 to 5610 cA",
     ),
     Case(
-        "bad-integral", STATE, CHARGE, CHARGE + "        integral_of: §current\n", "current is not measured by an ADC"
+        "bad-integral",
+        STATE,
+        CHARGE,
+        CHARGE.replace("current", "§temperature"),
+        "temperature is not measured by an ADC",
+        is_alone=False,
     ),
-    Case("bad-integral", STATE, CHARGE, CHARGE + "        integral_of: §voltag\n", "no quantity voltag"),
+    Case("bad-integral", STATE, CHARGE, CHARGE.replace("current", "§voltag"), "no quantity voltag", is_alone=False),
     Case(
-        "bad-integral", STATE, CHARGE, CHARGE + "        integral_of: §voltage\n", "voltage over time makes no charge"
+        "bad-integral",
+        STATE,
+        CHARGE,
+        CHARGE.replace("current", "§voltage"),
+        "voltage over time makes no charge",
+        is_alone=False,
     ),
-    Case("bad-integral", STATE, CHARGE, CHARGE + "        times: §voltage\n", "says nothing without integral_of"),
-    Case("bad-remainder", STATE, LEFT, LEFT + "        left_of: §BATT_CAPACITY\n", "has both left_of and after"),
-    Case("bad-remainder", STATE, LEFT, LEFT + OF + "        after: §consumed\n", "consumed is no integral"),
-    Case("bad-remainder", STATE, LEFT, LEFT + "        lasts: §left\n", "has lasts, at and over"),
+    Case(
+        "bad-integral",
+        STATE,
+        CHARGE,
+        CHARGE.replace("integral_of: current", "times: §voltage"),
+        "says nothing without integral_of",
+        is_alone=False,
+    ),
+    Case("bad-remainder", STATE, LEFT, "        left_of: §BATT_CAPACITY\n", "has both left_of and after"),
+    Case("bad-remainder", STATE, LEFT, LEFT.replace("consumed", "§energy"), "energy is no integral"),
+    Case("bad-remainder", STATE, TIME, "        lasts: §left\n", "has lasts, at and over"),
+    Case("unknown-parameter", STATE, LEFT, LEFT.replace("BATT_CAPACITY", "§BATT_CAPA"), "BATT_CAPA"),
+    Case("unknown-parameter", STATE, f"{LEFT}        requirement: FR-00077.6", LOST, "BATT_CAPA"),
     Case("bad-adc", "board.yaml", PIN, PIN + "    when: §{BATT_MONITOR: 7}\n", "BATT_MONITOR is never 7"),
     Case("bad-adc", "board.yaml", PIN, PIN + "    when: §{BATT_REPORT: 1}\n", "looked at when the board starts"),
     Case("unknown-parameter", "board.yaml", PIN, PIN + "    when: §{BATT_MONITR: 3}\n", "BATT_MONITOR", is_alone=False),

@@ -8,7 +8,7 @@ from test_broken_tables import Case, check_place, name_of
 
 STATE = "state.yaml"
 COUNTS = "counts_returns_of: absent"
-CHARGE = "drawn since the pack was full, or put in.\n        unit: mAh\n        stored: mAh\n        restarts_with: "
+CHARGE = "stored: mAh\n        integral_of: current\n        restarts_with: "
 NOTHING = "        counts_returns_of: absent\n        initial: 0\n"
 
 CASES = [
@@ -16,7 +16,7 @@ CASES = [
     Case("bad-return", STATE, COUNTS, "counts_returns_of: §absnt", "did you mean absent"),
     Case("bad-return", STATE, COUNTS, "counts_returns_of: §healthy", "healthy is no boolean that follows a limit"),
     Case("bad-return", STATE, COUNTS, "counts_returns_of: §voltage", "voltage is no boolean"),
-    Case("bad-return", STATE, COUNTS, "counts_returns_of: §charging", "of what an ADC measures"),
+    Case("bad-return", STATE, COUNTS, "counts_returns_of: §hot", "of what an ADC measures"),
     # what counts
     Case("bad-return", STATE, NOTHING, "        counts_returns_of: §absent\n", "starts unknown"),
     Case("bad-return", STATE, NOTHING, f"        unit: mAh\n{NOTHING}".replace("of: ", "of: §"), "no pure number"),

@@ -33,7 +33,8 @@ BATTERY, SYS, HEARTBEAT = (f"messages/{name}.yaml" for name in ("battery_status"
 RADIO = "  radio: {uart: 0, tx: 0, rx: 1, baud: 57600}\n"
 LINK = "  wifi:\n    udp: 14550\n"
 PROGRAM = "vehicle.yaml:3:1"
-CHARGE = '        unit: "%"\n        stored: "%"\n        min: 0\n        max: 100\n        requirement: FR-00068.5\n'
+SHARE = '        unit: "%"\n        stored: "%"\n        min: 0\n        max: 100\n'
+CHARGE = SHARE + "        left_of: BATT_CAPACITY\n        after: consumed\n"
 
 CASES = [
     # a value that contradicts the dialect
@@ -56,7 +57,7 @@ CASES = [
     Case("no-sentinel", SYS, "load: {state: vehicle.load}", "load: §unknown", "corrections"),
     Case("no-sentinel", "state.yaml", "        max: 100\n        initial: 0", "        max: 100"),
     Case("unit-mismatch", BATTERY, "{state: battery.consumed, ", "{state: §battery.current, ", "current (A)"),
-    Case("unit-mismatch", "state.yaml", "stored: cA", "stored: §mAh"),
+    Case("unit-mismatch", "state.yaml", "stored: cA", "stored: §mAh", is_alone=False),
     Case("constant-out-of-range", SYS, "drop_rate_comm: {constant: 0", "drop_rate_comm: {constant: §70000 c%", "65535"),
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: §0.5}"),
     Case("bad-constant", SYS, "errors_comm: {constant: 0}", "errors_comm: {constant: §none}"),
@@ -251,9 +252,9 @@ CASES = [
     Case("bad-link", "board.yaml", "  wifi:\n", "  §Wi-Fi:\n", "cannot be the name of a link"),
     Case("bad-link", "board.yaml", "  wifi:\n", "  §class:\n", "cannot be the name of a link"),
     Case("bad-link", "board.yaml", "udp: 14550", "udp: §0", "1 to 65535"),
-    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:27:3"),
-    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:27:3"),
-    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:27:3"),
+    Case("bad-link", "board.yaml", "    to: 255.255.255.255\n", "", "needs to", at="board.yaml:36:3"),
+    Case("bad-link", "board.yaml", "    credentials: wifi.json\n", "", "needs credentials", at="board.yaml:36:3"),
+    Case("bad-link", "board.yaml", "    retry: 5 s\n", "", "needs retry", at="board.yaml:36:3"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    baud: §9600\n", "a link over udp"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    local_port: §65536\n", "0 to 65535"),
     Case("bad-link", "board.yaml", "    retry: 5 s\n", "    retry: 5 s\n    buffer: §279\n", "280 to 65536"),
@@ -373,20 +374,20 @@ CASES = [
     Case("unit-mismatch", "vehicle.yaml", "low: {below: BATT_LOW_VOLT", "low: {below: §3 A"),
     Case("bad-failsafe", "vehicle.yaml", "low: {below: BATT_LOW_VOLT", "low: {below: §0.1 mV", "not in whole mV"),
     Case("bad-failsafe", "vehicle.yaml", "low: {below: BATT_LOW_VOLT, action", "§low: {action", "exactly one of"),
-    Case("bad-failsafe", "vehicle.yaml", "to_arm: [{below: BATT_ARM_VOLT}]", "to_arm: [{below: §SR0_EXTRA1}]"),
+    Case("bad-failsafe", "vehicle.yaml", "to_arm: [{below: BATT_ARM_VOLT}", "to_arm: [{below: §SR0_EXTRA1}"),
     Case(
         "bad-failsafe",
         "vehicle.yaml",
-        "to_arm: [{below: BATT_ARM_VOLT}]",
-        "to_arm: [{below: BATT_ARM_VOLT, after: §2 s}]",
+        "to_arm: [{below: BATT_ARM_VOLT}",
+        "to_arm: [{below: BATT_ARM_VOLT, after: §2 s}",
         "no time",
     ),
-    Case("one-of-keys", "vehicle.yaml", "to_arm: [{below: BATT_ARM_VOLT}]", "to_arm: [§{watches: battery.left}]"),
+    Case("one-of-keys", "vehicle.yaml", "to_arm: [{below: BATT_ARM_VOLT}", "to_arm: [§{watches: battery.left}"),
     Case(
         "bad-failsafe",
         "vehicle.yaml",
-        "to_arm: [{below: BATT_ARM_VOLT}]",
-        "to_arm: [{watches: §vehicle.mode, below: 3}]",
+        "to_arm: [{below: BATT_ARM_VOLT}",
+        "to_arm: [{watches: §vehicle.mode, below: 3}",
         "another component",
     ),
     Case("bad-failsafe", "vehicle.yaml", "action: BATT_FS_LOW_ACT", "action: §BATT_LOW_TIMER", "none of the actions"),
@@ -453,7 +454,7 @@ CASES = [
         "step of 0.0001",
     ),
     Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "three: §Analog, 3: Voltage", "not a number"),
-    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 4: §Other", "a value that"),
+    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 5: §Other", "a value that"),
     Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 1.5: §Other", "a value that"),
     Case("bad-parameter", "parameters.yaml", "default: 3\n", "default: §1\n", "none of its values"),
     Case("unknown-choice", "parameters.yaml", "type: int32", "type: §int64"),
@@ -481,15 +482,23 @@ CASES = [
     Case("unit-mismatch", "streams.yaml", "fastest: 50 Hz", "fastest: §50 V"),
     # quantities that are computed
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
-    Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §current"),
+    Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §temperature"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:93:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:116:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:93:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:116:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
-    Case("bad-trend", "state.yaml", "    update_rate: 10 Hz\n", "", "needs an update_rate", at="state.yaml:93:17"),
+    Case(
+        "bad-trend",
+        "state.yaml",
+        "    update_rate: 10 Hz\n",
+        "",
+        "needs an update_rate",
+        at="state.yaml:116:17",
+        is_alone=False,
+    ),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
     Case("bad-time", "state.yaml", "warn_every: 10 s", "warn_every: §0 s"),
     Case("bad-quantity", "state.yaml", "unit: hJ\n", "unit: hJ\n        warn_every: §1 s\n", "no adc"),
@@ -541,12 +550,12 @@ CASES = [
     Case("unknown-key", "scenarios.yaml", "noise: 10 mV", "§nois: 10 mV", "did you mean noise"),
     Case("scenario-event", "scenarios.yaml", "fault: fail, of", "fault: §fial, of", "did you mean fail"),
     # an estimate
-    Case("bad-estimate", "state.yaml", CHARGE, CHARGE + "        estimate_from: §volts\n", "did you mean voltage"),
-    Case("unit-mismatch", "state.yaml", CHARGE, CHARGE + "        estimate_from: §current\n"),
-    Case("unit-mismatch", "state.yaml", "unit: hJ\n", "unit: hJ\n        estimate_from: §voltage\n", "in %"),
+    Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §volts\n", "did you mean voltage"),
+    Case("unit-mismatch", "state.yaml", CHARGE, SHARE + "        estimate_from: §current\n"),
+    Case("unit-mismatch", "state.yaml", "stored: cdegC\n", "stored: cdegC\n        estimate_from: §voltage\n", "in %"),
 ]
 
-ESTIMATE = "state.yaml:65:24"
+ESTIMATE = "state.yaml:73:24"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 ESTIMATES = [
     Case(
@@ -652,7 +661,7 @@ def test_an_estimate_is_reported_at_its_place(case, tmp_path, monkeypatch, capsy
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
     state = tmp_path / "specs" / "state.yaml"
     assert CHARGE in state.read_text()
-    state.write_text(state.read_text().replace(CHARGE, CHARGE + "        estimate_from: voltage\n"))
+    state.write_text(state.read_text().replace(CHARGE, SHARE + "        estimate_from: voltage\n"))
     check_place(case, tmp_path, monkeypatch, capsys)
 
 

@@ -23,6 +23,11 @@ scenarios:
     doc: A pack below BATT_LOW_VOLT.
     duration: 60 s
     courses: {battery.voltage: {value: 10.2 V}}
+  drawing:
+    doc: A rover with a current sensor; a tenth of the pack's 100 mAh is drawn in 3 s, and all of it in 30 s.
+    duration: 60 s
+    parameters: {BATT_MONITOR: 4, BATT_CAPACITY: 100}
+    courses: {battery.voltage: {value: 12 V}, battery.current: {value: 12 A}}
   failing:
     doc: The rover drives while the pack is below BATT_LOW_VOLT, then below BATT_CRT_VOLT.
     duration: 60 s
@@ -86,7 +91,9 @@ def estimating(tmp_path_factory: pytest.TempPathFactory) -> Path:
     shutil.copytree(ROOT / "specs", project / "specs")
     state = project / "specs" / "state.yaml"
     written = state.read_text()
-    changed = re.sub(r"(?m)^( +)remaining:\n", r"\g<0>\1  estimate_from: voltage\n", written)
+    changed = re.sub(
+        r"(remaining:\n(?:.*\n)*?)( +)left_of: .*\n +after: .*\n", r"\1\2estimate_from: voltage\n", written, count=1
+    )
     assert changed != written
     state.write_text(changed)
     subprocess.run([str(BIN / "codegen"), "build"], cwd=project, check=True, capture_output=True, timeout=120)

@@ -46,10 +46,10 @@ def test_rover_is_online(station: Program) -> None:
 @pytest.mark.requirement("NFR-00061.6", "FR-00070")
 def test_all_parameters_are_fetched_though_there_are_no_files(station: Program) -> None:
     """FTP is refused at once, and the parameter messages bring all of them."""
-    assert station.wait_for(r"Received (\d+) parameters")[1] == "26"
+    assert station.wait_for(r"Received (\d+) parameters")[1] == "38"
     assert "(ftp)" not in station.written
     position = station.say("param status")
-    station.wait_for("Have 26/26 params", position)
+    station.wait_for("Have 38/38 params", position)
     position = station.say("param show *")
     for name, value in (("BATT_CAPACITY", "3300"), ("BATT_LOW_VOLT", r"10\.5"), ("SYSID_THISMAV", "1")):
         station.wait_for(rf"{name} +{value}", position)
@@ -126,7 +126,7 @@ def test_arming_with_a_low_pack_is_refused(start: Any, tmp_path: Path) -> None:
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "low")
-        station.wait_for("Received 26 parameters")
+        station.wait_for("Received 38 parameters")
         position = station.say("arm throttle")
         station.wait_for("AP: PreArm: Battery 1 low voltage failsafe", position)
         station.wait_for("COMPONENT_ARM_DISARM: FAILED", position)
@@ -139,11 +139,26 @@ def test_remaining_charge(start: Any, tmp_path: Path, estimating: Path) -> None:
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "steady", project=estimating)
-        station.wait_for("Received 26 parameters")
+        station.wait_for("Received 38 parameters")
         position = station.say("watch BATTERY_STATUS")
         station.wait_for(r"< BATTERY_STATUS \{.*battery_remaining : 77,", position)
         position = station.say("bat")
         station.wait_for(r"Flight battery: +77%", position)
+
+
+@pytest.mark.requirement("FR-00068.4", "FR-00068.5", "FR-00068.6", "FR-00077.5")
+def test_current_and_charge(start: Any, tmp_path: Path) -> None:
+    """With a current sensor the user sees what is drawn, what was, and what is left of it."""
+    port = free_port()
+    with mavproxy(port, tmp_path) as station:
+        start(port, "drawing")
+        station.wait_for("Received 38 parameters")
+        position = station.say("watch BATTERY_STATUS")
+        drawn = r"current_battery : 1200, current_consumed : (\d+), energy_consumed : \d+, battery_remaining : (\d+),"
+        found = station.wait_for(rf"< BATTERY_STATUS \{{.*{drawn}", position)
+        assert 0 < int(found[1]) == 100 - int(found[2])
+        position = station.say("bat")
+        station.wait_for(r"Flight battery: +\d\d%", position)
 
 
 @pytest.mark.requirement("FR-00068.8")
@@ -155,6 +170,6 @@ def test_what_a_newcomer_types(tmp_path: Path) -> None:
     root = Path(__file__).resolve().parents[2]
     with Program("codegen sim", sim, root), Program("MAVProxy", station, tmp_path, HOME=str(tmp_path)) as program:
         program.wait_for("online system 1")
-        program.wait_for("Received 26 parameters")
+        program.wait_for("Received 38 parameters")
         position = program.say("watch BATTERY_STATUS")
         program.wait_for(r"< BATTERY_STATUS \{.*voltages : \[12[23]\d\d, 65535", position)

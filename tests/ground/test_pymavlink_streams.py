@@ -47,3 +47,22 @@ def test_failsafe_is_told(start: Any, link: GroundLink) -> None:
         assert text.severity == common.MAV_SEVERITY_WARNING
         seconds = sum(message.get_type() == "HEARTBEAT" for message in link.heard[:position])
         assert math.isclose(seconds, expected_s, abs_tol=2.5)
+
+
+@pytest.mark.requirement("FR-00068.4", "FR-00068.5", "FR-00068.6", "FR-00068.9", "FR-00077.5", "FR-00077.7")
+def test_current_and_charge_are_told(start: Any, link: GroundLink) -> None:
+    """12 A of a pack of 100 mAh, for 27 s: 90 mAh are drawn, and every message fits to the others and to itself."""
+    program = start(link.port, "drawing", "--speed", "10", "--duration", "27 s")
+    assert program.wait() == 0
+    link.take_in(0.2)
+    told = [message for message in link.heard if message.get_type() == "BATTERY_STATUS"]
+    for status in told:
+        assert status.current_battery == 1200
+        assert status.battery_remaining == 100 - status.current_consumed
+        assert status.time_remaining == status.battery_remaining * 360 // 1200
+        assert abs(status.energy_consumed - status.current_consumed * 12 * 36 / 1000) <= 1
+    assert 85 <= told[-1].current_consumed <= 90
+    assert told[-1].current_consumed - told[0].current_consumed >= 75
+    of_system = [message for message in link.heard if message.get_type() == "SYS_STATUS"]
+    assert {message.current_battery for message in of_system} == {1200}
+    assert abs(of_system[-1].battery_remaining - told[-1].battery_remaining) <= 4

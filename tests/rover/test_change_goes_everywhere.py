@@ -16,11 +16,12 @@ BIN = Path(sys.executable).parent
 DOCUMENT = "docs/telemetry.md"
 PAYLOADS = ("firmware/telemetry_plain.py", "firmware/telemetry_viper.py")
 READINGS = ("firmware/state_plain.py", "firmware/state_viper.py")
+CURRENT = ("firmware/battery_current_viper.py",)
 CHANGES = [
     (
         "board.yaml",
-        "reference: 3.3 V",
-        "reference: 3.0 V",
+        "pin: BATT_VOLT_PIN\n    bits: 12\n    reference: 3.3 V",
+        "pin: BATT_VOLT_PIN\n    bits: 12\n    reference: 3.0 V",
         {"firmware/state.py", *READINGS, "tests/cases.json", "docs/telemetry.md"},
         ("battery.voltage", "* 3 V"),
     ),
@@ -40,8 +41,8 @@ CHANGES = [
     ),
     (
         "state.yaml",
-        "invalid_after: 5",
-        "invalid_after: 7",
+        "invalid_after: 5\n        stale_after: 1 s\n        requirement: FR-00069.1",
+        "invalid_after: 7\n        stale_after: 1 s\n        requirement: FR-00069.1",
         {"firmware/state.py", *READINGS, "tests/behaviour.py"},
         ("battery.voltage", "7 failed readings"),
     ),
@@ -51,7 +52,7 @@ CHANGES = [
         "corrections:\n"
         '  - {message: BATTERY_STATUS, field: time_remaining, set: {invalid: "-1"}, reason: r, source: s}\n',
         {"firmware/messages.py", *PAYLOADS, "tests/cases.json", "docs/telemetry.md"},
-        ("BATTERY_STATUS.time_remaining", "= -1"),
+        ("BATTERY_STATUS.time_remaining", "unknown      -1"),
     ),
 ]
 
@@ -97,7 +98,7 @@ PROGRAM_CHANGES = [
         "state.yaml",
         "window: 4 s",
         "window: 2 s",
-        {"firmware/state.py", "firmware/streams.py", *READINGS, *PAYLOADS, DOCUMENT},
+        {"firmware/state.py", "firmware/streams.py", *READINGS, *CURRENT, *PAYLOADS, DOCUMENT},
         ("battery.trend", "over 2 s, 20 readings"),
     ),
     ("vehicle.yaml", "chunk: 64", "chunk: 32", {"firmware/vehicle.py", DOCUMENT}, None),

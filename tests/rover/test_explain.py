@@ -17,7 +17,13 @@ STORIES = [
     ("BATT_CRT_VOLT", ["real32", "the critical threshold of the failsafe of battery.voltage"]),
     ("BATT_LOW_TIMER", ["0..120 s", "the delay of the failsafe of battery.voltage"]),
     ("BATT2_LOW_VOLT", ["10.5 V", "of battery 2: the low threshold of the failsafe of battery.voltage"]),
-    ("BATT2_CAPACITY", ["of battery 2: SMART_BATTERY_INFO.capacity_full_specification, BATTERY_INFO.design_capacity"]),
+    (
+        "BATT2_CAPACITY",
+        [
+            "of battery 2: what battery.remaining is counted from",
+            "SMART_BATTERY_INFO.capacity_full_specification, BATTERY_INFO.design_capacity",
+        ],
+    ),
     ("BATT_ARM_VOLT", ["the least battery.voltage to arm with"]),
     ("BATT_MONITOR", ["from the next start", "0 Disabled, 3 Analog", "whether battery is measured and reported"]),
     ("BATT_VOLT_PIN", ["26..28", "from the next start", "the pin of the ADC channel battery_voltage"]),

@@ -56,7 +56,7 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
         "      battery.voltage:\n        points: [[0 s, 12.6 V], [500 ms, 12600 mV], [7 s, unknown], [10 s, 9.6 V]]\n"
         "        noise: 10 mV\n        wired: {BATT_VOLT_MULT: 4.01}\n"
         "      battery[1].voltage: {value: 11 V}\n"
-        "      battery.current: {value: 250 mA, rate: 20 Hz}\n"
+        "      battery.temperature: {value: 25 degC, rate: 20 Hz}\n"
         "      battery.protected: {points: [[0 s, false], [1 s, true]]}\n"
         "    events:\n      - {at: 2 s, fault: fail, of: battery.voltage, for: 3 s}\n      - {at: 1 s, arm: true}\n"
         "      - {at: 3 s, arm: false}\n"
@@ -71,7 +71,7 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
     assert findings == []
     first = (Point(0, 12.6), Point(500, 12.6), Point(7_000, None), Point(10_000, 9.6))
     settings = {"component": "battery", "instance": 0}
-    current = {**settings, "attribute": "current_ca", "steps": 100.0, "is_whole": True}
+    temperature = {**settings, "attribute": "temperature_cdegc", "steps": 100.0, "is_whole": True}
     protected = {**settings, "attribute": "protected", "steps": 1.0, "is_whole": False}
     by_code = {"fail": "nothing sets it", "stuck": "it is set to what it was"}
     assert scenarios["a"] == Scenario(
@@ -83,7 +83,7 @@ def test_everything_that_can_be_written(tmp_path: Path) -> None:
         courses=(
             Course("battery.voltage", first, through_adc(3.3 * 4.01), 0.01),
             Course("battery[1].voltage", (Point(0, 11.0),), through_adc(gpio=28)),
-            Course("battery.current", (Point(0, 0.25),), SimulatedInput("state", current, by_code), 0.0, 50),
+            Course("battery.temperature", (Point(0, 25.0),), SimulatedInput("state", temperature, by_code), 0.0, 50),
             Course(
                 "battery.protected",
                 (Point(0, False), Point(1_000, True)),

@@ -56,6 +56,7 @@ def test_values_come_in_the_units_of_the_quantities(dialect: Any) -> None:
         "battery.consumed/1": 7.0,
         "battery.energy/1": None,
         "battery.remaining/1": None,
+        "battery.time_left/1": None,
     }
 
 

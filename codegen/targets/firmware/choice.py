@@ -43,9 +43,9 @@ def _lowest(choice: Representation, code: SpelledCode) -> list[str]:
     assert quantity is not None
     turn = [code.reach(component.name, "place")]
     if expires(component):
-        turn += expiry(component.readings[:1], code, code.now(), "level")
+        turn += expiry(component.readings[:1], code, code.now())
     if quantity.ages:
-        turn += forgetting(quantity, code, code.now(), "level")
+        turn += forgetting(quantity, code, code.now())
     turn.append(f"level = {code.read(quantity)}")
     if component.enabled is not None:
         turn += [f"if {code.is_set(component.enabled)} == 0:", f"    level = {UNKNOWN}"]

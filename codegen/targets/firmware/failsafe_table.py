@@ -121,10 +121,11 @@ def problem(condition: Condition, level: FailsafeLevel | None) -> str:
     if condition.quantity is None:
         return f"{level.name} failsafe" if level else ""
     if level is not None:
-        return f"{level.name} {condition.quantity.name} failsafe"
+        return f"{level.name} {condition.quantity.called} failsafe"
     if condition.sense is Sense.UNKNOWN:
-        return f"{condition.quantity.name} unknown"
-    return f"{'below minimum' if condition.sense is Sense.BELOW else 'above maximum'} arming {condition.quantity.name}"
+        return f"{condition.quantity.called} unknown"
+    beyond = "below minimum" if condition.sense is Sense.BELOW else "above maximum"
+    return f"{beyond} arming {condition.quantity.called}"
 
 
 def _does(level: FailsafeLevel, instance: int) -> str:
@@ -149,7 +150,7 @@ def inverted_rows(failsafe: Failsafe) -> list[tuple[int, int, str]]:
                     continue
                 if one.limit and other.limit and one.limit.parameter and other.limit.parameter:
                     sign = ">=" if one.sense is Sense.BELOW else "<="
-                    words = f"{one.quantity.name} failsafe {worse.name} {sign} {milder.name}"
+                    words = f"{one.quantity.called} failsafe {worse.name} {sign} {milder.name}"
                     rows.append((places[id(one)], places[id(other)], quoted(words)))
     return rows
 

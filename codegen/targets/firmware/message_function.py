@@ -3,7 +3,6 @@
 from textwrap import wrap
 
 from codegen.frozen import dataclass
-from codegen.model.payload_code import ELEMENT
 from codegen.model.system import Policy, PopulatedMessage, Representation, System
 from codegen.model.vehicle import Component, Reading
 from codegen.targets.firmware.choice import choosing
@@ -127,8 +126,7 @@ def _function(message: PopulatedMessage, class_name: str, system: System, code: 
         body += ["", *answer.statements(code)]
     expired = _expiring(message, system)
     choices = [line for choice in _chosen(message) for line in ["", *choosing(choice, code)]]
-    age = "value" if len(expired) == 1 else "age"  # the time is needed no more: boards have room for few variables
-    before = [line for reading in expired for line in ["", *expiry([reading], code, code.now(), age)]]
+    before = [line for reading in expired for line in ["", *expiry([reading], code, code.now())]]
     before = [*_ageing(message, system, code), *before]
     withheld = _withheld(message, code)
     cleared = code.cleared(message.wire.length)
@@ -181,9 +179,7 @@ def _ageing(message: PopulatedMessage, system: System, code: SpelledCode) -> lis
     """Forget what code has not set for too long, of all that the message reads."""
     paths = (quantity.decided_by for answer in message.answers for quantity in answer.quantities)
     found = [quantity for quantity in map(system.quantity, dict.fromkeys(paths)) if quantity and quantity.ages]
-    # Loops over lists leave no room for one more variable in plain Python.
-    age = ELEMENT if any(quantity.elements for quantity in found) else "age"
-    lines = [line for quantity in found for line in ["", *forgetting(quantity, code, "value", age)]]
+    lines = [line for quantity in found for line in ["", *forgetting(quantity, code, "value")]]
     now = code.now() if lines else ""
     return [*(["", f"value = {now}"] if now not in ("", "value") else []), *lines]
 

@@ -23,12 +23,12 @@ def expires(component: Component) -> bool:
     return any(reading.expires for reading in component.readings)
 
 
-def expiry(readings: Iterable[Reading], code: SpelledCode, now: str, age: str) -> list[str]:
-    """Forget the last readings where they are too old by the time ``now``, in ms; ``age`` is a variable for how old."""
-    return [line for reading in readings for line in _expiry(reading, code, now, age)]
+def expiry(readings: Iterable[Reading], code: SpelledCode, now: str) -> list[str]:
+    """Forget the last readings where they are too old by the time ``now``, in ms."""
+    return [line for reading in readings for line in _expiry(reading, code, now)]
 
 
-def _expiry(reading: Reading, code: SpelledCode, now: str, age: str) -> list[str]:
+def _expiry(reading: Reading, code: SpelledCode, now: str) -> list[str]:
     measured = reading.quantity
     if measured.trust.stale_after_ms is None:
         return []
@@ -37,15 +37,12 @@ def _expiry(reading: Reading, code: SpelledCode, now: str, age: str) -> list[str
     what = "A reading" if reading.is_first else f"The {measured.name}"
     return [
         f"# {what} is forgotten once it is older than {measured.trust.stale_after_ms} ms{cited}.",
-        f"if {code.number_of(expires)} != {UNKNOWN}:",
-        f"    {age} = {now} - {expires} & {CLOCK_MASK}",
-        f"    if {age} > 0 and {age} < 0x20000000:",
-        *indented([*forgotten(reading, code), f"{expires} = {UNKNOWN}"], 2),
+        *_once_past(expires, [*forgotten(reading, code), f"{expires} = {UNKNOWN}"], code, now),
     ]
 
 
-def forgetting(quantity: Quantity, code: SpelledCode, now: str, age: str) -> list[str]:
-    """Forget what code has set where that was too long ago by the time ``now``, in ms; ``age`` is a variable."""
+def forgetting(quantity: Quantity, code: SpelledCode, now: str) -> list[str]:
+    """Forget what code has set where that was too long ago by the time ``now``, in ms."""
     expires = code.word(quantity.component, age_word(quantity))
     cited = _cited(quantity.cited("stale_after"))
     element = ELEMENT if quantity.elements else ""
@@ -53,10 +50,19 @@ def forgetting(quantity: Quantity, code: SpelledCode, now: str, age: str) -> lis
     forget = each_element(0, quantity.elements[0], forget) if quantity.elements else forget
     return [
         f"# {quantity.path} is forgotten {quantity.trust.stale_after_ms} ms after it was set{cited}.",
-        f"if {code.number_of(expires)} != {UNKNOWN}:",
-        f"    {age} = {now} - {expires} & {CLOCK_MASK}",
-        f"    if {age} > 0 and {age} < 0x20000000:",
-        *indented([*forget, f"{expires} = {UNKNOWN}"], 2),
+        *_once_past(expires, [*forget, f"{expires} = {UNKNOWN}"], code, now),
+    ]
+
+
+def _once_past(moment: str, statements: list[str], code: SpelledCode, now: str) -> list[str]:
+    """The statements where ``moment``, in ms, is known and lies before ``now``, by less than half the range of ticks.
+
+    Without a variable for the age: functions with many of them keep all on the heap in plain Python.
+    """
+    return [
+        f"if {code.number_of(moment)} != {UNKNOWN}:",
+        f"    if {now} - {moment} - 1 & {CLOCK_MASK} < 0x1FFFFFFF:",
+        *indented(statements, 2),
     ]
 
 

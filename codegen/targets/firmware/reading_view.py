@@ -69,7 +69,7 @@ def readings_view(
     for reading in readings:
         component = reading.component
         code: SpelledCode = (MachineCode if machine_code else PlainReading)(layout, component.name)
-        old = expiry(component.readings, code, "now_ms", "age") if reading.is_first and expires(component) else []
+        old = expiry(component.readings, code, "now_ms") if reading.is_first and expires(component) else []
         old_pointers = code.pointers()
         name, block = component.name, layout.blocks[component.name]
         several = component.instances > 1

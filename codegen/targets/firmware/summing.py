@@ -65,9 +65,11 @@ def _sum(quantity: Quantity, found: Sum, reading: Reading, code: SpelledCode) ->
         *start,
         f"part = took % {RADIX} * {times} + {low}",
         f"{low} = part % {RADIX}",
-        f"part = part // {RADIX} + took // {RADIX} % {RADIX} * {times} + {middle}",
+        f"part = part // {RADIX} + {middle}",
+        f"part += took // {RADIX} % {RADIX} * {times}",
         f"{middle} = part % {RADIX}",
-        f"part = part // {RADIX} + took // {RADIX * RADIX} * {times} + {high}",
+        f"part = part // {RADIX} + {high}",
+        f"part += took // {RADIX * RADIX} * {times}",
         f"{high} = part % {last}",
         f"part = {code.number_of(word)} + part // {last}",
         *_limited("part", quantity),
@@ -96,11 +98,9 @@ def _left(quantity: Quantity, rest: Rest, reading: Reading, code: SpelledCode) -
         f"if part > {size}:",
         f"    part = {size}",
     ]
-    if rest.share is None:
-        return [*lines, *(_most("part", quantity) if most > quantity.maximum else []), f"{word} = part"]
-    shared = [f"part = (part * {rest.share} + {size} // 2) // {size}"]
-    shared += [*(_most("part", quantity) if rest.share > quantity.maximum else []), f"{word} = part"]
-    return [*lines, f"if {full} == 0:", f"    {word} = {UNKNOWN}", "else:", *indented(shared)]
+    told = [] if rest.share is None else [f"part = (part * {rest.share} + {size} // 2) // {size}"]
+    told += _most("part", quantity) if (most if rest.share is None else rest.share) > quantity.maximum else []
+    return [*lines, f"if {full} == 0:", f"    {word} = {UNKNOWN}", "else:", *indented([*told, f"{word} = part"])]
 
 
 def _lasting(quantity: Quantity, lasting: Lasting, reading: Reading, code: SpelledCode) -> list[str]:

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 940407389e80b8d2
+# Inputs: bd5df83e0d808369
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -21,31 +21,32 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(24)
+_SIZE = const(25)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(24)
+_BATTERY_SIZE = const(25)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(5)
 _BATTERY_LEFT_MAH = const(6)
-_BATTERY_COUNTED_FROM_FULL = const(7)
-_BATTERY_TEMPERATURE_CDEGC = const(8)
-_BATTERY_SWAPS_NUMBER = const(9)
-_BATTERY_MONITORED = const(10)
-_BATTERY_USED_UP = const(11)
-_BATTERY_PROTECTED = const(12)
-_BATTERY_NUMBER = const(13)
-_BATTERY_COUNT = const(14)
-_BATTERY_MULTIPLIER = const(15)
-_BATTERY_FAILURES = const(16)
-_BATTERY_IS_LOGGED = const(17)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_WARNED_MS = const(19)
-_BATTERY_GONE = const(20)
-_BATTERY_CELLS_MV = const(21)
+_BATTERY_TIME_LEFT_S = const(7)
+_BATTERY_COUNTED_FROM_FULL = const(8)
+_BATTERY_TEMPERATURE_CDEGC = const(9)
+_BATTERY_SWAPS_NUMBER = const(10)
+_BATTERY_MONITORED = const(11)
+_BATTERY_USED_UP = const(12)
+_BATTERY_PROTECTED = const(13)
+_BATTERY_NUMBER = const(14)
+_BATTERY_COUNT = const(15)
+_BATTERY_MULTIPLIER = const(16)
+_BATTERY_FAILURES = const(17)
+_BATTERY_IS_LOGGED = const(18)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_WARNED_MS = const(20)
+_BATTERY_GONE = const(21)
+_BATTERY_CELLS_MV = const(22)
 
 # What is known of the battery from the start: places and values.
 _BATTERY_START = (
@@ -93,6 +94,9 @@ class BatteryState(Component):
     # Charge that is left [mAh]
     # mAh, or None while it is unknown; FR-00074.9
     left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1)
+    # How long that is enough [s]
+    # s, or None while it is unknown; FR-00074.9
+    time_left_s, time_left = number(_BATTERY_TIME_LEFT_S, 0, 1000000, "time_left", 1)
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell [mV]

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 940407389e80b8d2
+# Inputs: bd5df83e0d808369
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -8,15 +8,15 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_SWAPS_NUMBER = const(9)
-_BATTERY_MONITORED = const(10)
-_BATTERY_COUNT = const(14)
-_BATTERY_MULTIPLIER = const(15)
-_BATTERY_FAILURES = const(16)
-_BATTERY_IS_LOGGED = const(17)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_WARNED_MS = const(19)
-_BATTERY_GONE = const(20)
+_BATTERY_SWAPS_NUMBER = const(10)
+_BATTERY_MONITORED = const(11)
+_BATTERY_COUNT = const(15)
+_BATTERY_MULTIPLIER = const(16)
+_BATTERY_FAILURES = const(17)
+_BATTERY_IS_LOGGED = const(18)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_WARNED_MS = const(20)
+_BATTERY_GONE = const(21)
 
 
 def read_battery(words, every, board, ticks, first):
@@ -89,7 +89,6 @@ def expire_battery(battery, now_ms):
     """Forget a reading that has become too old, FR-00067.3."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if battery[_BATTERY_EXPIRES_MS] != _UNKNOWN:
-        age = now_ms - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if age > 0 and age < 0x20000000:
+        if now_ms - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN

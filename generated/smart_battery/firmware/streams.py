@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/streams.yaml: do not edit.
-# Inputs: 8e4dc4b785189bfd
+# Inputs: c2261e15e3af04e4
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -35,8 +35,8 @@ _DATA_STREAMS = (None, 10, 12, None)
 _FASTEST_HZ = (10, 10, 10, 1)
 
 # Where the state has, by instance, whether it is measured, and what is watched for changes.
-_BATTERY_MONITORED = 10
-_BATTERY_SWAPS_NUMBER = 9
+_BATTERY_MONITORED = 11
+_BATTERY_SWAPS_NUMBER = 10
 
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID, component_id=COMPONENT_ID):

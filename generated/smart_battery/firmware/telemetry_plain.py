@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: 212561423bccd825
+# Inputs: a375b91dccc5e404
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -32,13 +32,14 @@ _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(5)
 _BATTERY_LEFT_MAH = const(6)
-_BATTERY_COUNTED_FROM_FULL = const(7)
-_BATTERY_TEMPERATURE_CDEGC = const(8)
-_BATTERY_USED_UP = const(11)
-_BATTERY_PROTECTED = const(12)
-_BATTERY_NUMBER = const(13)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_CELLS_MV = const(21)
+_BATTERY_TIME_LEFT_S = const(7)
+_BATTERY_COUNTED_FROM_FULL = const(8)
+_BATTERY_TEMPERATURE_CDEGC = const(9)
+_BATTERY_USED_UP = const(12)
+_BATTERY_PROTECTED = const(13)
+_BATTERY_NUMBER = const(14)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_CELLS_MV = const(22)
 _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
@@ -106,8 +107,7 @@ def write_battery_status(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS (147), FR-00068.1."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
 
@@ -234,11 +234,16 @@ def write_battery_status(value, place, wire, words, instance):
         value = 100
     wire[35] = value & 0xFF
 
-    # time_remaining: unknown (0), 0 (FR-00068.6)
-    wire[36] = 0
-    wire[37] = 0
-    wire[38] = 0
-    wire[39] = 0
+    # time_remaining [s]: battery.time_left (FR-00077.7)
+    value = words[_BATTERY + _BATTERY_TIME_LEFT_S]
+    if value < 1:
+        value = 0 if value == _UNKNOWN else 1  # unknown, or too small
+    elif value > 1000000:
+        value = 1000000
+    wire[36] = value & 0xFF
+    wire[37] = value >> 8 & 0xFF
+    wire[38] = value >> 16 & 0xFF
+    wire[39] = value >> 24 & 0xFF
 
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
     wire[40] = 0
@@ -454,8 +459,7 @@ def write_battery_status_v2(value, place, wire, words, instance):
     """Write the payload of BATTERY_STATUS_V2 (369), FR-00072.1."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
 
@@ -810,8 +814,7 @@ def write_battery_cell_voltages(value, place, wire, words, instance, page):
     """Write the payload of BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if words[_BATTERY + _BATTERY_EXPIRES_MS] != _UNKNOWN:
-        value = value - words[_BATTERY + _BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if value - words[_BATTERY + _BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             words[_BATTERY + _BATTERY_VOLTAGE_MV] = _UNKNOWN
             words[_BATTERY + _BATTERY_EXPIRES_MS] = _UNKNOWN
 

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: 212561423bccd825
+# Inputs: a375b91dccc5e404
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -39,13 +39,14 @@ _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(5)
 _BATTERY_LEFT_MAH = const(6)
-_BATTERY_COUNTED_FROM_FULL = const(7)
-_BATTERY_TEMPERATURE_CDEGC = const(8)
-_BATTERY_USED_UP = const(11)
-_BATTERY_PROTECTED = const(12)
-_BATTERY_NUMBER = const(13)
-_BATTERY_EXPIRES_MS = const(18)
-_BATTERY_CELLS_MV = const(21)
+_BATTERY_TIME_LEFT_S = const(7)
+_BATTERY_COUNTED_FROM_FULL = const(8)
+_BATTERY_TEMPERATURE_CDEGC = const(9)
+_BATTERY_USED_UP = const(12)
+_BATTERY_PROTECTED = const(13)
+_BATTERY_NUMBER = const(14)
+_BATTERY_EXPIRES_MS = const(19)
+_BATTERY_CELLS_MV = const(22)
 _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
@@ -186,7 +187,6 @@ def battery_status_frame(link, state, instance: int):
     battery = ptr32(int(words) + 4 * _BATTERY)
 
     # What nothing below writes is 0.
-    wire32[9] = 0
     wire32[10] = 0
     wire32[11] = 0
     wire32[12] = 0
@@ -194,8 +194,7 @@ def battery_status_frame(link, state, instance: int):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
 
@@ -297,7 +296,13 @@ def battery_status_frame(link, state, instance: int):
         value = 100
     wire[35] = value
 
-    # time_remaining: unknown (0), 0 (FR-00068.6)
+    # time_remaining [s]: battery.time_left (FR-00077.7)
+    value = (battery[_BATTERY_TIME_LEFT_S] ^ sign) - sign
+    if value < 1:
+        value = 0 if value == _UNKNOWN else 1  # unknown, or too small
+    elif value > 1000000:
+        value = 1000000
+    wire32[9] = value
 
     # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
 
@@ -609,8 +614,7 @@ def battery_status_v2_frame(link, state, instance: int):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
 
@@ -1133,8 +1137,7 @@ def battery_cell_voltages_frame(link, state, instance: int, page: int):
 
     # A reading is forgotten once it is older than 1000 ms (FR-00067.3).
     if (battery[_BATTERY_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
-        value = int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] & 0x3FFFFFFF
-        if value > 0 and value < 0x20000000:
+        if int(ticks_ms()) - battery[_BATTERY_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
             battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
             battery[_BATTERY_EXPIRES_MS] = _UNKNOWN
 

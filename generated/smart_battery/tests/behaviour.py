@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 3a6301dbc899d561
+# Inputs: cf66061413efa8d0
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -332,6 +332,7 @@ def every_value_allocates_nothing():
         (state.battery, "energy_hj"),
         (state.battery, "remaining_pct"),
         (state.battery, "left_mah"),
+        (state.battery, "time_left_s"),
         (state.battery, "counted_from_full"),
         (state.battery, "temperature_cdegc"),
         (state.battery, "swaps_number"),
@@ -400,6 +401,13 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
         "left",
         5,
         (-1, 1073741824),
+    ),
+    (
+        "battery",
+        "time_left_s",
+        "time_left",
+        5,
+        (-1, 1000001),
     ),
     (
         "battery",

@@ -1,0 +1,142 @@
+# Generated from templates/tests/readings_checks.py: do not edit.
+# Inputs: bbe6c0832722c1f5
+"""Checks of single readings: what a count stands for, and that each fails and grows old by itself.
+
+`facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
+"""
+
+import mock_time
+
+try:
+    from micropython import heap_lock, heap_unlock, mem_total
+except ImportError:  # CPython has no heap to lock
+
+    def heap_lock():
+        pass
+
+    def heap_unlock():
+        pass
+
+    def mem_total():
+        return 0
+
+
+def value_of(state, facts):
+    """Return what is kept of the first instance."""
+    component = getattr(state, facts["component"])
+    return getattr(component[0] if facts["several"] else component, facts["attribute"])
+
+
+def update(state, board, facts):
+    """Take a reading of everything of the component."""
+    getattr(state, "update_" + facts["component"])(board)
+
+
+def set_count(board, facts, count):
+    """Let the input of a reading show a count."""
+    getattr(board, "set_" + facts["input"] + "_value")(count)
+
+
+def fails_alone(facts, fresh):
+    """A reading that fails keeps its last value for so many readings; the others of the component go on."""
+    board, state, log = fresh(facts["on"])
+    for one in [facts] + facts["others"]:
+        set_count(board, one, one["counts"][0])
+    update(state, board, facts)
+    before = value_of(state, facts)
+    assert before is not None
+    set_count(board, facts, facts["counts"][1])
+    others = [value_of(state, one) for one in facts["others"]]
+    for one in facts["others"]:
+        set_count(board, one, one["counts"][1])
+    told = len(log.lines)
+    for failures in range(1, (facts["invalid_after"] or 3) + 1):
+        assert value_of(state, facts) == before
+        getattr(board, "fail_" + facts["input"])(1)
+        update(state, board, facts)
+        assert failures_of(board, facts) == failures
+    assert value_of(state, facts) == (None if facts["invalid_after"] else before)
+    assert len(log.lines) == told + 1, log.lines
+    assert [value_of(state, one) for one in facts["others"]] != others or not others
+    update(state, board, facts)
+    assert value_of(state, facts) not in (before, None)
+    assert failures_of(board, facts) == 0
+
+
+def failures_of(board, facts):
+    """Return how many readings of the first instance failed in a row."""
+    return getattr(board, facts["name"] + "_failures", [0])[0]  # what is not read at all has none
+
+
+def ages_alone(facts, fresh):
+    """A reading that is not taken any longer is unknown after its own time, and not before."""
+    for build in facts["builders"]:
+        for start_us in (0, (1 << 30) * 1000 - 200000):  # the second is just before ticks_ms() wraps
+            mock_time.set_ticks_us(start_us)
+            board, state, _ = fresh(facts["on"])
+            set_count(board, facts, facts["counts"][0])
+            update(state, board, facts)
+            mock_time.advance_us(facts["stale_after_ms"] * 1000)
+            build(state)
+            assert value_of(state, facts) is not None
+            mock_time.advance_us(1000)
+            build(state)
+            assert value_of(state, facts) is None
+    mock_time.set_ticks_us(0)
+
+
+def raises_nothing(facts, fresh):
+    """A board that raises, or returns what no board should, fails the reading and nothing else."""
+    for result in (None, "12", -1, facts["full_scale"] + 1, OSError(5), ValueError(), MemoryError()):
+        board, state, log = fresh(facts["on"])
+        for one in [facts] + facts["others"]:
+            set_count(board, one, one["counts"][0])
+        update(state, board, facts)
+        before = value_of(state, facts)
+
+        def read(*_instance, result=result):
+            if isinstance(result, Exception):
+                raise result
+            return result
+
+        good = getattr(board, "read_" + facts["name"] + "_adc")
+        setattr(board, "read_" + facts["name"] + "_adc", read)
+        update(state, board, facts)
+        assert value_of(state, facts) == before
+        assert len(log.lines) <= facts["instances"], log.lines
+        setattr(board, "read_" + facts["name"] + "_adc", good)
+        set_count(board, facts, facts["counts"][1])
+        update(state, board, facts)
+        assert value_of(state, facts) not in (before, None), result
+
+
+def is_left_alone_where_it_is_off(facts, fresh):
+    """With the other values of its parameter it is unknown, its input is not read, and nothing is complained about."""
+    for settings in facts["off"]:
+        board, state, log = fresh(settings)
+        for one in [facts] + facts["others"]:
+            set_count(board, one, one["counts"][0])
+        for _ in range(3):
+            update(state, board, facts)
+        assert value_of(state, facts) is None
+        assert failures_of(board, facts) == 0
+        assert log.lines == [], log.lines
+
+
+def allocates_nothing(facts, fresh):
+    """Over all of its counts, with the factors that make the largest numbers."""
+    for settings in facts["extremes"]:
+        board, state, _ = fresh(settings)
+        take = getattr(state, "update_" + facts["component"])
+        take(board)
+        set_count(board, facts, facts["full_scale"])
+        take(board)  # what there is to warn about is said now
+        for count in range(0, facts["full_scale"] + 1, 195):
+            set_count(board, facts, count)
+            before = mem_total()
+            heap_lock()
+            try:
+                take(board)
+            finally:
+                heap_unlock()
+            assert mem_total() == before, (settings, count)
