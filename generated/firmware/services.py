@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 5ed6bbcc801c1971
+# Inputs: 5091f72ce44b72f9
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import time
@@ -98,9 +98,8 @@ class Services:
         takers[kind.ID] = taker if found is None else _both(found, taker)
 
     def run(self):
-        """Go on with what takes several passes."""
+        """Go on with what takes several passes, for the station at hand."""
         self.parameters.run()
-        self.listeners.forget_silent(time.ticks_ms())
 
     def handle(self, message):
         """Give a message to who takes it, if it is for this vehicle and not its own; 0 addresses everybody."""
