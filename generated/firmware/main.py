@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: a0543e47b28a74b8
+# Inputs: 0c17482e2272b3c9
 """The program: what the board starts."""
 
 import asyncio
