@@ -94,11 +94,14 @@ class ServicesSpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: commands, request, intervals, data_streams, restart, ping, texts, garbage, "
-        "links.",
+        "links, stations.",
         default_factory=dict,
     )
 
-    ASPECTS = ("commands", "request", "intervals", "data_streams", "restart", "ping", "texts", "garbage", "links")
+    ASPECTS = (
+        *("commands", "request", "intervals", "data_streams", "restart", "ping", "texts", "garbage", "links"),
+        "stations",
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,45 +1,49 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 7a99b7cb03685cfd
-"""One port of the vehicle: what arrives is answered, and what is due is sent.
+# Inputs: 40a1793487435093
+"""One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
 nothing arrives and no text is new allocates nothing; what arrives is taken in without allocating too.
 """
 
 import time
-from struct import pack_into
 
 import messages
 from guard import Guard
 from inbox import Inbox
 from micropython import const
 from services import Services
+from station import Station, TextSender
 
 # Numbers of the dialect.
-_STATUSTEXT_CHUNK_SEQ_AT = const(53)
-_STATUSTEXT_ID_AT = const(51)
-_STATUSTEXT_SEVERITY_AT = const(0)
-_STATUSTEXT_TEXT_AT = const(1)
+_MAV_AUTOPILOT_INVALID = const(8)
+_MAV_TYPE_GCS = const(6)
 
 _MESSAGES = const(2)  # in a pass
+_FRAMES = const(8)  # of streams in a pass
 _REPLIES = const(8)  # that wait for the port
 _QUIET_MS = const(1000)  # between two texts about faults
-_TEXT = const(50)  # characters of a STATUSTEXT
+_TYPE = const(4)  # where HEARTBEAT has it
+_AUTOPILOT = const(5)
 
 
 class Connection:
     """Services and streams of one port.
 
     `port` reads and writes bytes (see ports), `link` makes frames of messages and back: it writes to `port`, and has
-    been given services.receivable() as the messages that it receives. `streams` are this link's.
+    been given services.receivable() as the messages that it receives. `make_streams` returns the streams of a station,
+    given the list of how many messages they may send in this pass and how many they left out.
 
+    A port that has `ends` brings what keeps its stations apart: frames go to ends[0], what was read came from ends[1].
+    At the other end of another port there is one station: all that hear what goes out there.
+
+    `station` is the one that is served just now, who gets what send() and deliver() send, and `streams` are its.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
-    def __init__(self, vehicle, port, link, streams):
+    def __init__(self, vehicle, port, link, make_streams):
         self.port = port
         self.link = link
-        self.streams = streams
         self.faults = 0
         self.lost_replies = 0
         # Each frame says whom it comes from.
@@ -47,11 +51,22 @@ class Connection:
         at = 5 if link.version == 2 else 3
         self.system_id = frame[at]
         self.component_id = frame[at + 1]
-        self.services = Services(vehicle, self)
         self._log = vehicle.texts
+        self._budget = [_FRAMES, 0]  # messages of streams that may go out in this pass, and those that were left out
+        self._make_streams = make_streams
+        self._ends = getattr(port, "ends", None)
+        if self._ends is None:
+            self._stations = None
+            self.stations = [self._new_station()]
+        else:
+            self._stations = port.stations(self._new_station, vehicle.SILENCE_MS)
+            self.stations = self._stations.served
+        self.station = self.stations[0]
+        self.station.text = 0  # what was said before there was a link
+        self.streams = self.station.streams
+        self.services = Services(vehicle, self)
         self._inbox = Inbox(port, link)
-        self._texts = _TextSender(self, vehicle.texts)
-        self._waiting = []
+        self._texts = TextSender(self, vehicle.texts)
         self._guard = Guard()
         self._quiet_from_ms = None
 
@@ -61,24 +76,24 @@ class Connection:
         Raises nothing: a fault ends the part of the pass that it is in.
         """
         with self._guard:
-            self._take_in()
-        self._note(now_ms)
-        with self._guard:
-            self._send_waiting()
-        self._note(now_ms)
-        with self._guard:
-            self.streams.run(now_ms)
-            if self.port.is_up:
-                self.streams.announce()
-        self._note(now_ms)
-        with self._guard:
-            self.services.run()
-            self._texts.run()
-        self._note(now_ms)
+            self._take_in(now_ms)
+        if self._guard.error is not None or self._quiet_from_ms is not None:
+            self._note(now_ms)
+        self._budget[0] = _FRAMES
+        self._serve_all(now_ms)
         self.port.poll(now_ms)
 
+    def turn_to(self, station):
+        """Let what is sent go to a station from now on."""
+        self.station.sequence = self.link.sequence
+        self.link.sequence = station.sequence
+        self.station = station
+        self.streams = station.streams
+        if self._ends is not None:
+            self._ends[0] = station.address or self.port.home
+
     def send(self, message):
-        """Send a message; return whether the port took it.
+        """Send a message to the station at hand; return whether the port took it.
 
         If not, it may be sent again: the receiver does not count it as lost. ValueError: it does not fit the link.
         """
@@ -96,28 +111,97 @@ class Connection:
 
         They keep their order. Of too many, the oldest is given up: who asked has to ask again anyway.
         """
-        if not self._waiting and send(argument):
-            return
-        if len(self._waiting) == _REPLIES:
-            self._waiting.pop(0)
-            self.lost_replies += 1
-        self._waiting.append((send, argument))
+        if self.station.waiting or not send(argument):
+            self._keep(self.station, (send, argument))
 
-    def _take_in(self):
+    def deliver_to_others(self, asking, send, argument):
+        """Deliver to all stations but the one that is asking, where it is one of this connection."""
+        for station in self.stations:
+            if station is not asking:
+                self._keep(station, (send, argument))
+
+    def report(self):
+        """Say what could not be sent since the last time."""
+        if self._budget[1]:
+            self._log("warning:", self.port.name, "is full, messages left out:", self._budget[1])
+            self._budget[1] = 0
+        if self._stations is not None and self._stations.refused:
+            self._log("warning:", self.port.name, "has no place for another station, frames:", self._stations.refused)
+            self._stations.refused = 0
+
+    def _new_station(self):
+        return Station(self._make_streams(self._budget), self._log.last)
+
+    def _keep(self, station, reply):
+        if len(station.waiting) == _REPLIES:
+            station.waiting.pop(0)
+            self.lost_replies += 1
+        station.waiting.append(reply)
+
+    def _take_in(self, now_ms):
         self._inbox.begin()
         for _ in range(_MESSAGES):
             message = self._inbox.next()
             if message is None:
-                return
-            self.services.handle(message)
+                break
+            if self._stations is None or self._is_answered(message, now_ms):
+                self.services.handle(message)
+        self.services.listeners.forget_silent(now_ms)
+        if self._stations is not None:
+            self._stations.forget_silent(now_ms)
 
-    def _send_waiting(self):
-        while self._waiting:
-            reply = self._waiting.pop(0)  # before it can raise: so a faulty one goes
+    def _is_answered(self, message, now_ms):
+        """Turn to who has sent a message; return whether there is a place for it. No vehicle is a station."""
+        sent = message._image  # frames_plain says what it holds
+        if sent[7] == self.system_id and sent[8] == self.component_id:
+            return False
+        if (
+            message.ID == messages.Heartbeat.ID
+            and message.wire[_TYPE] != _MAV_TYPE_GCS
+            and message.wire[_AUTOPILOT] != _MAV_AUTOPILOT_INVALID
+        ):
+            return True
+        station = self._stations.hear(self._ends[1], now_ms)
+        if station is None:
+            return False
+        self.turn_to(station)
+        return True
+
+    def _serve_all(self, now_ms):
+        for station in self.stations:
+            if station is not self.station:
+                self.turn_to(station)
+            self._serve(station, now_ms)
+        if len(self.stations) > 1:
+            self.stations.append(self.stations.pop(0))  # another one is the first to have its share
+
+    def _serve(self, station, now_ms):
+        if station.waiting:
+            self._answer(station, now_ms)
+        with self._guard:
+            self.streams.run(now_ms)
+            if self.port.is_up:
+                self.streams.announce()
+        if self._guard.error is not None or self._quiet_from_ms is not None:
+            self._note(now_ms)
+        with self._guard:
+            self.services.run()
+            self._texts.run(station)
+        if self._guard.error is not None or self._quiet_from_ms is not None:
+            self._note(now_ms)
+
+    def _answer(self, station, now_ms):
+        with self._guard:
+            self._send_waiting(station.waiting)
+        self._note(now_ms)
+
+    def _send_waiting(self, waiting):
+        while waiting:
+            reply = waiting.pop(0)  # before it can raise: so a faulty one goes
             if not self.port.is_up:
                 self.lost_replies += 1  # nobody expects it by the time that the port is up again
             elif not reply[0](reply[1]):
-                self._waiting.insert(0, reply)
+                waiting.insert(0, reply)
                 return
 
     def _note(self, now_ms):
@@ -129,57 +213,3 @@ class Connection:
         if self._quiet_from_ms is None:
             self._quiet_from_ms = now_ms
             self._log("error:", self.port.name, "fault", repr(self._guard.error))
-
-
-class _TextSender:
-    """Sends each text once. Long ones go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning."""
-
-    def __init__(self, connection, texts):
-        self._connection = connection
-        self._texts = texts
-        self._message = messages.Statustext(unknown=False)
-        self._number = 0  # of the text at hand
-        self._text = b""
-        self._id = 0
-        self._chunk = -1  # that the message holds; -1: none
-
-    def run(self):
-        """Send at most one message."""
-        if self._chunk < 0 and self._number == self._texts.last:
-            return
-        if self._connection.port.is_up and (self._chunk >= 0 or self._take()) and self._connection.send(self._message):
-            self._go_on()
-
-    def _take(self):
-        """Take the next text; False: all that were new are overwritten already."""
-        while self._number != self._texts.last:
-            self._number += 1
-            found = self._texts.get(self._number)
-            if found is not None:
-                self._begin(found[0], found[1].encode())
-                return True
-        return False
-
-    def _begin(self, severity, text):
-        if self._connection.link.version == 1:
-            text = text[:_TEXT]
-        is_long = len(text) > _TEXT
-        if is_long:
-            self._id = self._id % 0xFFFF + 1  # 0 says that there is one chunk only
-        self._text = text
-        self._message.wire[_STATUSTEXT_SEVERITY_AT] = severity
-        pack_into("<H", self._message.wire, _STATUSTEXT_ID_AT, self._id if is_long else 0)
-        self._put(0)
-
-    def _go_on(self):
-        # A NUL ends a long text: the chunk after 50 characters may be empty.
-        if len(self._text) <= _TEXT or (self._chunk + 1) * _TEXT > len(self._text):
-            self._chunk = -1
-        else:
-            self._put(self._chunk + 1)
-
-    def _put(self, chunk):
-        """Put a chunk of the text into the message."""
-        self._chunk = chunk
-        pack_into("<50s", self._message.wire, _STATUSTEXT_TEXT_AT, self._text[chunk * _TEXT :])
-        self._message.wire[_STATUSTEXT_CHUNK_SEQ_AT] = chunk

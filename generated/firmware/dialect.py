@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: b417b807b6801deb
+# Inputs: e5f10aa83aef6a61
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_REQUEST_MESSAGE = 512
@@ -23,6 +23,7 @@ MAV_STATE_ACTIVE = 4
 MAV_STATE_CRITICAL = 5
 MAV_DATA_STREAM_ALL = 0
 MAV_TYPE_GCS = 6
+MAV_AUTOPILOT_INVALID = 8
 MAV_FTP_OPCODE_ACK = 128
 MAV_FTP_OPCODE_NAK = 129
 MAV_FTP_ERR_UNKNOWNCOMMAND = 7

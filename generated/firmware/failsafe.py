@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 2fa9911d90d9f091
+# Inputs: 94d37b0c0afcb4da
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time

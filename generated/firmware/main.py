@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: b417b807b6801deb
+# Inputs: e5f10aa83aef6a61
 """The program: what the board starts."""
 
 import asyncio

@@ -1,10 +1,10 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: 6fdb1fd4de2a27df
+# Inputs: c8878c2442d0c17b
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
 
-from checksum import TABLE, is_entry
+from checksum import TABLE
 from frames import decoder, taker
 
 LONGEST_FRAME = 280
@@ -20,9 +20,11 @@ class Receiver:
     put(data) takes in what arrived, and receive() returns the next message, or None when there is no whole one any
     more: until then it reads `data`. TypeError: these are not bytes.
 
-    Counters: `received` messages, `signed` ones among them; `refused` frames that `signing` did not accept;
-    `unknown` frames of other messages; `crc_errors` and `dropped`: places that looked like a frame, but with a wrong
-    checksum or with incompatible flags that this code does not know. Without `signing` signatures are not checked.
+    Counters: `received` messages, `signed` ones among them; `refused` frames that `signing` did not accept; and places
+    that looked like the start of a frame: `unknown`, of another message; `crc_errors`, with a wrong checksum;
+    `dropped`, with incompatible flags that this code does not know. Without `signing` signatures are not checked.
+
+    Only a frame that is right hides what is within it: behind the first byte of everything else the search goes on.
     """
 
     def __init__(self, messages=(), signing=None, size=2 * LONGEST_FRAME):
@@ -30,12 +32,12 @@ class Receiver:
             raise ValueError(f"a frame has up to {LONGEST_FRAME} bytes")
         self._signing = signing
         self.refused = 0
-        self.unknown = 0
         self.crc_errors = 0
         self._classes = {message.ID: message for message in messages if isinstance(message, type)}
-        self._messages = {message.ID: message for message in messages if not isinstance(message, type)}
+        # False is a message of a class.
+        self._messages = {message.ID: not isinstance(message, type) and message for message in messages}
         self._buffer = bytearray(size)
-        self._state = state = array("i", [0] * 15)  # frames_plain says what it holds
+        self._state = state = array("i", [0] * 19)  # frames_plain says what it holds
         state[13] = size
         state[14] = 0 if signing is None else 1
         self._arrived = [None]  # data that did not find room, in a list: storing into a list is faster than here
@@ -56,6 +58,22 @@ class Receiver:
     def dropped(self):
         """How many places looked like a frame with incompatible flags that this code does not know."""
         return self._state[8]
+
+    @property
+    def unknown(self):
+        """How many places looked like a frame of another message."""
+        return self._state[18]
+
+    def put_part(self, data, count):
+        """Take in the first `count` bytes of what arrived, at least one, once receive() has read all before them."""
+        self._state[17] = count
+        self.put(data)
+
+    def give_up(self):
+        """Look on behind the first byte of a frame that is not whole: its end got lost, or it never was one."""
+        state = self._state
+        if state[0] < state[1]:
+            state[0] += 1
 
     def feed(self, data):
         """Take in what arrived, in pieces of any size, and return an iterator over the messages that it completes.
@@ -85,40 +103,16 @@ class Receiver:
         data = self._arrived[0]
         self._arrived[0] = None
         state[12] = 0
-        if state[2] < len(data):
+        if state[2] < (state[17] or len(data)):
             self.put(data)
         else:
-            state[2] = 0
+            state[2] = state[17] = 0
 
     def _admitted(self, message):
-        """Return the message that the frame at hand goes into, a new one if need be; None passes over the frame."""
-        if message is None:
-            message = self._new_message()
-        if message is not None and self._state[14] and not self._is_admitted(message):
-            return None
-        return message
-
-    def _new_message(self):
-        """Return a new message for the frame at hand, None for one that is unknown."""
-        cls = self._classes.get(self._state[6])
-        if cls is not None:
-            return cls(unknown=False)
-        # The CRC_EXTRA of an unknown message is unknown too: but some entry of the table it has to pick, which shows up
-        # 255 of 256 false frames.
-        if is_entry(self._entry()):
-            self.unknown += 1
-        else:
-            self._look_within()
-        return None
-
-    def _entry(self):
-        """Return what CRC_EXTRA has picked from the table, if the checksum of the frame at hand is right.
-
-        CRC_EXTRA is the last byte that the checksum covers.
-        """
-        state = self._state
-        end = state[4] + state[5]
-        return self._buffer[end] ^ self._buffer[end + 1] << 8 ^ state[7] >> 8
+        """Return the message that the frame at hand goes into, a new one for False; None passes over the frame."""
+        if message is False:
+            message = self._classes[self._state[6]](unknown=False)
+        return None if self._state[14] and not self._is_admitted(message) else message
 
     def _look_within(self):
         """Go on behind the first byte: perhaps it is not the start of a frame at all, and a true one begins within."""
@@ -127,7 +121,9 @@ class Receiver:
 
     def _is_admitted(self, message):
         state = self._state
-        if self._entry() != TABLE[256 + ((state[7] ^ message.CRC_EXTRA) & 0xFF)]:
+        end = state[4] + state[5]
+        crc = TABLE[256 + ((state[7] ^ message.CRC_EXTRA) & 0xFF)] ^ state[7] >> 8
+        if self._buffer[end] | self._buffer[end + 1] << 8 != crc:
             self._look_within()
             return False
         if state[9]:
@@ -137,6 +133,7 @@ class Receiver:
             is_admitted = message.ID in self._signing.unsigned
         if not is_admitted:
             self.refused += 1
+            state[15] += state[16] >> 2  # to judge a signature takes long
         return is_admitted
 
     def _each(self):

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/serial_port.py: do not edit.
-# Inputs: 2bfcff7074e3e222
+# Inputs: 3e145d414acdd428
 """Ports on a UART or on USB, where bytes may go and come in parts.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -129,7 +129,7 @@ def open_uart(name, id, tx, rx, baud, size):  # noqa: A002 - the board's own arg
         pins = {"tx": machine.Pin(tx), "rx": machine.Pin(rx)}
         return machine.UART(id, baudrate=baud, timeout=0, rxbuf=size, txbuf=size, **pins)
 
-    return _port(name, opened, size)
+    return _port(name, opened, size, baud)
 
 
 def open_fixed_uart(name, id, baud, size):  # noqa: A002 - the board's own argument name
@@ -140,16 +140,17 @@ def open_fixed_uart(name, id, baud, size):  # noqa: A002 - the board's own argum
 
         return machine.UART(id, baudrate=baud, timeout=0, rxbuf=size)
 
-    return _port(name, opened, size)
+    return _port(name, opened, size, baud)
 
 
-def _port(name, opened, size):
+def _port(name, opened, size, baud=2800000):
     guard = Guard()
     stream = None
     with guard:
         stream = opened()
     port = StreamPort(name, stream, size)
     port.problem = guard.error
+    port.patience_ms = 100 + 2800000 // baud  # 280 bytes of 10 bits, and as long as a radio may pause
     return port
 
 

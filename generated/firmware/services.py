@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: baa13863773b65a8
+# Inputs: 9d2aa39d8a1dea8b
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -121,9 +121,8 @@ class Services:
             self._targets[kind.ID] = targets
 
     def run(self):
-        """Go on with what takes several passes."""
+        """Go on with what takes several passes, for the station at hand."""
         self.parameters.run()
-        self.listeners.forget_silent(time.ticks_ms())
 
     def handle(self, message):
         """Give a message to who takes it, if it is for this vehicle and not its own; 0 addresses everybody."""

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 2fa9911d90d9f091
+# Inputs: 94d37b0c0afcb4da
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -205,6 +205,8 @@ class Vehicle:
         if missed != self._reported:
             self.texts("warning: missed control slots:", missed - self._reported)
             self._reported = missed
+        for connection in self.connections:
+            connection.report()
 
     def _set_status(self):
         vehicle = self.state.vehicle
@@ -235,7 +237,7 @@ class Vehicle:
 
     def _connect(self, port):
         link = open_link(port, receivable(), self.parameters.sysid_thismav)
-        return Connection(self, port, link, Streams(self.state, link))
+        return Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
 
     def _load_parameters(self):
         stored = self.storage.load()

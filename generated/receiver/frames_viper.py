@@ -1,5 +1,5 @@
 # Generated from templates/codec/frames_viper.py: do not edit.
-# Inputs: 1d547edde6e3fe0d
+# Inputs: ac29f24085c19d6d
 """Making and reading frames in machine code, by MicroPython's viper emitter; frames_plain describes what each does.
 
 Looking up an attribute takes as long as the checksum of eight bytes, and so does asking an object where its bytes are.
@@ -16,6 +16,7 @@ import micropython
 from checksum import TABLE
 
 _NONE = None  # viper compares an object with objects only
+_MADE = False
 _BYTES = (bytes, bytearray, memoryview)
 _len, _type = len, type  # found here, they are found sooner than among the built-in names
 
@@ -164,7 +165,10 @@ def taker(receiver):
             target = ptr8(int(target) + 1)
             source = ptr8(int(source) + 1)
             left -= 1
-        left = int(_len(data)) - int(state[2])
+        left = int(state[17])
+        if left == 0:
+            left = int(_len(data))
+        left -= int(state[2])
         if left > int(state[13]) - int(state[1]):
             left = int(state[13]) - int(state[1])
             receiver._arrived[0] = data
@@ -176,6 +180,7 @@ def taker(receiver):
             source = ptr8(data)
             source = ptr8(int(source) + int(state[2]))
             state[2] = 0
+            state[17] = 0
         state[1] += left
         if (int(source) | int(target)) & 3 == 0:
             words = ptr32(target)
@@ -214,11 +219,15 @@ def decoder(receiver):
         while True:
             at = int(state[0])
             size = int(state[1])
+            if state[16]:
+                left = int(state[16]) - int(state[15])
+                if left <= 0 and at < size:
+                    return None
+                if size > at + left:  # noqa: PLR1730  viper has no min()
+                    size = at + left
             start = ptr8(base)
             header = 0
-            signed = 0
-            whole = 0
-            while at < size and whole == 0:
+            while at < size and header == 0:
                 start = ptr8(base + at)
                 if int(start[0]) == 0xFD:
                     header = 10
@@ -226,38 +235,52 @@ def decoder(receiver):
                     header = 6
                 else:
                     at += 1
-                    continue
-                if at + header > size:
-                    break
-                signed = 0
-                if header == 10:
-                    signed = int(start[2])
-                    if signed > 1:
-                        state[8] += 1
-                        at += 1
-                        continue
-                whole = header + int(start[1]) + 2 + 13 * signed
-                if at + whole > size:
-                    whole = 0
-                    break
+            if state[16]:
+                state[15] += at - int(state[0])
             state[0] = at
-
-            if whole == 0:
+            size = int(state[1])
+            if at + header > size or header == 0:
+                if header == 0 and at < size:
+                    continue
                 if state[12] == 0:
                     return None
                 receiver._refill()
                 continue
 
+            number = int(start[5])
+            signed = 0
+            if header == 10:
+                number = int(start[7]) | (int(start[8]) << 8) | (int(start[9]) << 16)
+                signed = int(start[2])
+                if signed > 1:
+                    state[8] += 1
+                    state[0] = at + 1
+                    if state[16]:
+                        state[15] += 8
+                    continue
+            message = known(number)
+            if message is _NONE:
+                state[18] += 1
+                state[0] = at + 1
+                if state[16]:
+                    state[15] += 8
+                continue
             length = int(start[1])
+            whole = header + length + 2 + 13 * signed
+            if at + whole > size:
+                if state[12] == 0:
+                    return None
+                receiver._refill()
+                continue
+
             state[0] = at + whole
             state[3] = at
             state[4] = at + header
             state[5] = length
-            state[9] = signed
-            number = int(start[5])
-            if header == 10:
-                number = int(start[7]) | (int(start[8]) << 8) | (int(start[9]) << 16)
             state[6] = number
+            state[9] = signed
+            if state[16]:
+                state[15] += header + length
             crc = 0xFFFF
             left = header + length - 1
             source = ptr8(int(start) + 1)
@@ -281,8 +304,7 @@ def decoder(receiver):
                 left -= 1
             state[7] = crc
 
-            message = known(number)
-            if state[14] or message is _NONE:
+            if state[14] or message is _MADE:
                 message = receiver._admitted(message)
                 if message is _NONE:
                     continue

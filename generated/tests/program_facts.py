@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 4b74700635750955
+# Inputs: 696fa000adb9a1c8
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -107,6 +107,7 @@ CRITERIA = {
     "services.ping": ("FR-00070.7",),
     "services.request": ("FR-00070.2",),
     "services.restart": ("FR-00070.6",),
+    "services.stations": ("FR-00070.11",),
     "services.texts": ("FR-00070.8",),
     "storage.defaults": ("NFR-00061.2",),
     "storage.kept": ("NFR-00061.1",),

@@ -12,12 +12,6 @@ def _entry(byte):
     return _spread(byte ^ ((byte << 4) & 0xFF))
 
 
-def is_entry(value):
-    """Tell whether a value of 16 bits is an _entry(): its high byte says which one it would have to be."""
-    high = value >> 8
-    return value == _spread(high ^ (high >> 5))
-
-
 # Entry 256 + n carries a byte n on over one step, entry n over two: so two bytes take two look-ups and no shift.
 TABLE = array("H", bytes(1024))  # 512 zeros; a list of them is a large piece of a heap that is in use
 for _byte in range(256):

@@ -15,7 +15,9 @@ A receiver's state is an array: [0] where to look on, [1] end of the received by
 did not find room, and [2] how many of them are taken; [13] size of the buffer, [14] whether signatures count; of the
 frame that was found [3] start, [4] payload, [5] length of the payload, [6] message id, [7] checksum without CRC_EXTRA,
 [9] whether it is signed; counters of [8] frames with incompatible flags other than that, [10] frames that were read,
-[11] signed ones among them.
+[11] signed ones among them, [18] frames of other messages. [17] is how many of the data count, 0 for all. Who wants to
+be asked for more time sets [16], how many bytes may be looked at until receive() returns None though there are more,
+and [15], how many of them were, to 0.
 
 Each function has few locals: MicroPython puts those of larger ones on the heap at every call.
 """
@@ -63,14 +65,14 @@ def decoder(receiver):
     """Return the function receive(), which returns the next message of what has arrived at a receiver, or None.
 
     Zeros stand in for a truncated end, newer extensions than the message's own are left out. The receiver's
-    _admitted() is asked where there is no message for the frame, or signatures count, _look_within() is told of a
-    wrong checksum.
+    _admitted() is asked where a message has to be made, or signatures count, _look_within() is told of a wrong
+    checksum. What looks like a frame of another message is not waited for, nor is it a frame that hides others.
     """
 
     def receive():
         while _find_frame(receiver, receiver._state, receiver._buffer):
-            message = receiver._messages.get(receiver._state[6])
-            if message is None or receiver._state[14]:
+            message = receiver._messages[receiver._state[6]]
+            if message is False or receiver._state[14]:
                 message = receiver._admitted(message)
             if message is not None:
                 if _read_frame(receiver._buffer, receiver._state, message._image, message.live):
@@ -143,18 +145,24 @@ def _find_frame(receiver, state, buffer):
     """Look for the next whole frame, taking in what is kept when there is none, and describe it in the state."""
     while True:
         while state[0] < state[1]:
+            if state[16] and state[15] >= state[16]:
+                return False
             if buffer[state[0]] != 0xFD and buffer[state[0]] != 0xFE:
-                state[0] += 1
+                _pass_over(state, 1)
                 continue
             _describe(state, buffer, state[0], 10 if buffer[state[0]] == 0xFD else 6)
-            if state[9] > 1:
-                state[8] += 1
-                state[0] += 1
+            if state[4] > state[1]:
+                break
+            if state[9] > 1 or state[6] not in receiver._messages:
+                state[8 if state[9] > 1 else 18] += 1
+                _pass_over(state, 8)
                 continue
             if state[4] + state[5] + 2 + 13 * state[9] > state[1]:
                 break
             state[0] = state[4] + state[5]
             state[7] = _checksum(TABLE, buffer, state[3] + 1, state[0])
+            if state[16]:
+                state[15] += state[0] - state[3]
             state[0] += 2 + 13 * state[9]
             return True
         if not state[12]:
@@ -162,16 +170,24 @@ def _find_frame(receiver, state, buffer):
         receiver._refill()
 
 
+def _pass_over(state, work):
+    """Look on behind a byte; `work` is how many bytes that counts as."""
+    state[0] += 1
+    if state[16]:
+        state[15] += work
+
+
 def _take_in(receiver, state, buffer, data):
     """Take in data behind what is left, which goes to the front."""
     _move(buffer, state)
-    if len(data) - state[2] > len(buffer) - state[1]:
+    left = (state[17] or len(data)) - state[2]
+    if left > len(buffer) - state[1]:
         receiver._arrived[0] = data
         state[12] = 1
         _append(buffer, data, state, len(buffer) - state[1])
     else:
-        _append(buffer, data, state, len(data) - state[2])
-        state[2] = 0
+        _append(buffer, data, state, left)
+        state[2] = state[17] = 0
 
 
 def _move(buffer, state):

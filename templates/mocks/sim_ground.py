@@ -16,19 +16,18 @@ class Ground:
 
     def speak_to(self, port_class):
         """Let what is sent arrive at ports of this class, before what really arrives."""
-        readinto = port_class.readinto
+        read = port_class.read
 
-        def heard(port, buffer):
-            waiting = self._waiting
-            if not waiting:
-                return readinto(port, buffer)
-            count = min(len(buffer), len(waiting))
-            buffer[:count] = waiting[:count]
-            self._waiting = waiting[count:]
-            port.received += count
-            return count
+        def heard(port):
+            if not self._waiting:
+                return read(port)
+            data = bytes(self._waiting)
+            self._waiting = bytearray()
+            port.received += len(data)
+            port.ends[1] = port.home
+            return data
 
-        port_class.readinto = heard
+        port_class.read = heard
 
     def turn(self, now_ms):
         """Send what is due."""

@@ -25,7 +25,7 @@ def stream_cases(side: Side, messages: Collection[Message], chance: random.Rando
     for message in known:
         for damage in (_bad_checksum, _bad_length):
             if _clean(lambda message=message, damage=damage: damage(message, chance)) is None:
-                counters = _counters(crc_errors=(1, 99), unknown=(0, 9), dropped=(0, 99))
+                counters = _counters(crc_errors=(1, 99), unknown=(0, 99), dropped=(0, 99))
                 yield ["stream", "damaged frames", [(damage(message, chance) + bytes(300)).hex()], [], counters]
 
 
@@ -122,10 +122,14 @@ def _flagged(message: Message, chance: random.Random) -> bytes:
 
 def _unknown(side: Side, chance: random.Random) -> bytes:
     """A frame of a message that the dialect does not have, with any CRC_EXTRA."""
-    payload, extra = chance.randbytes(chance.randrange(256)), chance.randrange(256)
+    payload = bytes(chance.choices(NO_START, k=chance.randrange(256)))
+    extra = chance.randrange(256)
     while True:
         number = chance.choice((chance.randrange(256), chance.randrange(1 << 16), chance.randrange(1 << 24)))
         if number not in side.dialect.v2.mavlink_map:
             if number < 256 and chance.random() < 0.5:
-                return raw_frame_1(number, payload, extra, chance)
-            return raw_frame(number, payload, extra, chance)
+                frame = raw_frame_1(number, payload, extra, chance)
+            else:
+                frame = raw_frame(number, payload, extra, chance)
+            if not any(start in frame[1:] for start in STARTS):
+                return frame

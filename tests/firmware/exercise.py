@@ -122,12 +122,27 @@ def choice(_request):
     return [getattr(frames, name) is getattr(frames_plain, name) for name in names]
 
 
+class Everything:
+    """The messages of a receiver that takes every id for one of a class."""
+
+    def get(self, _number):
+        return False
+
+    def __contains__(self, _number):
+        return True
+
+    def __getitem__(self, _number):
+        return False
+
+
 class Watched(receiver.Receiver):
-    """A receiver that knows no message and keeps the checksum of each frame that it finds, without CRC_EXTRA."""
+    """A receiver that has no message and keeps the checksum of each frame that it finds, without CRC_EXTRA."""
 
     def __init__(self):
         super().__init__()
         self.found = []
+        self._messages = Everything()
+        self.receive = receiver.decoder(self)
 
     def _admitted(self, _message):
         self.found.append([self._state[3], self._state[7]])

@@ -342,13 +342,12 @@ def usb_allocates_nothing():
     assert allocated(idle) == 0
 
 
-def wait_for(port, buffer):
+def wait_for(port):
     """Return what the next datagram brings; it may take a while, of the true time."""
     poller = select.poll()
     poller.register(port._socket, select.POLLIN)
     poller.poll(20000)
-    count = port.readinto(buffer)
-    return bytes(buffer[:count])
+    return port.read()
 
 
 def udp(host="127.0.0.1", port=ECHO, credentials=None, local_port=0):
@@ -361,32 +360,38 @@ def udp(host="127.0.0.1", port=ECHO, credentials=None, local_port=0):
 
 def udp_sends_a_frame_per_datagram():
     port, log = udp()
-    buffer = bytearray(300)
     assert port.is_up, port.problem
-    assert port.readinto(buffer) == 0
+    assert port.read() is None
     for each in (b"heartbeat", b"x" * 280):
         assert port.write(memoryview(each)) == len(each)
-        assert wait_for(port, buffer) == each.upper()
-    assert port.readinto(buffer) == 0
+        assert wait_for(port) == each.upper()
+    assert port.read() is None
     assert (port.sent, port.received, port.dropped) == (289, 289, 0)
     assert log == []
     assert port.is_up
 
 
-def udp_peer_is_the_last_sender():
+def udp_says_who_sent_what():
+    """What goes out goes to the same address as before: who is to get it is for others to say."""
     port, _ = udp()
-    buffer = bytearray(300)
     port.write(b"tell the other")  # what test_ports.py does is answer from the other socket
-    assert wait_for(port, buffer) == b"from the other"
+    assert wait_for(port) == b"from the other"
+    home, other = port.ends
+    assert home == port.home
+    assert other != home
+    port.write(b"to the first")
+    assert wait_for(port) == b"TO THE FIRST"
+    assert port.ends == [home, home]
+    port.ends[0] = other
     port.write(b"to the other")
-    assert wait_for(port, buffer) == b"other: to the other"
+    assert wait_for(port) == b"other: to the other"
     port._socket.close()
     port._socket = BadSocket(OSError(101, "no network"))
     assert port.write(b"lost") == 0
     mock_time.advance_us(RETRY_MS * 1000)
     port.poll(time.ticks_ms())
-    port.write(b"once more")  # it is still the last sender
-    assert wait_for(port, buffer) == b"other: once more"
+    port.write(b"once more")
+    assert wait_for(port) == b"other: once more"
 
 
 def udp_without_a_peer_waits():
@@ -394,7 +399,7 @@ def udp_without_a_peer_waits():
     assert port.is_up
     assert port.write(b"nobody") == 0
     assert port.dropped == 1
-    assert port.readinto(bytearray(10)) == 0
+    assert port.read() is None
 
 
 def udp_broadcast_is_allowed():
@@ -403,11 +408,11 @@ def udp_broadcast_is_allowed():
     assert port.is_up
 
 
-def udp_too_long_for_the_buffer_is_cut():
+def udp_long_datagrams_are_whole():
     port, _ = udp()
-    port.write(b"0123456789")
-    assert wait_for(port, memoryview(bytearray(4))) == b"0123"
-    assert port.is_up
+    for size in (513, 1472):
+        port.write(b"x" * size)
+        assert wait_for(port) == b"X" * size
 
 
 class BadSocket:
@@ -438,7 +443,7 @@ class Always:
 def udp_that_is_ready_for_nothing_does_not_block():
     port, log = udp(port=OTHER)
     port._ready = Always()
-    assert port.readinto(bytearray(10)) == 0
+    assert port.read() is None
     assert port.is_up
     assert log == []
 
@@ -449,7 +454,7 @@ def udp_busy_is_no_error():
         port._socket = BadSocket(OSError(number, "busy"))
         port._ready = Always()
         assert port.write(b"frame") == 0
-        assert port.readinto(bytearray(10)) == 0
+        assert port.read() is None
         assert port.dropped == 1
         assert port.is_up
         assert log == []
@@ -457,13 +462,13 @@ def udp_busy_is_no_error():
 
 def udp_error_closes_and_reopens():
     for error in (OSError(101), ValueError("broken")):
-        for call in (lambda port: port.write(b"frame"), lambda port: port.readinto(bytearray(10))):
+        for call in (lambda port: port.write(b"frame"), lambda port: port.read()):
             mock_time.set_ticks_us(0)
             port, log = udp()
             port._socket.close()
             port._socket = bad = BadSocket(error)
             port._ready = Always()
-            assert call(port) == 0
+            assert not call(port)
             assert bad.is_closed
             assert not port.is_up
             assert len(log) == 1, log
@@ -475,7 +480,7 @@ def udp_error_closes_and_reopens():
             port.poll(time.ticks_ms())
             assert port.is_up
             assert port.write(b"frame") == 5
-            assert wait_for(port, bytearray(10)) == b"FRAME"
+            assert wait_for(port) == b"FRAME"
 
 
 def udp_socket_that_cannot_be_opened_is_tried_again():
@@ -533,7 +538,7 @@ def udp_waits_for_wifi():
     assert network.radio.connects == 1
     assert log == ["notice: wifi Wi-Fi is up"], log
     assert port.write(b"frame") == 5
-    assert wait_for(port, bytearray(10)) == b"FRAME"
+    assert wait_for(port) == b"FRAME"
 
 
 def udp_joins_again():
@@ -591,7 +596,7 @@ def udp_without_wifi_is_survived():
             mock_time.advance_us(RETRY_MS * 1000)
             port.poll(time.ticks_ms())
             assert port.write(b"frame") == 0
-            assert port.readinto(bytearray(4)) == 0
+            assert port.read() is None
         assert not port.is_up
         assert port.problem is not None
         assert len(log) == 1, log
@@ -622,10 +627,9 @@ def udp_idle_allocates_nothing():
     port, _ = udp(credentials=credentials(ssid="field", host="127.0.0.1", port=OTHER))
     port.poll(time.ticks_ms())  # it was connecting
     assert port.is_up
-    buffer = bytearray(300)
 
     def idle():
-        port.readinto(buffer)
+        port.read()
         port.poll(5)
 
     assert allocated(idle) == 0
@@ -650,10 +654,10 @@ run(
     stream_allocates_nothing,
     usb_allocates_nothing,
     udp_sends_a_frame_per_datagram,
-    udp_peer_is_the_last_sender,
+    udp_says_who_sent_what,
     udp_without_a_peer_waits,
     udp_broadcast_is_allowed,
-    udp_too_long_for_the_buffer_is_cut,
+    udp_long_datagrams_are_whole,
     udp_busy_is_no_error,
     udp_that_is_ready_for_nothing_does_not_block,
     udp_error_closes_and_reopens,

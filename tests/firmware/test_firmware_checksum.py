@@ -58,13 +58,6 @@ def test_cpython_takes_the_plain_form_without_the_mock() -> None:
     assert Exercise("cpython")("choice", folders=(CODEC,)) == [True] * 3
 
 
-def test_entries_are_recognised(firmware: SimpleNamespace) -> None:
-    """is_entry() tells the 256 values of the table from the 65280 others."""
-    entries = [value for value in range(65536) if firmware.checksum.is_entry(value)]
-    assert entries == sorted(firmware.checksum.TABLE[256:])
-    assert len(set(entries)) == 256
-
-
 def test_table_carries_a_byte_over_one_step_and_over_two(firmware: SimpleNamespace) -> None:
     """Its upper half is the usual table of the checksum, its lower half does that of a byte and a zero at once."""
     for byte in range(256):

@@ -289,7 +289,8 @@ def test_link_without_a_key_takes_signed_frames(firmware: SimpleNamespace) -> No
     assert (link.received, link.signed, link.refused) == (1, 1, 0)
     receiving = Receiving(firmware)
     assert receiving.hears(oracle.frame("VIBRATION", dict.fromkeys(oracle.BY_NAME["VIBRATION"].fieldnames, 0), 1)) == 0
-    assert (receiving.link.unknown, receiving.link.refused) == (1, 0)
+    assert receiving.link.unknown > 0
+    assert receiving.link.refused == 0
 
 
 @FUZZ
@@ -418,5 +419,5 @@ def test_genuine_frame_is_found_among_garbage(firmware: SimpleNamespace, noise: 
     receiving = Receiving(firmware)
     frame = heartbeat(signer())
     count = receiving.hears(b"".join(noise) + frame)
-    assert count == 1 or receiving.link.unknown > 0
+    assert count == 1
     assert receiving.link.signed == count

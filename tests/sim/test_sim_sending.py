@@ -29,19 +29,21 @@ with open(sys.argv[1]) as file:
     sendings, times, start_ms = json.load(file)
 class Port:
     received = 0
-    def readinto(self, buffer):
-        return 0
+    home = ("127.0.0.1", 14550)
+    ends = [home, None]
+    def read(self):
+        return None
 ground, port = Ground(sendings, start_ms), Port()
 ground.speak_to(Port)
-found, buffer = [], bytearray(7)
+found = []
 for at_ms in times:
     ground.turn(at_ms)
     heard = b""
     while True:
-        count = port.readinto(buffer)
-        if not count:
+        data = port.read()
+        if not data:
             break
-        heard += bytes(buffer[:count])
+        heard += data
     found.append("".join("{:02x}".format(byte) for byte in heard))
 print(json.dumps([found, port.received]))
 """

@@ -222,7 +222,7 @@ def _connecting(system: System, program: Program) -> tuple[str, ...]:
     if system.component_parameter:
         ids.append(f"self.parameters.{_attribute(system.component_parameter)}")
     link = f"link = open_link(port, receivable({', '.join(_received(system, program))}), {', '.join(ids)})"
-    connection = "Connection(self, port, link, Streams(self.state, link))"
+    connection = "Connection(self, port, link, lambda budget: Streams(self.state, link, budget))"
     answering = [
         f"{name}(connection, {'self.state.clock' if module == 'clock_service' else 'self'})"
         for module, name in _answering(system, program).items()

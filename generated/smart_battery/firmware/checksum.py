@@ -1,5 +1,5 @@
 # Generated from templates/codec/checksum.py: do not edit.
-# Inputs: aa67d9bf24c7c4b9
+# Inputs: dd80ccf36c1d2363
 """The table of MAVLink's checksum, CRC-16/MCRF4XX."""
 
 from array import array
@@ -12,12 +12,6 @@ def _spread(byte):
 
 def _entry(byte):
     return _spread(byte ^ ((byte << 4) & 0xFF))
-
-
-def is_entry(value):
-    """Tell whether a value of 16 bits is an _entry(): its high byte says which one it would have to be."""
-    high = value >> 8
-    return value == _spread(high ^ (high >> 5))
 
 
 # Entry 256 + n carries a byte n on over one step, entry n over two: so two bytes take two look-ups and no shift.

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: b3e8a455eafbfd75
+# Inputs: f6dfe7de41a39abe
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -44,17 +44,21 @@ class ParameterService:
         self._connection = connection
         self._value = messages.ParamValue(unknown=False)  # each sets all fields
         self._error = messages.ParamError(unknown=False)
-        self._next = len(parameters.NAMES)  # index of the list's next value; at the end: nothing to send
 
     def run(self):
         """Send the next value of a list that was asked for: one in a pass, so that streams have their turn."""
-        index = self._next
-        if index < len(parameters.NAMES) and self._send_value((parameters.NAMES[index], index)):
-            self._next = index + 1
+        station = self._connection.station
+        index = station.parameter
+        if index is None:
+            return
+        if index == len(parameters.NAMES):
+            station.parameter = None
+        elif self._send_value((parameters.NAMES[index], index)):
+            station.parameter = index + 1
 
     def list(self, _message):
         """PARAM_REQUEST_LIST: begin to send all values, from the first."""
-        self._next = 0
+        self._connection.station.parameter = 0
 
     def read(self, message):
         """PARAM_REQUEST_READ: send one value, chosen by its index or by its name."""
@@ -86,16 +90,15 @@ class ParameterService:
         if changes != self._vehicle.parameters.changes:
             self._tell_change(name)
 
-    def announce(self, name):
-        """Send a value that was set over another connection."""
-        self._connection.deliver(self._send_value, (name, _NO_INDEX))
+    def announce(self, name, asking):
+        """Send a value that a station has set to all others of this connection."""
+        self._connection.deliver_to_others(asking, self._send_value, (name, _NO_INDEX))
 
     def _tell_change(self, name):
         if self._vehicle.parameters.is_after_reboot(name):
             self._say(f"{name} counts from the next start")
         for connection in self._vehicle.connections:
-            if connection is not self._connection:
-                connection.services.parameters.announce(name)
+            connection.services.parameters.announce(name, self._connection.station)
 
     def _say(self, text):
         self._vehicle.texts.say(_MAV_SEVERITY_NOTICE, text)

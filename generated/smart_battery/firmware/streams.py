@@ -21,6 +21,7 @@ VERSION = 2
 LONGEST = 140  # bytes of the longest payload; a link keeps a view of each length
 
 OFF = -1
+_OFF_MS = 1000  # what is off is looked at again then, or when a parameter changes
 
 # What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
 _IDS = (0, 147, 369, 370, 372, 148, 300, 54371)
@@ -104,12 +105,15 @@ class Streams:
     Of two generations of messages only the chosen one is streamed and announced; send() and set_interval() reach both.
     """
 
-    def __init__(self, state, link):
+    def __init__(self, state, link, budget=None):
         self._state = state
         self._link = link
+        # How many messages may go out in this pass, which all stations of the link share, and how many were left out.
+        self._budget = [0x3FFFFFFF, 0] if budget is None else budget
+        self._has_waited = False  # whether something is late for that reason
         now_ms = time.ticks_ms()
         self._due_ms = [now_ms] * len(_IDS)
-        self._rest = array("i", [0] * len(_IDS))  # what due times are late by, in parts of a millisecond
+        self._rest = array("i", [0] * len(_IDS))  # what due times are late by, in parts of a millisecond; -1: it is off
         self._interval_us = array("i", [0] * len(_IDS))  # asked for; 0 is the stream's own rate
         self._asked_hz = array("i", [OFF] * len(_FASTEST_HZ))  # asked for; -1 is the stream's own rate
         self._changes = state.parameters.changes
@@ -127,7 +131,11 @@ class Streams:
             self._follow_parameters(now_ms)
         for index in range(8):
             if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
+                if self._budget[0] <= 0:  # what comes first in this order goes first
+                    self._has_waited = True
+                    return
                 self._send_due(index, now_ms)
+        self._has_waited = False
 
     def connect(self):
         """Let everything be announced that who appears on the link has to know."""
@@ -269,6 +277,9 @@ class Streams:
     def _follow_parameters(self, now_ms):
         """Drop what was asked for where the stream's parameter has changed."""
         self._changes = self._state.parameters.changes
+        for index in range(len(_IDS)):
+            if self._rest[index] == OFF:  # perhaps it is not any more
+                self._restart(index, now_ms)
         steps = self._parameter_steps()
         if steps[0] != self._steps[0]:
             self._override(1, OFF, now_ms)
@@ -289,16 +300,20 @@ class Streams:
 
     def _send_due(self, index, now_ms):
         if not self._find_period(index):
-            self._due_ms[index] = now_ms
+            self._due_ms[index] = time.ticks_add(now_ms, _OFF_MS)
+            self._rest[index] = OFF
             return
         parts = self._rest[index] + self._numerator
         due_ms = time.ticks_add(self._due_ms[index], parts // self._denominator)
         if time.ticks_diff(now_ms, due_ms) >= 0:  # a pass came too late: no burst to catch up
             due_ms = time.ticks_add(now_ms, parts // self._denominator)
+            if self._has_waited:
+                self._budget[1] += 1
         self._due_ms[index] = due_ms
         self._rest[index] = parts % self._denominator
         if not self._is_off(index) and self._is_announced_soon(index):
             return
+        self._budget[0] -= 1
         self._send(index)
 
     def _find_period(self, index):

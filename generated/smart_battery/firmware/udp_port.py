@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/udp_port.py: do not edit.
-# Inputs: ccf9207fcb455a18
+# Inputs: 204bb4d60ea73769
 """A port that sends UDP over Wi-Fi.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -16,20 +16,25 @@ import time
 from guard import Guard
 from micropython import const
 from readiness import Readiness
+from stations import Stations
 
 _WRAP = const(0x3FFFFFFF)
+_LONGEST = const(1472)  # bytes of a datagram that comes in one piece
 _BUSY = (errno.EAGAIN, errno.ENOBUFS, errno.ENOMEM)  # there is no room for a datagram now, and that is all
 
 
 class UdpPort:
     """UDP, a frame in each datagram, over Wi-Fi.
 
-    `host`, `port` is where frames go to until a datagram arrives, and from then on to whoever sent the last one; None
-    waits for that. `host` is an address, of a broadcast too: to look up a name would block. `local_port` 0 takes any.
+    Frames go to ends[0], and what was read last came from ends[1]. `host`, `port` is where they go at first, `home`,
+    and None waits for somebody. `host` is an address, of a broadcast too: to look up a name would block. `local_port` 0
+    takes any. `stations` keeps those apart who are there.
     `credentials` names a JSON file {"ssid": ..., "password": ...} whose "host", "port" and "local_port" override the
     arguments; None is a network that is there without Wi-Fi. What is down is tried again every `retry_ms`.
     The Wi-Fi chip is started here, which takes a second: make the port before the scheduler runs.
     """
+
+    stations = Stations
 
     def __init__(self, name, host, port, local_port, credentials, retry_ms, log):
         self.name = name
@@ -41,7 +46,8 @@ class UdpPort:
         self._guard = Guard()
         self._socket = None
         self._ready = None
-        self._peer = None
+        self.ends = [None, None]
+        self.home = None
         self._address = (host, port, local_port)
         self._retry = _Retry(retry_ms)
         self._wifi = None
@@ -54,17 +60,18 @@ class UdpPort:
         """Whether there is a socket; not whether somebody listens."""
         return self._socket is not None
 
-    def readinto(self, buffer):
-        """Read one datagram into `buffer` and return its length, 0 for none; what is too long for it is cut off."""
+    def read(self):
+        """Return the next datagram, None for none."""
         if self._socket is None or not self._is_ready():
-            return 0
-        count = self._receive(buffer)
-        self.received = (self.received + count) & _WRAP
-        return count
+            return None
+        data = self._receive()
+        if data is not None:
+            self.received = (self.received + len(data)) & _WRAP
+        return data
 
     def write(self, frame):
         """Send a frame as one datagram and return its length, or drop it and return 0."""
-        if self._socket is not None and self._peer is not None and self._is_sent(frame):
+        if self._socket is not None and self.ends[0] is not None and self._is_sent(frame):
             self.sent = (self.sent + len(frame)) & _WRAP
             return len(frame)
         self.dropped = (self.dropped + 1) & _WRAP
@@ -109,8 +116,10 @@ class UdpPort:
 
     def _open(self):
         host, port, local_port = self._address
-        if self._peer is None and host:
-            self._peer = socket.getaddrinfo(host, port)[0][-1]
+        if self.home is None and host:
+            self.home = socket.getaddrinfo(host, port)[0][-1]
+        if self.ends[0] is None:
+            self.ends[0] = self.home
         self._socket = opened = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         opened.setblocking(False)
         if hasattr(socket, "SO_BROADCAST"):
@@ -150,21 +159,22 @@ class UdpPort:
 
     def _is_sent(self, frame):
         with self._guard:
-            self._socket.sendto(frame, self._peer)
+            self._send(frame)
         if self._guard.error is None:
             return True
         self._note(self._guard.error)
         return False
 
-    def _receive(self, buffer):
-        count = 0
+    def _send(self, frame):  # here, or the variables of the function with the `with` would lie on the heap
+        self._socket.sendto(frame, self.ends[0])
+
+    def _receive(self):
+        data = None
         with self._guard:
-            data, self._peer = self._socket.recvfrom(len(buffer))
-            count = len(data)
-            buffer[:count] = data
+            data, self.ends[1] = self._socket.recvfrom(_LONGEST)
         if self._guard.error is not None:
             self._note(self._guard.error)
-        return count
+        return data
 
 
 class _Wifi:

@@ -104,12 +104,14 @@ class Vehicle:
         if missed != self._reported:
             self.texts("warning: missed control slots:", missed - self._reported)
             self._reported = missed
+        for connection in self.connections:
+            connection.report()
 
     # Links and parameters.
 
     def _connect(self, port):
         link = open_link(port, receivable(), self.parameters.sysid_thismav, self.parameters.compid_batt)
-        return Connection(self, port, link, Streams(self.state, link))
+        return Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
 
     def _load_parameters(self):
         stored = self.storage.load()

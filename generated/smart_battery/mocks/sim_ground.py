@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: bcdf5050bdc0da91
+# Inputs: c3bfff6f51e50396
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
@@ -18,19 +18,18 @@ class Ground:
 
     def speak_to(self, port_class):
         """Let what is sent arrive at ports of this class, before what really arrives."""
-        readinto = port_class.readinto
+        read = port_class.read
 
-        def heard(port, buffer):
-            waiting = self._waiting
-            if not waiting:
-                return readinto(port, buffer)
-            count = min(len(buffer), len(waiting))
-            buffer[:count] = waiting[:count]
-            self._waiting = waiting[count:]
-            port.received += count
-            return count
+        def heard(port):
+            if not self._waiting:
+                return read(port)
+            data = bytes(self._waiting)
+            self._waiting = bytearray()
+            port.received += len(data)
+            port.ends[1] = port.home
+            return data
 
-        port_class.readinto = heard
+        port_class.read = heard
 
     def turn(self, now_ms):
         """Send what is due."""

@@ -4,38 +4,36 @@ import time
 
 from micropython import const
 
-_BUFFER = const(512)  # bytes that one readinto() takes; of UDP it has to be a whole datagram, or its end is lost
-_PIECE = const(32)  # bytes that are searched for frames at once
-_PIECES = const(8)  # in a pass
-_BUDGET_US = const(500)  # no more pieces in a pass from here on: bytes that look like frames take long to be searched
+_SIZE = const(256)  # bytes that one readinto() takes
+_WORK = const(256)  # bytes that are searched for frames in a pass; to check a frame counts as much as its length
+_PATIENCE_MS = const(500)  # for the end of a frame, where a port does not know better
 
 
 class Inbox:
     """Messages that arrive at a port.
 
-    What was read is handed to the link in pieces. Views of these are made once, and bytes that do not fill a piece are
-    copied to a smaller buffer: a view for each length and place would take the memory of all of them.
+    A datagram, which ports with `ends` read(), has whole frames: what is not whole at its end is given up at once, so
+    that nobody's bytes become part of another one's frame. Other ports readinto() a buffer and may bring a frame in
+    parts: it is given up when its end did not come within the time that the longest one takes, the `patience_ms`.
     """
 
     def __init__(self, port, link):
         self._port = port
         self._link = link
-        self._buffer = bytearray(_BUFFER)
-        whole = memoryview(self._buffer)
-        self._pieces = [whole[at : at + _PIECE] for at in range(0, _BUFFER, _PIECE)]
-        self._rest = bytearray(_PIECE)
-        rest = memoryview(self._rest)
-        self._rests = [rest[:length] for length in range(_PIECE)]
-        self._length = 0  # bytes that were read
-        self._taken = 0  # that the link has; at the end it may be more
-        self._is_open = False  # whether the link may find more in the last piece
-        self._pieces_left = 0
-        self._start_us = 0
+        self._state = link._state  # frames_plain says what it holds
+        self._state[16] = _WORK
+        self._has_datagrams = getattr(port, "ends", None) is not None
+        self._buffer = None if self._has_datagrams else bytearray(_SIZE)
+        self._patience_ms = getattr(port, "patience_ms", _PATIENCE_MS)
+        self._total = 0  # bytes that arrived
+        self._start = -1  # at which of them the frame begins that is not whole
+        self._since_ms = 0  # when that was noticed
+        self._read_ms = 0
+        self._is_open = False  # whether the link may find more in what it has
 
     def begin(self):
         """Begin a pass."""
-        self._pieces_left = _PIECES
-        self._start_us = time.ticks_us()
+        self._state[15] = 0
 
     def next(self):
         """Return the next message; None: nothing more arrived, or this pass has had its share."""
@@ -44,27 +42,40 @@ class Inbox:
                 message = self._link.receive()
                 if message is not None:
                     return message
+                if self._state[15] >= _WORK:
+                    return None
+                if self._has_datagrams and self._state[0] < self._state[1]:
+                    self._link.give_up()
+                    continue
                 self._is_open = False
-            if not self._pieces_left or time.ticks_diff(time.ticks_us(), self._start_us) >= _BUDGET_US:
+            if not self._read() and not self._is_given_up():
                 return None
-            if self._taken >= self._length and not self._read():
-                return None
-            self._put()
+            self._is_open = True
 
     def _read(self):
-        self._taken = 0
-        self._length = self._port.readinto(self._buffer) or 0
-        return self._length
+        if self._has_datagrams:
+            data = self._port.read()
+            if data:
+                self._link.put(data)
+            return data
+        count = self._port.readinto(self._buffer)
+        if not count:
+            return count
+        self._total = (self._total + count) & 0x3FFFFFFF
+        self._read_ms = time.ticks_ms()
+        self._link.put_part(self._buffer, count)
+        return count
 
-    def _put(self):
-        at = self._taken
-        left = self._length - at
-        if left >= _PIECE:
-            self._link.put(self._pieces[at // _PIECE])
-        else:
-            for index in range(left):
-                self._rest[index] = self._buffer[at + index]
-            self._link.put(self._rests[left])
-        self._taken = at + _PIECE
-        self._is_open = True
-        self._pieces_left -= 1
+    def _is_given_up(self):
+        """Give up the frame whose end does not come, if there is one; return whether that was done."""
+        left = self._state[1] - self._state[0]
+        if not left:
+            return False
+        start = (self._total - left) & 0x3FFFFFFF
+        if start != self._start:
+            self._start = start
+            self._since_ms = self._read_ms
+        if time.ticks_diff(time.ticks_ms(), self._since_ms) < self._patience_ms:
+            return False
+        self._link.give_up()
+        return True

@@ -24,6 +24,7 @@ class _Running:
         self.system = command.system
         self.component = command.component
         self.connection = connection
+        self.station = connection.station
         self.progress = 0
         self.asked_ms = self.told_ms = time.ticks_ms()
 
@@ -75,6 +76,7 @@ class LongCommands:
 
     def tell(self, running):
         """Tell who asked that it goes on; if that is lost, the next one tells more."""
+        running.connection.turn_to(running.station)
         self._send((running, dialect.MAV_RESULT_IN_PROGRESS))
 
     def end(self, running, result, text):
@@ -83,6 +85,7 @@ class LongCommands:
         if text is not None:
             self.say(running, text)
         running.progress = 0
+        running.connection.turn_to(running.station)
         running.connection.deliver(self._send, (running, result))
 
     def say(self, running, text):

@@ -105,9 +105,8 @@ class Services:
             self._targets[kind.ID] = targets
 
     def run(self):
-        """Go on with what takes several passes."""
+        """Go on with what takes several passes, for the station at hand."""
         self.parameters.run()
-        self.listeners.forget_silent(time.ticks_ms())
 
     def handle(self, message):
         """Give a message to who takes it, if it is for this vehicle and not its own; 0 addresses everybody."""

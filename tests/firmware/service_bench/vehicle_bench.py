@@ -103,9 +103,12 @@ class Bench:
             port = Port()
             known = services.receivable() if messages_in is None else messages_in
             link = Link(port, 1, 1, version, known, longest)
-            self.vehicle.connections.append(Connection(self.vehicle, port, link, Streams(link, self.calls)))
+            self.vehicle.connections.append(self._connection(port, link))
         self.connection = self.vehicle.connections[0]
         self.port = self.connection.port
+
+    def _connection(self, port, link):
+        return Connection(self.vehicle, port, link, lambda _budget: Streams(link, self.calls))
 
     def passes(self, count):
         """Run so many passes of 2.5 ms."""

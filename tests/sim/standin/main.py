@@ -45,12 +45,11 @@ class Connection:
         self.port = port
         self.link = open_link(port)
         self.streams = Streams(state, self.link)
-        self._buffer = bytearray(300)
 
     def run(self, now_ms):
-        count = self.port.readinto(self._buffer)
-        if count:
-            self.link.put(bytes(self._buffer[:count]))
+        data = self.port.read()
+        if data:
+            self.link.put(data)
             while self.link.receive():
                 pass
         self.streams.run(now_ms)

@@ -13,23 +13,23 @@ class UdpPort:
         self.is_up = True
         with open(credentials) as file:
             settings = json.load(file)
-        self._to = socket.getaddrinfo(settings["host"], settings["port"])[0][-1]
+        self.home = socket.getaddrinfo(settings["host"], settings["port"])[0][-1]
+        self.ends = [self.home, None]
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(socket.getaddrinfo("0.0.0.0", settings["local_port"])[0][-1])
         self._socket.setblocking(False)
 
-    def readinto(self, buffer):
+    def read(self):
         try:
-            data, self._to = self._socket.recvfrom(len(buffer))
+            data, self.ends[0] = self._socket.recvfrom(1472)
         except OSError:
-            return 0
-        buffer[: len(data)] = data
+            return None
         self.received += len(data)
-        return len(data)
+        return data
 
     def write(self, frame):
         try:
-            self._socket.sendto(bytes(frame), self._to)
+            self._socket.sendto(bytes(frame), self.ends[0])
         except OSError:
             self.dropped += 1
             return 0

@@ -1,0 +1,337 @@
+# Generated from templates/tests/program/station_checks.py: do not edit.
+# Inputs: 7861391f8a906968
+"""Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
+
+from program_bench import (
+    SECOND_US,
+    GroundStation,
+    main,
+    messages,
+    needs,
+    new_rover,
+    run,
+    run_passes,
+)
+from program_facts import LINKS_US, PARAMETERS, SENT, SILENCE_MS, VERSION
+from stations import Stations
+
+import dialect
+
+HOME = ("10.0.0.255", 14550)  # the declared address
+SEQUENCE = 4 if VERSION == 2 else 2  # where a frame has its number
+
+
+class Air:
+    """A port that tells addresses: what arrives stands in `arrived`, and `taken` has the frames for each address."""
+
+    name = "air"
+    is_up = True
+    stations = Stations
+
+    def __init__(self, home=HOME):
+        self.home = home
+        self.ends = [home, None]
+        self.arrived = []
+        self.taken = {}
+
+    def read(self):
+        """Return the next datagram."""
+        if not self.arrived:
+            return None
+        self.ends[1], data = self.arrived.pop(0)
+        return data
+
+    def write(self, frame):
+        """Take a frame, if it is for anybody."""
+        if self.ends[0] is None:
+            return 0
+        self.taken.setdefault(self.ends[0], []).append(bytes(frame))
+        return len(frame)
+
+    def poll(self, _now_ms):
+        """Do nothing."""
+
+
+class End:
+    """One address at the other end, as GroundStation takes it."""
+
+    def __init__(self, air, address):
+        self._air = air
+        self._address = address
+
+    def arrives(self, data):
+        """Let a datagram arrive at the vehicle."""
+        self._air.arrived.append((self._address, bytes(data)))
+
+    @property
+    def frames(self):
+        """What came back."""
+        return self._air.taken.get(self._address, [])
+
+    @frames.setter
+    def frames(self, frames):
+        self._air.taken[self._address] = frames
+
+
+class Scene:
+    """A rover on the air, and stations by the number of their address."""
+
+    def __init__(self, home=HOME):
+        self.air = Air(home)
+        self.rover = new_rover(ports=[self.air])
+        self.stations = {}
+
+    def station(self, number, system_id=255):
+        """Return the station at an address, with this system id."""
+        if number not in self.stations:
+            self.stations[number] = GroundStation(End(self.air, address(number)), VERSION, system_id)
+        return self.stations[number]
+
+    def seconds(self, count, *present):
+        """Let seconds pass in which these stations send a HEARTBEAT each."""
+        for _ in range(count):
+            for number in present:
+                self.beat(number)
+            run(self.rover, SECOND_US)
+
+    def beat(self, number):
+        """Let a station send a HEARTBEAT."""
+        self.station(number).send(
+            messages.Heartbeat, type=dialect.MAV_TYPE_GCS, autopilot=dialect.MAV_AUTOPILOT_INVALID
+        )
+
+    def heard(self, count, *numbers):
+        """Return how many HEARTBEATs stations, or None for the declared address, got in seconds in which they beat.
+
+        Only the frames of the last second are kept.
+        """
+        found = [0] * len(numbers)
+        for _ in range(count):
+            self.air.taken = {}
+            self.seconds(1, *[number for number in numbers if number is not None])
+            for place in range(len(numbers)):
+                found[place] += self.beats(HOME if numbers[place] is None else address(numbers[place]))
+        return found
+
+    def beats(self, of):
+        """Return how many of the frames for an address are HEARTBEATs."""
+        identity = 7 if VERSION == 2 else 5
+        return len([frame for frame in self.air.taken.get(of, ()) if frame[identity] == 0])
+
+
+def address(number):
+    """Return an address."""
+    return ("10.0.0." + str(number), 50000)
+
+
+def all_of_four_are_served():
+    """Each gets as much as one alone, and misses nothing."""
+    scene = Scene()
+    alone = scene.heard(10, 1)[0]
+    assert alone >= 1
+    scene.seconds(1, 1, 2, 3, 4)
+    found = scene.heard(10, 1, 2, 3, 4)
+    assert [abs(count - alone) <= 1 for count in found] == [True] * 4, (alone, found)
+    for number in (1, 2, 3, 4):
+        assert _follows(scene.air.taken[address(number)]), number
+
+
+def _follows(frames):
+    numbers = [frame[SEQUENCE] for frame in frames]
+    return all((numbers[at] - numbers[at - 1]) & 0xFF == 1 for at in range(1, len(numbers)))
+
+
+def rates_are_of_who_asked():
+    """What one station switches off goes on for the other one, and comes back for none but who asks for it."""
+    scene = Scene()
+    scene.seconds(1, 1, 2)
+    scene.station(1).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, -1)
+    scene.seconds(1, 1, 2)
+    off, on = scene.heard(5, 1, 2)
+    assert off == 0
+    assert on >= 4
+    scene.station(2).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, 0)
+    scene.seconds(1, 1, 2)
+    assert scene.heard(5, 1, 2)[0] == 0
+
+
+def lists_of_parameters_go_side_by_side():
+    """Each station gets its own, from the first parameter to the last, whenever it asks."""
+    needs(PARAMETERS, "parameters")
+    scene = Scene()
+    scene.seconds(1, 1, 2, 3)
+    scene.air.taken = {}
+    for number in (1, 2, 3):
+        scene.station(number).send(messages.ParamRequestList)
+        run_passes(scene.rover, 3)
+    run(scene.rover, 5 * SECOND_US)
+    for number in (1, 2, 3):
+        found = [value.param_index for value in scene.station(number).received(messages.ParamValue)]
+        assert found == list(range(len(PARAMETERS))), (number, found)
+
+
+def a_new_value_is_told_to_all():
+    """Who sets a parameter is answered, and the others are told."""
+    needs(PARAMETERS, "parameters")
+    scene = Scene()
+    scene.seconds(1, 1, 2, 3)
+    scene.air.taken = {}
+    limits = scene.rover.parameters.limits(PARAMETERS[0]["name"])
+    now = scene.rover.parameters.get(PARAMETERS[0]["name"])
+    value = limits[0] if now != limits[0] else limits[1]
+    scene.station(2).send(messages.ParamSet, param_id=PARAMETERS[0]["name"], param_value=value)
+    run_passes(scene.rover, 4)
+    for number in (1, 2, 3):
+        found = [each.param_id for each in scene.station(number).received(messages.ParamValue)]
+        assert found == [PARAMETERS[0]["name"]], (number, found)
+
+
+def who_asks_is_answered():
+    """Two stations have one system id: each gets its own answers."""
+    scene = Scene()
+    scene.seconds(1, 1, 2)
+    scene.air.taken = {}
+    scene.station(1).command(410)
+    scene.station(2).command(411)
+    run_passes(scene.rover, 4)
+    for number, expected in ((1, 410), (2, 411)):
+        assert [ack.command for ack in scene.station(number).received(messages.CommandAck)] == [expected]
+
+
+def bytes_that_are_no_frame_change_nothing():
+    """A stray byte, noise and a damaged frame: nobody is served for them, and nobody less."""
+    scene = Scene()
+    frame = bytes(scene.station(7).link.encode(messages.Heartbeat(unknown=False).update(type=dialect.MAV_TYPE_GCS)))
+    own = bytes(GroundStation(None, VERSION, 1, 1).link.encode(messages.Heartbeat(unknown=False)))
+    strays = (b"", b"\0", b"\xfd\xff\0", frame[:-1], frame[:-1] + bytes((frame[-1] ^ 1,)), bytes(range(256)) * 4)
+    for present in ((None,), (1, 2)):
+        for stray in strays + (own,):  # noqa: RUF005  MicroPython has no stars there
+            scene.air.arrived.append((address(9), stray))
+            scene.air.taken = {}
+            run_passes(scene.rover, 8)
+        found = scene.heard(5, *present)
+        assert min(found) >= 4, found
+        assert address(9) not in scene.air.taken
+        scene.seconds(1, 1, 2)
+
+
+def datagrams_stand_for_themselves():
+    """What one station sent of a frame does not become part of another one's, and delays nothing."""
+    scene = Scene()
+    scene.seconds(1, 1, 2)
+    scene.air.taken = {}
+    announced = b"\xfd\xff\0\0\xff\xbe\x4c\0\0" if VERSION == 2 else b"\xfe\xff\0\xff\xbe\x4c"
+    for _ in range(5):
+        scene.air.arrived.append((address(2), announced))
+        scene.station(1).command(410)
+        run_passes(scene.rover, 2)
+    assert len(scene.station(1).received(messages.CommandAck)) == 5
+
+
+def vehicles_are_no_stations():
+    """Another vehicle that broadcasts to the same port does not take the telemetry away."""
+    scene = Scene()
+    other = GroundStation(End(scene.air, address(9)), VERSION, 7)
+    other.send(messages.Heartbeat, type=2, autopilot=3)
+    scene.seconds(1)
+    assert scene.heard(5, None)[0] >= 4
+    assert address(9) not in scene.air.taken
+
+
+def the_declared_address_is_served_while_nobody_is_there():
+    """Before the first station, and after the last one; nobody is where none is declared."""
+    for home in (HOME, None):
+        scene = Scene(home)
+        assert scene.heard(5, None)[0] >= (4 if home else 0)
+        scene.seconds(1, 1)
+        declared, one = scene.heard(5, None, 1)
+        assert (declared, one >= 4) == (0, True)
+        scene.seconds(SILENCE_MS // 1000 + 2)
+        declared = scene.heard(5, None)[0]
+        assert declared >= 4 if home else declared == 0
+        assert address(1) not in scene.air.taken
+
+
+def who_comes_back_finds_its_rates():
+    """From the laptop to the tablet and back: each has what it asked for, and who is away is not sent to."""
+    scene = Scene()
+    scene.seconds(1, 1)
+    scene.station(1).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, -1)
+    scene.seconds(1, 1)
+    scene.seconds(SILENCE_MS // 1000 + 2, 2)
+    assert scene.heard(5, 2)[0] >= 4
+    assert address(1) not in scene.air.taken
+    scene.seconds(SILENCE_MS // 1000 + 2)
+    assert scene.heard(5, None)[0] >= 4
+    scene.seconds(1, 1)
+    there, back = scene.heard(5, 2, 1)
+    assert (there >= 4, back) == (True, 0)
+
+
+def a_station_that_starts_again_is_served_at_once():
+    """It has another port each time, more often than there are places; who still beats goes on."""
+    scene = Scene()
+    scene.seconds(1, 1)
+    for number in range(2, 9):
+        scene.seconds(1, 1, number)
+        assert min(scene.heard(4, 1, number)) >= 3, number
+
+
+def there_is_no_place_for_a_fifth():
+    """It gets nothing and a text says so, until one of the four is away."""
+    scene = Scene()
+    for _ in range(2):
+        scene.seconds(6, 1, 2, 3, 4)
+        scene.beat(5)
+    scene.seconds(12, 1, 2, 3, 4)
+    assert address(5) not in scene.air.taken
+    assert scene.rover.said("air has no place for another station")
+    scene.seconds(6, 1, 2, 3, 5)
+    assert min(scene.heard(5, 1, 2, 3, 5)) >= 4
+
+
+def too_much_is_left_out_from_the_end():
+    """Four stations ask for all that there is: HEARTBEATs come, others are left out in turn, and a text says so."""
+    scene = Scene()
+    scene.seconds(1, 1, 2, 3, 4)
+    for number in (1, 2, 3, 4):
+        for message in SENT:
+            scene.station(number).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, message, 1)
+            run_passes(scene.rover, 2)
+    streams = [station.streams for station in scene.rover.connections[0].stations]
+    intervals_us = [each.interval_us(message) for each in streams for message in SENT]
+    per_pass = sum([LINKS_US / interval_us for interval_us in intervals_us if interval_us > 0])
+    needs(per_pass > 9, "enough messages")
+    scene.seconds(1, 1, 2, 3, 4)
+    found = scene.heard(5, 1, 2, 3, 4)
+    assert max(found) - min(found) <= max(found) // 5, found
+    assert min(found) > 100, found
+    for _ in range(11):
+        scene.air.taken = {}
+        scene.seconds(1, 1, 2, 3, 4)
+    assert scene.rover.said("air is full, messages left out")
+    for number in (1, 2, 3, 4):
+        scene.air.taken = {}
+        scene.station(number).command(410)
+        run_passes(scene.rover, 4)
+        assert len(scene.station(number).received(messages.CommandAck)) == 1
+
+
+CHECKS = (
+    (all_of_four_are_served, "services.stations"),
+    (rates_are_of_who_asked, "services.stations"),
+    (lists_of_parameters_go_side_by_side, "services.stations"),
+    (a_new_value_is_told_to_all, "services.stations"),
+    (who_asks_is_answered, "services.stations"),
+    (bytes_that_are_no_frame_change_nothing, "services.stations"),
+    (datagrams_stand_for_themselves, "services.stations"),
+    (vehicles_are_no_stations, "services.stations"),
+    (the_declared_address_is_served_while_nobody_is_there, "services.stations"),
+    (who_comes_back_finds_its_rates, "services.stations"),
+    (a_station_that_starts_again_is_served_at_once, "services.stations"),
+    (there_is_no_place_for_a_fifth, "services.stations"),
+    (too_much_is_left_out_from_the_end, "services.stations"),
+)
+
+if __name__ == "__main__":
+    main(CHECKS)

@@ -1,0 +1,79 @@
+"""What a link keeps of each station that it serves, and what it is told in texts.
+
+Long texts go in chunks: MAVLink 2 puts them together, MAVLink 1 gets their beginning.
+"""
+
+from struct import pack_into
+
+import dialect
+import messages
+from micropython import const
+
+_TEXT = const(50)  # characters of a STATUSTEXT
+
+
+class Station:
+    """Its rates, and how far it has been told what it is to know; `address` None is the declared one, or a wire's end.
+
+    `heard_ms` is the time.ticks_ms() of its last frame, and counts while `is_heard`. `streams` are those of its rates,
+    `sequence` is the number of its next frame, `waiting` has replies that the port did not take yet, and `parameter` is
+    the index of the next one of the list, or None.
+    """
+
+    def __init__(self, streams, text):
+        self.streams = streams
+        self.address = None
+        self.is_heard = False
+        self.heard_ms = 0
+        self.sequence = 0
+        self.waiting = []
+        self.parameter = None
+        self.text = text  # number of the text at hand, or of the last one
+        self.said = None  # its severity and the text itself, while it is being sent
+        self.text_id = 0
+        self.chunk = 0
+
+
+class TextSender:
+    """Sends each text once to each station of a connection, as STATUSTEXT."""
+
+    def __init__(self, connection, texts):
+        self._connection = connection
+        self._texts = texts
+        self._message = messages.Statustext(unknown=False)
+
+    def run(self, station):
+        """Send at most one message to a station, at which the connection is."""
+        if station.said is None and station.text == self._texts.last:
+            return
+        if self._connection.port.is_up and (station.said is not None or self._take(station)) and self._send(station):
+            # A NUL ends a long text: the chunk after 50 characters may be empty.
+            station.chunk += 1
+            length = len(station.said[1])
+            if length <= _TEXT or station.chunk * _TEXT > length:
+                station.said = None
+
+    def _take(self, station):
+        """Take the next text; False: all that were new are overwritten already."""
+        while station.text != self._texts.last:
+            station.text += 1
+            found = self._texts.get(station.text)
+            if found is not None:
+                text = found[1].encode()
+                if self._connection.link.version == 1:
+                    text = text[:_TEXT]
+                if len(text) > _TEXT:
+                    station.text_id = station.text_id % 0xFFFF + 1  # 0 says that there is one chunk only
+                station.said = found[0], text
+                station.chunk = 0
+                return True
+        return False
+
+    def _send(self, station):
+        severity, text = station.said
+        wire = self._message.wire
+        wire[dialect.STATUSTEXT_SEVERITY_AT] = severity
+        pack_into("<50s", wire, dialect.STATUSTEXT_TEXT_AT, text[station.chunk * _TEXT :])
+        pack_into("<H", wire, dialect.STATUSTEXT_ID_AT, station.text_id if len(text) > _TEXT else 0)
+        wire[dialect.STATUSTEXT_CHUNK_SEQ_AT] = station.chunk
+        return self._connection.send(self._message)
