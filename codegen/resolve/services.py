@@ -12,14 +12,31 @@ from codegen.model.program_spec import VehicleSpec
 
 NO_SERVICE_MESSAGE = Rule(
     "no-service-message",
-    "The services to ground stations need a message, or an entry of an enum, that the dialect does not have. Choose a "
-    "dialect that includes common.xml, or add it with an overlay.",
+    "The services to ground stations need a message, a field of one, or an entry of an enum, that the dialect does not "
+    "have. Choose a dialect that includes common.xml, or add it with an overlay.",
 )
 
 HEAD_ONLY = ("FILE_TRANSFER_PROTOCOL",)
 """Those of which the services read a beginning only."""
 SENT = ("PING", "PARAM_VALUE", "COMMAND_ACK", "MESSAGE_INTERVAL", "STATUSTEXT", "PARAM_ERROR")
 """The messages that the services send; of FILE_TRANSFER_PROTOCOL they send a short beginning only."""
+
+SERVICE_FIELDS = {
+    "HEARTBEAT": "type",
+    "PING": "target_system target_component",
+    "PARAM_REQUEST_READ": "param_index param_id",
+    "PARAM_SET": "param_value param_id",
+    "PARAM_VALUE": "param_value param_count param_index param_id param_type",
+    "PARAM_ERROR": "param_index target_system target_component param_id error",
+    "REQUEST_DATA_STREAM": "req_message_rate req_stream_id start_stop",
+    "COMMAND_INT": "frame",
+    "COMMAND_LONG": "param1 command confirmation",
+    "COMMAND_ACK": "command result progress target_system target_component",
+    "MESSAGE_INTERVAL": "interval_us message_id",
+    "FILE_TRANSFER_PROTOCOL": "target_system target_component payload",
+    "STATUSTEXT": "severity text id chunk_seq",
+}
+"""The fields that the program reads and writes in payloads, in templates such as `dialect.PING_TARGET_SYSTEM_AT`."""
 
 SERVICE_ENTRIES = {
     "MAV_CMD": " ".join(each.name.removeprefix("MAV_CMD_") for each in BUILT_IN if each.needs is not Needs.MODES),
@@ -67,7 +84,13 @@ def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report, uses: 
     missing = [name for name in names if name not in dialect.messages]
     if missing:
         report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no message {shortened_list(missing)}")
-    return tuple(dialect.messages[name] for name in names if name in dialect.messages)
+    found = tuple(dialect.messages[name] for name in names if name in dialect.messages)
+    for wire in found:
+        lacking = set(SERVICE_FIELDS.get(wire.name, "").split()) - {field.name for field in wire.fields}
+        if lacking:
+            what = shortened_list([f"{wire.name}.{name}" for name in sorted(lacking)])
+            report.add(NO_SERVICE_MESSAGE, spec.place, f"{dialect.name} has no field {what}")
+    return found
 
 
 def service_constants(spec: VehicleSpec, dialect: Dialect, report: Report, uses: Uses) -> dict[str, int]:

@@ -1,10 +1,12 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: 86e1332724c5598b
+# Inputs: b3e8a455eafbfd75
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
 HEARTBEAT of an ArduPilot vehicle (MAV_AUTOPILOT_ARDUPILOTMEGA) says so.
 """
+
+from struct import pack_into, unpack_from
 
 import messages
 import parameters
@@ -14,9 +16,24 @@ from micropython import const
 _MAV_PARAM_ERROR_DOES_NOT_EXIST = const(1)
 _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE = const(2)
 _MAV_SEVERITY_NOTICE = const(5)
+_PARAM_ERROR_ERROR_AT = const(20)
+_PARAM_ERROR_PARAM_ID_AT = const(4)
+_PARAM_ERROR_PARAM_INDEX_AT = const(0)
+_PARAM_ERROR_TARGET_COMPONENT_AT = const(3)
+_PARAM_ERROR_TARGET_SYSTEM_AT = const(2)
+_PARAM_REQUEST_READ_PARAM_ID_AT = const(4)
+_PARAM_REQUEST_READ_PARAM_INDEX_AT = const(0)
+_PARAM_SET_PARAM_ID_AT = const(6)
+_PARAM_SET_PARAM_VALUE_AT = const(0)
+_PARAM_VALUE_PARAM_COUNT_AT = const(4)
+_PARAM_VALUE_PARAM_ID_AT = const(8)
+_PARAM_VALUE_PARAM_INDEX_AT = const(6)
+_PARAM_VALUE_PARAM_TYPE_AT = const(24)
+_PARAM_VALUE_PARAM_VALUE_AT = const(0)
 
 _NO_INDEX = const(0xFFFF)  # PARAM_VALUE that is not part of the list
 _BY_NAME = const(-1)  # index of requests that name the parameter
+_NAME_SIZE = const(16)
 
 
 class ParameterService:
@@ -41,30 +58,30 @@ class ParameterService:
 
     def read(self, message):
         """PARAM_REQUEST_READ: send one value, chosen by its index or by its name."""
-        index = message.raw("param_index")
-        name = message.raw("param_id")
+        asked = index = unpack_from("<h", message.wire, _PARAM_REQUEST_READ_PARAM_INDEX_AT)[0]
+        name = _name(message.wire, _PARAM_REQUEST_READ_PARAM_ID_AT)
         if index == _BY_NAME:
             index = _index(name)
         if index is not None and 0 <= index < len(parameters.NAMES):
             self._connection.deliver(self._send_value, (parameters.NAMES[index], index))
         else:
-            self._refuse(message, message.raw("param_index"), _MAV_PARAM_ERROR_DOES_NOT_EXIST)
+            self._refuse(message, name, asked, _MAV_PARAM_ERROR_DOES_NOT_EXIST)
 
     def set(self, message):
         """PARAM_SET: take a value over; what is in force afterwards is the answer, whether it was accepted or not."""
-        name = message.raw("param_id")
+        name = _name(message.wire, _PARAM_SET_PARAM_ID_AT)
         if _index(name) is None:
-            is_readable = name and isinstance(name, str)
+            is_readable = name and max(name) < "\x80"
             self._say(f"{name} is no parameter" if is_readable else "a parameter of this name does not exist")
-            self._refuse(message, _BY_NAME, _MAV_PARAM_ERROR_DOES_NOT_EXIST)
+            self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_DOES_NOT_EXIST)
             return
         changes = self._vehicle.parameters.changes
-        if not self._vehicle.parameters.set(name, message.raw("param_value")):
+        value = unpack_from("<f", message.wire, _PARAM_SET_PARAM_VALUE_AT)[0]
+        if not self._vehicle.parameters.set(name, value):
             smallest, largest = self._vehicle.parameters.limits(name)
-            value = message.raw("param_value")
             self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
             # Before the value: a ground station that takes the value for the answer would not see the reason.
-            self._refuse(message, _BY_NAME, _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
+            self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE)
         self._connection.deliver(self._send_value, (name, _NO_INDEX))
         if changes != self._vehicle.parameters.changes:
             self._tell_change(name)
@@ -86,34 +103,44 @@ class ParameterService:
     def _send_value(self, which):
         """Send (name, index) with the value that is in force now; return whether the port took it."""
         name, index = which
-        self._value.update(
-            param_id=name,
-            param_value=self._vehicle.parameters.get(name),
-            param_type=self._vehicle.parameters.type_of(name),
-            param_count=len(parameters.NAMES),
-            param_index=index,
-        )
+        wire = self._value.wire
+        pack_into("<f", wire, _PARAM_VALUE_PARAM_VALUE_AT, self._vehicle.parameters.get(name))
+        pack_into("<H", wire, _PARAM_VALUE_PARAM_COUNT_AT, len(parameters.NAMES))
+        pack_into("<H", wire, _PARAM_VALUE_PARAM_INDEX_AT, index)
+        _put_name(wire, _PARAM_VALUE_PARAM_ID_AT, name)
+        wire[_PARAM_VALUE_PARAM_TYPE_AT] = self._vehicle.parameters.type_of(name)
         return self._connection.send(self._value)
 
-    def _refuse(self, message, index, error):
+    def _refuse(self, message, name, index, error):
         # MAVLink 1 has no PARAM_ERROR: its id is above 255.
         if self._connection.link.version == 2:
-            name = message.raw("param_id")
             refusal = (message.source_system, message.source_component, name, index, error)
             self._connection.deliver(self._send_error, refusal)
 
     def _send_error(self, refusal):
         system, component, name, index, error = refusal
-        self._error.update(
-            target_system=system, target_component=component, param_id=name, param_index=index, error=error
-        )
+        wire = self._error.wire
+        pack_into("<h", wire, _PARAM_ERROR_PARAM_INDEX_AT, index)
+        wire[_PARAM_ERROR_TARGET_SYSTEM_AT] = system
+        wire[_PARAM_ERROR_TARGET_COMPONENT_AT] = component
+        _put_name(wire, _PARAM_ERROR_PARAM_ID_AT, name)
+        wire[_PARAM_ERROR_ERROR_AT] = error
         return self._connection.send(self._error)
 
 
 def _index(name):
     """Return the index of a parameter, None if there is none of this name."""
-    if isinstance(name, str):  # and not bytes that are no ASCII
-        for index, known in enumerate(parameters.NAMES):
-            if known == name:
-                return index
+    for index, known in enumerate(parameters.NAMES):
+        if known == name:
+            return index
     return None
+
+
+def _name(wire, at):
+    """Return the name in a payload, up to the first NUL; each byte is a character, whatever it is."""
+    return "".join([chr(byte) for byte in bytes(wire[at : at + _NAME_SIZE]).split(b"\0")[0]])
+
+
+def _put_name(wire, at, name):
+    for place in range(_NAME_SIZE):
+        wire[at + place] = ord(name[place]) if place < len(name) else 0

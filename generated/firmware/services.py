@@ -1,21 +1,30 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 5ed6bbcc801c1971
+# Inputs: 902f639f09689513
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
+import struct
 import time
 
 import messages
 from commands import Commands
-from fields import lay_out
 from listeners import Listeners
 from micropython import const
 from parameter_service import ParameterService
 
 # Numbers of the dialect.
+_FILE_TRANSFER_PROTOCOL_PAYLOAD_AT = const(3)
+_FILE_TRANSFER_PROTOCOL_TARGET_COMPONENT_AT = const(2)
+_FILE_TRANSFER_PROTOCOL_TARGET_SYSTEM_AT = const(1)
+_HEARTBEAT_TYPE_AT = const(4)
 _MAV_FTP_ERR_UNKNOWNCOMMAND = const(7)
 _MAV_FTP_OPCODE_ACK = const(128)
 _MAV_FTP_OPCODE_NAK = const(129)
 _MAV_TYPE_GCS = const(6)
+_PING_TARGET_COMPONENT_AT = const(13)
+_PING_TARGET_SYSTEM_AT = const(12)
+_REQUEST_DATA_STREAM_REQ_MESSAGE_RATE_AT = const(0)
+_REQUEST_DATA_STREAM_REQ_STREAM_ID_AT = const(4)
+_REQUEST_DATA_STREAM_START_STOP_AT = const(5)
 
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
@@ -55,6 +64,19 @@ def _both(first, second):
     return take
 
 
+def _targets(kind):
+    """Return where messages of a class have their target system and component, as far as they have them."""
+    places = {}
+    at = 0
+    for word in kind.FIELDS.split():
+        name, form = word.split("=")[0].split(":")
+        places[name] = at
+        at += struct.calcsize("<" + form)
+    system = places.get("target_system", places.get("target"))
+    component = places.get("target_component")
+    return () if system is None else (system,) if component is None else (system, component)
+
+
 class Services:
     """The services of one connection.
 
@@ -72,8 +94,8 @@ class Services:
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
-        self._of_all = {}  # who takes messages without a target, by their ids, and those with one
-        self._of_target = {}
+        self._takers = {}  # who takes messages, by their ids
+        self._targets = {}  # where those that have a target have its system and component
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
@@ -92,10 +114,11 @@ class Services:
 
         The link has to receive it, see receivable(). What is for everybody, or names no target, is for this vehicle.
         """
-        fields = " " + kind.FIELDS
-        takers = self._of_target if " target_system:" in fields or " target:" in fields else self._of_all
-        found = takers.get(kind.ID)
-        takers[kind.ID] = taker if found is None else _both(found, taker)
+        found = self._takers.get(kind.ID)
+        self._takers[kind.ID] = taker if found is None else _both(found, taker)
+        targets = _targets(kind)
+        if targets:
+            self._targets[kind.ID] = targets
 
     def run(self):
         """Go on with what takes several passes."""
@@ -108,27 +131,22 @@ class Services:
         sent = message._image  # frames_plain says what it holds
         if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
-        taker = self._of_all.get(message.ID)
-        if taker is None and self._is_addressed(message):
-            taker = self._of_target.get(message.ID)
-        if taker is not None:
+        taker = self._takers.get(message.ID)
+        targets = self._targets.get(message.ID)
+        if taker is not None and (targets is None or self._is_addressed(message.wire, targets)):
             taker(message)
 
-    def _is_addressed(self, message):
-        if message.ID not in self._of_target:
-            return False
-        layout = message._layout or lay_out(message)
-        wire = message.wire
-        target = wire[(layout.get("target_system") or layout["target"])[1]]
+    def _is_addressed(self, wire, targets):
+        target = wire[targets[0]]
         if target != 0 and target != self._connection.system_id:  # noqa: PLR1714  a tuple would take heap
             return False
-        if "target_component" not in layout:
+        if len(targets) == 1:
             return True
-        target = wire[layout["target_component"][1]]
+        target = wire[targets[1]]
         return target == 0 or target == self._connection.component_id  # noqa: PLR1714  as above
 
     def _hear(self, message):
-        if message.raw("type") == _MAV_TYPE_GCS:
+        if message.wire[_HEARTBEAT_TYPE_AT] == _MAV_TYPE_GCS:
             self.ground_station = (message.source_system, message.source_component)
             self.heard_ms = time.ticks_ms()
             if self.listeners.hear(message.source_system, message.source_component, self.heard_ms):
@@ -136,26 +154,34 @@ class Services:
 
     def _answer_ping(self, message):
         # An addressed PING is the answer to one: it has come back, and is not answered again.
-        if message.raw("target_system") or message.raw("target_component"):
+        wire = message.wire
+        if wire[_PING_TARGET_SYSTEM_AT] or wire[_PING_TARGET_COMPONENT_AT]:
             return
-        self._pong.wire[:] = message.wire
-        self._pong.update(target_system=message.source_system, target_component=message.source_component)
+        self._pong.wire[:] = wire
+        self._pong.wire[_PING_TARGET_SYSTEM_AT] = message.source_system
+        self._pong.wire[_PING_TARGET_COMPONENT_AT] = message.source_component
         self._connection.link.send(self._pong)  # a late answer would measure the wait: better none
 
     def _request_stream(self, message):
-        rate_hz = message.raw("req_message_rate") if message.raw("start_stop") else 0
-        self._connection.streams.request(message.raw("req_stream_id"), rate_hz)
+        wire = message.wire
+        rate_hz = 0
+        if wire[_REQUEST_DATA_STREAM_START_STOP_AT]:
+            rate_hz = struct.unpack_from("<H", wire, _REQUEST_DATA_STREAM_REQ_MESSAGE_RATE_AT)[0]
+        self._connection.streams.request(wire[_REQUEST_DATA_STREAM_REQ_STREAM_ID_AT], rate_hz)
 
     def _refuse_file(self, message):
         """Refuse a request for files, so that who asks turns to other ways at once, as to the parameter protocol.
 
         Requests are repeated until they are answered: a refusal that the port did not take needs no second try.
         """
-        request = message.raw("payload")
+        request = message.wire[_FILE_TRANSFER_PROTOCOL_PAYLOAD_AT :]
         if request[3] >= _MAV_FTP_OPCODE_ACK or self._connection.link.version == 1:
             return  # an answer, or MAVLink 1, which would take all 251 bytes of the payload
         sequence = (request[0] | request[1] << 8) + 1
-        payload = [0] * (_HEAD + 1)
+        wire = self._refusal.wire
+        wire[_FILE_TRANSFER_PROTOCOL_TARGET_SYSTEM_AT] = message.source_system
+        wire[_FILE_TRANSFER_PROTOCOL_TARGET_COMPONENT_AT] = message.source_component
+        payload = wire[_FILE_TRANSFER_PROTOCOL_PAYLOAD_AT :]
         payload[0] = sequence & 0xFF
         payload[1] = (sequence >> 8) & 0xFF
         payload[2] = request[2]
@@ -163,7 +189,4 @@ class Services:
         payload[4] = 1  # byte of data: the reason
         payload[5] = request[3]
         payload[_HEAD] = _MAV_FTP_ERR_UNKNOWNCOMMAND
-        self._refusal.update(
-            target_system=message.source_system, target_component=message.source_component, payload=payload
-        )
         self._connection.link.send(self._refusal)

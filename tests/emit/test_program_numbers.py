@@ -1,8 +1,15 @@
 """Modules of the program get the numbers of the dialect as constants of their own."""
 
-import pytest
+import re
+from pathlib import Path
 
+import pytest
+from pymavlink.dialects.v20 import common
+
+from codegen.resolve.services import SERVICE_FIELDS
 from codegen.targets.firmware.numbers import with_numbers
+
+PROGRAM = Path(__file__).resolve().parents[2] / "templates" / "firmware" / "program"
 
 MODULE = '''"""What it is about."""
 
@@ -41,3 +48,24 @@ def test_a_number_that_is_not_listed_is_no_number() -> None:
     """A template that uses a number has to list it."""
     with pytest.raises(KeyError, match="MAV_B"):
         with_numbers(MODULE, {"MAV_A": 7})
+
+
+def test_fields_that_modules_write_are_those_that_a_dialect_has_to_have() -> None:
+    """A dialect without one is a finding, and so no KeyError."""
+    texts = [path.read_text(encoding="utf-8") for path in PROGRAM.iterdir() if path.is_file()]
+    used = {name for text in texts for name in re.findall(r"dialect\.(\w+)_AT\b", text)}
+    assert used == {f"{name}_{field}".upper() for name, fields in SERVICE_FIELDS.items() for field in fields.split()}
+
+
+def test_modules_have_the_places_of_fields_that_pymavlink_has() -> None:
+    """As they stand in the rover's firmware."""
+    service = PROGRAM.parents[2] / "generated" / "firmware" / "parameter_service.py"
+    found = dict(re.findall(r"_PARAM_VALUE_(\w+)_AT = const\((\d+)\)", service.read_text("utf-8")))
+    message = common.MAVLink_param_value_message(b"ABCDEFGHIJKLMNOP", 0.0, 9, 0x0201, 0x0403)
+    payload = message.pack(common.MAVLink(None))[10:]
+    bytes_of = {name: payload[int(place) :] for name, place in found.items()}
+    assert bytes_of["PARAM_ID"].startswith(b"ABCDEFGHIJKLMNOP\x09")
+    assert bytes_of["PARAM_COUNT"].startswith(b"\x01\x02\x03\x04")
+    assert bytes_of["PARAM_INDEX"].startswith(b"\x03\x04")
+    assert bytes_of["PARAM_TYPE"][0] == 9
+    assert int(found["PARAM_VALUE"]) == 0

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -43,9 +44,19 @@ def prepare(folder: Path) -> tuple[Path, ...]:
     subprocess.run([sys.executable, "-m", "codegen", "codec", *arguments], check=True, capture_output=True)
     sources = [PROGRAM / f"{name}.py" for name in PLAIN] + sorted(BENCH.glob("*.py"))
     names = sorted({name for path in sources for name in re.findall(r"dialect\.(\w+)", path.read_text("utf-8"))})
-    (codec / "dialect.py").write_text("".join(f"{name} = {getattr(common, name)}\n" for name in names), "utf-8")
+    (codec / "dialect.py").write_text("".join(f"{name} = {_number(name)}\n" for name in names), "utf-8")
     shutil.copy(COMMANDS, codec)  # of the rover, with arming
     return BENCH, codec, PROGRAM, FIRMWARE, MOCKS
+
+
+def _number(name: str) -> int:
+    """A number of the dialect; PING_SEQ_AT is where a payload has a field."""
+    if not name.endswith("_AT"):
+        return int(getattr(common, name))
+    kinds = [kind for kind in common.mavlink_map.values() if name.startswith(f"{kind.msgname}_")]
+    kind = max(kinds, key=lambda each: len(each.msgname))
+    before = kind.ordered_fieldnames.index(name.removeprefix(f"{kind.msgname}_").removesuffix("_AT").lower())
+    return struct.calcsize("<" + "".join(re.findall(r"\d*[a-zA-Z]", kind.unpacker.format)[:before]))
 
 
 def start(interpreter: str, folders: tuple[Path, ...], script: str, *options: str) -> subprocess.Popen[str]:

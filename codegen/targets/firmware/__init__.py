@@ -11,7 +11,7 @@ from codegen.targets.firmware.commands import command_table_view
 from codegen.targets.firmware.failsafe import failsafe_views
 from codegen.targets.firmware.further import further_module_view
 from codegen.targets.firmware.message_function import functions_view
-from codegen.targets.firmware.numbers import with_numbers
+from codegen.targets.firmware.numbers import places, with_numbers
 from codegen.targets.firmware.parameters import parameter_views
 from codegen.targets.firmware.program import dialect_text, program_view
 from codegen.targets.firmware.reading_view import readings_view
@@ -148,7 +148,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
     }
     for name, (shown, sources) in read.items():
-        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), program.constants)
+        text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), _numbers(program))
         files[f"firmware/{name}"] = headed(text, origin_of(system, sources, program.services))
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
@@ -173,8 +173,13 @@ def _receiving_files(system: System, layout: Layout) -> dict[str, str]:
 def _program_file(system: System, program: Program, name: str) -> str:
     """A file of the program that is copied, but for the numbers of the dialect."""
     written = copied(f"{_PROGRAM}/{name}")
-    text = with_numbers(written, program.constants)
+    text = with_numbers(written, _numbers(program))
     origin = origin_of_text(f"templates/{_PROGRAM}/{name}", text)
     if text != written:
         origin = Origin((*origin.sources, f"dialect {prose(system.dialect.name)}"), origin.digest)
     return headed(text, origin)
+
+
+def _numbers(program: Program) -> dict[str, int]:
+    """What the program's modules take from the dialect."""
+    return {**program.constants, **places(program.services)}

@@ -2,10 +2,18 @@
 # Inputs: a131f88903714b22
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
+from struct import pack_into, unpack_from
+
 import messages
 from micropython import const
 
 # Numbers of the dialect.
+_COMMAND_ACK_COMMAND_AT = const(0)
+_COMMAND_ACK_RESULT_AT = const(2)
+_COMMAND_ACK_TARGET_COMPONENT_AT = const(9)
+_COMMAND_ACK_TARGET_SYSTEM_AT = const(8)
+_COMMAND_LONG_COMMAND_AT = const(28)
+_COMMAND_LONG_PARAM1_AT = const(0)
 _MAV_CMD_GET_MESSAGE_INTERVAL = const(510)
 _MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN = const(246)
 _MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES = const(520)
@@ -18,6 +26,8 @@ _MAV_RESULT_FAILED = const(4)
 _MAV_RESULT_TEMPORARILY_REJECTED = const(1)
 _MAV_RESULT_UNSUPPORTED = const(3)
 _MAV_SEVERITY_ERROR = const(3)
+_MESSAGE_INTERVAL_INTERVAL_US_AT = const(0)
+_MESSAGE_INTERVAL_MESSAGE_ID_AT = const(4)
 _REBOOT_SHUTDOWN_ACTION_NONE = const(0)
 _REBOOT_SHUTDOWN_ACTION_REBOOT = const(1)
 _REBOOT_SHUTDOWN_CONDITIONS_FORCE = const(20190226)
@@ -30,13 +40,13 @@ class Command:
     """One command: its number and the seven parameters, whole or not, finite or not."""
 
     def __init__(self, message):
-        names = ("x", "y", "z") if message.ID == messages.CommandInt.ID else ("param5", "param6", "param7")
         self.message = message
-        self.number = message.raw("command")
+        self.number = unpack_from("<H", message.wire, _COMMAND_LONG_COMMAND_AT)[0]
         self.system = message.source_system
         self.component = message.source_component
-        first = [message.raw(name) for name in ("param1", "param2", "param3", "param4")]
-        self._params = first + [message.raw(name) for name in names]
+        # COMMAND_INT has the same layout, but for x and y in place of parameters 5 and 6.
+        form = "<4f2if" if message.ID == messages.CommandInt.ID else "<7f"
+        self._params = unpack_from(form, message.wire, _COMMAND_LONG_PARAM1_AT)
 
     def param(self, number):
         """Return parameter 1 to 7 as it was sent."""
@@ -60,7 +70,7 @@ class Commands:
     def __init__(self, vehicle, connection):
         self._vehicle = vehicle
         self._connection = connection
-        self._ack = messages.CommandAck()
+        self._ack = messages.CommandAck(unknown=False)
         self._interval = messages.MessageInterval(unknown=False)
         self.table = {
             _MAV_CMD_REQUEST_MESSAGE: self._request_message,
@@ -88,12 +98,12 @@ class Commands:
 
     def _send_ack(self, answer):
         command, result = answer
-        self._ack.update(
-            command=command.number,
-            result=result,
-            target_system=command.system,
-            target_component=command.component,
-        )
+        wire = self._ack.wire
+        pack_into("<H", wire, _COMMAND_ACK_COMMAND_AT, command.number)
+        wire[_COMMAND_ACK_RESULT_AT] = result
+
+        wire[_COMMAND_ACK_TARGET_SYSTEM_AT] = command.system
+        wire[_COMMAND_ACK_TARGET_COMPONENT_AT] = command.component
         return self._connection.send(self._ack)
 
     def _request_message(self, command):
@@ -160,7 +170,9 @@ class Commands:
         return _MAV_RESULT_ACCEPTED, (self._send_interval, message_id)
 
     def _send_interval(self, message_id):
-        self._interval.update(message_id=message_id, interval_us=self._connection.streams.interval_us(message_id))
+        interval_us = self._connection.streams.interval_us(message_id)
+        pack_into("<i", self._interval.wire, _MESSAGE_INTERVAL_INTERVAL_US_AT, interval_us)
+        pack_into("<H", self._interval.wire, _MESSAGE_INTERVAL_MESSAGE_ID_AT, message_id)
         return self._connection.send(self._interval)
 
     def _reboot(self, command):

@@ -1,5 +1,5 @@
-# Generated from templates/firmware/program/connection.py: do not edit.
-# Inputs: 4000d32546a1d992
+# Generated from templates/firmware/program/connection.py, dialect common: do not edit.
+# Inputs: 7a99b7cb03685cfd
 """One port of the vehicle: what arrives is answered, and what is due is sent.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -7,12 +7,19 @@ nothing arrives and no text is new allocates nothing; what arrives is taken in w
 """
 
 import time
+from struct import pack_into
 
 import messages
 from guard import Guard
 from inbox import Inbox
 from micropython import const
 from services import Services
+
+# Numbers of the dialect.
+_STATUSTEXT_CHUNK_SEQ_AT = const(53)
+_STATUSTEXT_ID_AT = const(51)
+_STATUSTEXT_SEVERITY_AT = const(0)
+_STATUSTEXT_TEXT_AT = const(1)
 
 _MESSAGES = const(2)  # in a pass
 _REPLIES = const(8)  # that wait for the port
@@ -160,14 +167,19 @@ class _TextSender:
         if is_long:
             self._id = self._id % 0xFFFF + 1  # 0 says that there is one chunk only
         self._text = text
-        self._message.update(severity=severity, text=text[:_TEXT], id=self._id if is_long else 0, chunk_seq=0)
-        self._chunk = 0
+        self._message.wire[_STATUSTEXT_SEVERITY_AT] = severity
+        pack_into("<H", self._message.wire, _STATUSTEXT_ID_AT, self._id if is_long else 0)
+        self._put(0)
 
     def _go_on(self):
         # A NUL ends a long text: the chunk after 50 characters may be empty.
-        self._chunk += 1
-        at = self._chunk * _TEXT
-        if len(self._text) <= _TEXT or at > len(self._text):
+        if len(self._text) <= _TEXT or (self._chunk + 1) * _TEXT > len(self._text):
             self._chunk = -1
-            return
-        self._message.update(text=self._text[at : at + _TEXT], chunk_seq=self._chunk)
+        else:
+            self._put(self._chunk + 1)
+
+    def _put(self, chunk):
+        """Put a chunk of the text into the message."""
+        self._chunk = chunk
+        pack_into("<50s", self._message.wire, _STATUSTEXT_TEXT_AT, self._text[chunk * _TEXT :])
+        self._message.wire[_STATUSTEXT_CHUNK_SEQ_AT] = chunk

@@ -5,7 +5,9 @@ nothing arrives and no text is new allocates nothing; what arrives is taken in w
 """
 
 import time
+from struct import pack_into
 
+import dialect
 import messages
 from guard import Guard
 from inbox import Inbox
@@ -158,14 +160,19 @@ class _TextSender:
         if is_long:
             self._id = self._id % 0xFFFF + 1  # 0 says that there is one chunk only
         self._text = text
-        self._message.update(severity=severity, text=text[:_TEXT], id=self._id if is_long else 0, chunk_seq=0)
-        self._chunk = 0
+        self._message.wire[dialect.STATUSTEXT_SEVERITY_AT] = severity
+        pack_into("<H", self._message.wire, dialect.STATUSTEXT_ID_AT, self._id if is_long else 0)
+        self._put(0)
 
     def _go_on(self):
         # A NUL ends a long text: the chunk after 50 characters may be empty.
-        self._chunk += 1
-        at = self._chunk * _TEXT
-        if len(self._text) <= _TEXT or at > len(self._text):
+        if len(self._text) <= _TEXT or (self._chunk + 1) * _TEXT > len(self._text):
             self._chunk = -1
-            return
-        self._message.update(text=self._text[at : at + _TEXT], chunk_seq=self._chunk)
+        else:
+            self._put(self._chunk + 1)
+
+    def _put(self, chunk):
+        """Put a chunk of the text into the message."""
+        self._chunk = chunk
+        pack_into("<50s", self._message.wire, dialect.STATUSTEXT_TEXT_AT, self._text[chunk * _TEXT :])
+        self._message.wire[dialect.STATUSTEXT_CHUNK_SEQ_AT] = chunk

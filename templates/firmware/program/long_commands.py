@@ -1,6 +1,7 @@
 """Commands that take long: who asked is told how far they are, and how they end."""
 
 import time
+from struct import pack_into
 
 import dialect
 import messages
@@ -30,7 +31,8 @@ class _Running:
         """Return whether who asked for it repeats that, because no answer has arrived; COMMAND_INT does not count."""
         if (command.number, command.system, command.component) != (self.number, self.system, self.component):
             return False
-        return command.message.ID == messages.CommandInt.ID or command.message.raw("confirmation") > 0
+        message = command.message
+        return message.ID == messages.CommandInt.ID or message.wire[dialect.COMMAND_LONG_CONFIRMATION_AT] > 0
 
 
 class LongCommands:
@@ -39,7 +41,7 @@ class LongCommands:
     def __init__(self, vehicle):
         self._vehicle = vehicle
         self._running = []
-        self._ack = messages.CommandAck()
+        self._ack = messages.CommandAck(unknown=False)
         self._guard = Guard()
 
     def running(self, method):
@@ -101,11 +103,10 @@ class LongCommands:
 
     def _send(self, answer):
         running, result = answer
-        self._ack.update(
-            command=running.number,
-            result=result,
-            progress=running.progress,
-            target_system=running.system,
-            target_component=running.component,
-        )
+        wire = self._ack.wire
+        pack_into("<H", wire, dialect.COMMAND_ACK_COMMAND_AT, running.number)
+        wire[dialect.COMMAND_ACK_RESULT_AT] = result
+        wire[dialect.COMMAND_ACK_PROGRESS_AT] = running.progress
+        wire[dialect.COMMAND_ACK_TARGET_SYSTEM_AT] = running.system
+        wire[dialect.COMMAND_ACK_TARGET_COMPONENT_AT] = running.component
         return running.connection.send(self._ack)

@@ -130,7 +130,7 @@ def judged(said):
 def _read(row, command, values):
     """Append the arguments for the method to `values`; return what is wrong with a parameter, or None."""
     is_int = command.message.ID == messages.CommandInt.ID
-    if is_int and row[FRAMES] and command.message.raw("frame") not in row[FRAMES]:
+    if is_int and row[FRAMES] and command.message.wire[dialect.COMMAND_INT_FRAME_AT] not in row[FRAMES]:
         return "positions have to be global"
     for param in (is_int and row[INT_PARAMS]) or row[PARAMS]:
         value = _argument(param, command.param(param[_NUMBER]), is_int)
