@@ -158,14 +158,15 @@ class Services:
 
         Requests are repeated until they are answered: a refusal that the port did not take needs no second try.
         """
-        request = message.wire[dialect.FILE_TRANSFER_PROTOCOL_PAYLOAD_AT :]
+        at = dialect.FILE_TRANSFER_PROTOCOL_PAYLOAD_AT
+        request = message.wire[at:]
         if request[3] >= dialect.MAV_FTP_OPCODE_ACK or self._connection.link.version == 1:
             return  # an answer, or MAVLink 1, which would take all 251 bytes of the payload
         sequence = (request[0] | request[1] << 8) + 1
         wire = self._refusal.wire
         wire[dialect.FILE_TRANSFER_PROTOCOL_TARGET_SYSTEM_AT] = message.source_system
         wire[dialect.FILE_TRANSFER_PROTOCOL_TARGET_COMPONENT_AT] = message.source_component
-        payload = wire[dialect.FILE_TRANSFER_PROTOCOL_PAYLOAD_AT :]
+        payload = wire[at:]
         payload[0] = sequence & 0xFF
         payload[1] = (sequence >> 8) & 0xFF
         payload[2] = request[2]
