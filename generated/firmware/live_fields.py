@@ -1,5 +1,5 @@
 # Generated from templates/codec/live_fields.py: do not edit.
-# Inputs: 708e3c55cef1d7d5
+# Inputs: f64c992ba8d831ea
 """Live fields: values of a message that change often, in an array of their own beside the payload."""
 
 import struct
@@ -17,7 +17,7 @@ def places(message, names):
 
     All from byte 9 to the start of the payload, and how many values there are.
     """
-    fields = layout_of(message.FIELDS)  # not kept: most messages with live fields never need it again
+    fields = layout_of(type(message))  # not kept: most messages with live fields never need it again
     kinds = [[], [], [], []]
     count = 0
     for part in (names,) if isinstance(names, str) else names:

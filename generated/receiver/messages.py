@@ -31,11 +31,6 @@ class BatteryStatus(Message):
     CRC_EXTRA = 154
     BASE_LENGTH = 36
     LENGTH = 54
-    FIELDS = (
-        "current_consumed:i=-1 energy_consumed:i=-1 temperature:h=32767 voltages:10H=65535 current_battery:h=-1 "
-        "id:B battery_function:B type:B battery_remaining:b=-1 time_remaining:i=0 charge_state:B "
-        "voltages_ext:4H=0 mode:B fault_bitmask:I"
-    )
 
 
 class BatteryStatusV2(Message):
@@ -56,10 +51,6 @@ class BatteryStatusV2(Message):
     CRC_EXTRA = 145
     BASE_LENGTH = 27
     LENGTH = 27
-    FIELDS = (
-        "voltage:f=nan current:f=nan capacity_consumed:f=nan capacity_remaining:f=nan state_of_charge:f=nan "
-        "status_flags:I temperature:h=32767 id:B"
-    )
 
 
 class SmartBatteryInfo(Message):
@@ -89,13 +80,6 @@ class SmartBatteryInfo(Message):
     CRC_EXTRA = 75
     BASE_LENGTH = 87
     LENGTH = 109
-    FIELDS = (
-        "capacity_full_specification:i=-1 capacity_full:i=-1 cycle_count:H=65535 weight:H=0 "
-        "discharge_minimum_voltage:H=65535 charging_minimum_voltage:H=65535 resting_minimum_voltage:H=65535 id:B "
-        "battery_function:B type:B serial_number:16s=0 device_name:50s=0 charging_maximum_voltage:H=0 "
-        "cells_in_series:B=0 discharge_maximum_current:I=0 discharge_maximum_burst_current:I=0 "
-        "manufacture_date:11s=0"
-    )
 
 
 class BatteryInfo(Message):
@@ -128,13 +112,6 @@ class BatteryInfo(Message):
     CRC_EXTRA = 26
     BASE_LENGTH = 140
     LENGTH = 140
-    FIELDS = (
-        "discharge_minimum_voltage:f=0 charging_minimum_voltage:f=0 resting_minimum_voltage:f=0 "
-        "charging_maximum_voltage:f=0 charging_maximum_current:f=0 nominal_voltage:f=0 "
-        "discharge_maximum_current:f=0 discharge_maximum_burst_current:f=0 design_capacity:f=0 "
-        "full_charge_capacity:f=nan cycle_count:H=65535 weight:H=0 id:B battery_function:B type:B "
-        "state_of_health:B=255 cells_in_series:B=0 manufacture_date:9s=0 serial_number:32s=0 name:50s=0"
-    )
 
 
 class BatteryCellVoltages(Message):
@@ -150,7 +127,6 @@ class BatteryCellVoltages(Message):
     CRC_EXTRA = 8
     BASE_LENGTH = 28
     LENGTH = 28
-    FIELDS = "id:H index:H voltages:12H=0"
 
 
 ALL = (

@@ -15,7 +15,7 @@ def places(message, names):
 
     All from byte 9 to the start of the payload, and how many values there are.
     """
-    fields = layout_of(message.FIELDS)  # not kept: most messages with live fields never need it again
+    fields = layout_of(type(message))  # not kept: most messages with live fields never need it again
     kinds = [[], [], [], []]
     count = 0
     for part in (names,) if isinstance(names, str) else names:

@@ -137,9 +137,9 @@ def replace(file: str, old: str, new: str) -> Callable[[Path], None]:
 
 
 FAULTS = {
-    "a sentinel": replace("messages.py", "hdg:H=65535", "hdg:H=65534"),
-    "the order of fields": replace("messages.py", "vx:h vy:h", "vy:h vx:h"),
-    "a type": replace("messages.py", "vz:h", "vz:H"),
+    "a sentinel": replace("message_fields.py", "hdg:H=65535", "hdg:H=65534"),
+    "the order of fields": replace("message_fields.py", "vx:h vy:h", "vy:h vx:h"),
+    "a type": replace("message_fields.py", "vz:h", "vz:H"),
     "CRC_EXTRA": replace("messages.py", "CRC_EXTRA = 104", "CRC_EXTRA = 105"),
     "an id": replace("messages.py", "ID = 33\n", "ID = 34\n"),
     "truncation to nothing": replace("frames_viper.py", "if length == 0 and", "if False and"),

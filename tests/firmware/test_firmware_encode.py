@@ -76,9 +76,9 @@ def test_pymavlink_reads_our_stream(firmware: SimpleNamespace) -> None:
 def test_encode_keeps_the_sequence_and_the_buffer(firmware: SimpleNamespace) -> None:
     """encode() may be called to look; the next frame is written over the last, nothing of which shines through."""
     link = firmware.mavlink.Link(None)
-    full = type("Full", (firmware.message.Message,), {"ID": 1, "LENGTH": 200})()
+    full = type("Full", (firmware.message.Message,), {"ID": 1, "LENGTH": 200})(unknown=False)
     full.wire[:] = b"\xff" * 200
-    short = type("Short", (firmware.message.Message,), {"ID": 2, "LENGTH": 20})()
+    short = type("Short", (firmware.message.Message,), {"ID": 2, "LENGTH": 20})(unknown=False)
     fresh = bytes(firmware.mavlink.Link(None).encode(short))
     first = link.encode(full)
     assert isinstance(first, memoryview)
@@ -90,7 +90,7 @@ def test_encode_keeps_the_sequence_and_the_buffer(firmware: SimpleNamespace) -> 
 def test_sequence_can_be_set_and_wraps(firmware: SimpleNamespace) -> None:
     """A link that goes on where another one stopped; a number beyond one byte wraps as the sequence itself does."""
     link = firmware.mavlink.Link(SimpleNamespace(write=len))
-    message = type("Short", (firmware.message.Message,), {"LENGTH": 4})()
+    message = type("Short", (firmware.message.Message,), {"LENGTH": 4})(unknown=False)
     for number, expected in ((255, 255), (256, 0), (-1, 255)):
         link.sequence = number
         assert link.sequence == expected
@@ -109,7 +109,7 @@ def test_stream_that_does_not_take_the_frame_is_counted(firmware: SimpleNamespac
         return taken
 
     link = firmware.mavlink.Link(SimpleNamespace(write=write))
-    message = type("Short", (firmware.message.Message,), {"LENGTH": 4})()
+    message = type("Short", (firmware.message.Message,), {"LENGTH": 4})(unknown=False)
     assert link.send(message) == (taken if isinstance(taken, int) else 0)
     assert (link.tx_errors, link.sequence) == (1, 1)
 
@@ -134,14 +134,18 @@ def test_impossible_links_are_refused(firmware: SimpleNamespace, arguments: dict
 
 def test_messages_that_do_not_fit_are_refused(firmware: SimpleNamespace) -> None:
     """Machine code checks no bounds, so encode() does; MAVLink 1 has one byte for the id."""
-    above = type("Above", (firmware.message.Message,), {"NAME": "ABOVE", "ID": 256, "LENGTH": 4, "BASE_LENGTH": 4})()
+    above = type("Above", (firmware.message.Message,), {"NAME": "ABOVE", "ID": 256, "LENGTH": 4, "BASE_LENGTH": 4})(
+        unknown=False
+    )
     firmware.mavlink.Link(None).encode(above)
-    far = type("Far", (firmware.message.Message,), {"NAME": "FAR", "ID": 65536, "LENGTH": 4, "BASE_LENGTH": 4})()
+    far = type("Far", (firmware.message.Message,), {"NAME": "FAR", "ID": 65536, "LENGTH": 4, "BASE_LENGTH": 4})(
+        unknown=False
+    )
     for message in (above, far):
         with pytest.raises(ValueError, match="MAVLink 1 has no message ids above 255"):
             firmware.mavlink.Link(None, version=1).encode(message)
     firmware.mavlink.Link(None, longest=4).encode(above)
-    low = type("Low", (firmware.message.Message,), {"ID": 255, "LENGTH": 5, "BASE_LENGTH": 4})()
+    low = type("Low", (firmware.message.Message,), {"ID": 255, "LENGTH": 5, "BASE_LENGTH": 4})(unknown=False)
     assert firmware.mavlink.Link(None, version=1, longest=4).encode(low)[1] == 4
     for version, message in ((1, low), (2, above)):
         link = firmware.mavlink.Link(None, version=version, longest=3)

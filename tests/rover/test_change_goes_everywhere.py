@@ -51,7 +51,7 @@ CHANGES = [
         "corrections:\n",
         "corrections:\n"
         '  - {message: BATTERY_STATUS, field: time_remaining, set: {invalid: "-1"}, reason: r, source: s}\n',
-        {"firmware/messages.py", *PAYLOADS, "tests/cases.json", "docs/telemetry.md"},
+        {"firmware/messages.py", "firmware/message_fields.py", *PAYLOADS, "tests/cases.json", "docs/telemetry.md"},
         ("BATTERY_STATUS.time_remaining", "unknown      -1"),
     ),
 ]

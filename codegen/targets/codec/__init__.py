@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from codegen.model.dialect import Dialect, EnumDefinition, WireMessage
 from codegen.targets.codec.enums import enums_text
-from codegen.targets.codec.layout import messages_text
+from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.page import page_text
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.naming import prose
@@ -22,7 +22,7 @@ def render_codec(
     """The files of a codec for ``messages`` (at least one) and ``enums`` of a dialect, loose or as a ``package``."""
     files = runtime_files("", messages, "signing", *([MACHINE_CODE] if machine_code else []))
     origin = Origin((f"dialect {prose(dialect.name)}",), wire_digest(messages))
-    files["messages.py"] = headed(messages_text(messages, dialect.version), origin)
+    files |= message_files("", messages, dialect.version, origin)
     files["enums.py"] = headed(enums_text(enums), origin)
     files["README.md"] = page_text(dialect.name, messages, enums)
     if package is None:

@@ -1,4 +1,4 @@
-"""messages.py: the layout of each message, and its fields in the words of the dialect."""
+"""messages.py and message_fields.py: the layout of each message, and its fields in the words of the dialect."""
 
 import math
 from collections.abc import Iterable
@@ -6,10 +6,26 @@ from collections.abc import Iterable
 from codegen.model.dialect import Kind, Sentinel, SentinelForm, WireField, WireMessage
 from codegen.model.wire_types import VERSION_TYPE
 from codegen.targets.naming import class_names, prose
+from codegen.targets.origin import Origin, headed
 from codegen.template_files import filled
 
 WIDTH = 104
 """Columns of a literal with field words, without indentation and quotes."""
+
+
+def message_files(folder: str, messages: Iterable[WireMessage], version: int, origin: Origin) -> dict[str, str]:
+    """The classes of the messages, and, in a module of their own, their fields: most programs do without names."""
+    known = tuple(messages)
+    return {
+        f"{folder}messages.py": headed(messages_text(known, version), origin),
+        f"{folder}message_fields.py": headed(fields_text(known), origin),
+    }
+
+
+def fields_text(messages: Iterable[WireMessage]) -> str:
+    """The module with the field words of each of the messages."""
+    words = [(wire.id, _literal([field_word(field) for field in wire.fields])) for wire in messages]
+    return filled("codec/message_fields.py.in", {"fields": "".join(f"    {at}: {text},\n" for at, text in words)})
 
 
 def messages_text(messages: Iterable[WireMessage], version: int) -> str:
@@ -33,16 +49,26 @@ def _class(wire: WireMessage, class_name: str, version: int) -> str:
         "length": wire.length,
         "lines": "\n".join(f"    {_line(field)}" for field in wire.fields),
         "defaults": "".join(f'    DEFAULTS = {{"{name}": {version}}}\n' for name in versions[:1]),
-        "fields": _literal([field_word(field) for field in wire.fields]),
+        "targets": _targets(wire),
     }
     return filled("codec/message_class.py.in", values)
 
 
 def field_word(field: WireField) -> str:
-    """A field as ``Message.FIELDS`` has it: ``voltages:10H=65535`` (templates/codec/fields.py reads it)."""
+    """A field as message_fields.py has it: ``voltages:10H=65535`` (templates/codec/fields.py reads it)."""
     code = "s" if field.type.kind is Kind.CHAR else field.type.code
     unknown = "" if field.sentinel is None else f"={_sentinel_text(field.sentinel)}"
     return f"{field.name}:{field.count if field.is_array else ''}{code}{unknown}"
+
+
+def _targets(wire: WireMessage) -> str:
+    """The line that says where the payload has its target system and component; nothing where it has none."""
+    system = wire.field("target_system") or wire.field("target")
+    if system is None:
+        return ""
+    component = wire.field("target_component")
+    places = f"{system.offset}, {component.offset}" if component else f"{system.offset},"
+    return f"    TARGETS = ({places})\n"
 
 
 def type_text(field: WireField) -> str:

@@ -12,7 +12,7 @@ STUBS = ("mavlink", "message", "receiver", "sender", "signing")
 """Modules that have a stub which is the same for each dialect."""
 
 OWN = frozenset(
-    {"NAME", "ID", "CRC_EXTRA", "BASE_LENGTH", "LENGTH", "FIELDS", "DEFAULTS", "wire", "live"}
+    {"NAME", "ID", "CRC_EXTRA", "BASE_LENGTH", "LENGTH", "FIELDS", "TARGETS", "DEFAULTS", "wire", "live"}
     | {"source_sequence", "source_system", "source_component", "names", "get", "raw", "set", "update"}
 )
 """What is an attribute of each message, so that a field of that name has ``_`` behind it."""

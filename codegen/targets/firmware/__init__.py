@@ -3,7 +3,7 @@
 from codegen.model.dialect import WireMessage
 from codegen.model.program import Program
 from codegen.model.system import System
-from codegen.targets.codec.layout import messages_text
+from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
@@ -88,9 +88,8 @@ def render_firmware(system: System) -> dict[str, str]:
     if "wide" in view.modules and has_doubles(system.wires):
         text = with_doubles(copied("firmware/wide.py"))
         files["firmware/wide.py"] = headed(text, origin_of_text("templates/firmware/wide.py", text))
-    files["firmware/messages.py"] = headed(
-        messages_text(system.wires, system.dialect.version), origin_of(system, tables, system.wires)
-    )
+    origin = origin_of(system, tables, system.wires)
+    files |= message_files("firmware/", system.wires, system.dialect.version, origin)
     for name, (shown, paths, messages) in views.items():
         text = rendered(f"firmware/{templates.get(name, name)}.j2", shown)
         files[f"firmware/{name}"] = headed(text, origin_of(system, paths, messages))

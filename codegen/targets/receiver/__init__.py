@@ -1,7 +1,7 @@
 """The receiver: messages turned back into quantities, for companion computers and ground tools."""
 
 from codegen.model.system import System
-from codegen.targets.codec.layout import messages_text
+from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.runtime import MACHINE_CODE, runtime_files
 from codegen.targets.origin import copied_files, headed, origin_of, specification_file
 from codegen.targets.receiver.names import names_view
@@ -23,9 +23,7 @@ def render_receiver(system: System) -> dict[str, str]:
     sources += [specification_file(system, "board.yaml"), *tables]
     accelerated = [MACHINE_CODE] if system.spec.project.machine_code else []
     files = {**copied_files(_FOLDER), **runtime_files(f"{_FOLDER}/", wires, *accelerated)}
-    files[f"{_FOLDER}/messages.py"] = headed(
-        messages_text(wires, system.dialect.version), origin_of(system, tables, wires)
-    )
+    files |= message_files(f"{_FOLDER}/", wires, system.dialect.version, origin_of(system, tables, wires))
     view = receiver_view(system, receiver)
     origin = origin_of(system, sources, wires)
     files[f"{_FOLDER}/{view.module}.py"] = headed(rendered("receiver/views_of.py.j2", view), origin)

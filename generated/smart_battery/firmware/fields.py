@@ -1,10 +1,11 @@
 # Generated from templates/codec/fields.py: do not edit.
-# Inputs: c64f9831032a41f5
+# Inputs: 318c2e03c4c626b0
 """Single fields of a message by name, with equal strictness on CPython and MicroPython: for set-up, people and tests.
 
 A class states its fields in wire order as words `name:code` or `name:<count>code`, with struct's codes ("s" is text of
 `count` characters), and behind "=" what means unknown: `=V` in the field or in any element, `=V:` in element 0 for the
-whole array, `=V1,,V3` element by element.
+whole array, `=V1,,V3` element by element. Where it states none, they are those of its ID in message_fields: who needs
+no names of fields does without that module, too.
 """
 
 import struct
@@ -38,7 +39,7 @@ def layout(cls):
     carried for sure; of text they are None.
     """
     if cls not in _LAYOUTS:
-        _LAYOUTS[cls] = layout_of(cls.FIELDS)
+        _LAYOUTS[cls] = layout_of(cls)
     return _LAYOUTS[cls]
 
 
@@ -49,11 +50,11 @@ def lay_out(message):
     return found
 
 
-def layout_of(fields):
-    """Return the layout of the fields that a class states as words."""
+def layout_of(cls):
+    """Return the layout of a class without keeping it."""
     found = {}
     offset = 0
-    for word in fields.split():
+    for word in _words(cls):
         name, form = word.split(":", 1)
         form, _, unknown = form.partition("=")
         code = form[-1]
@@ -67,7 +68,17 @@ def layout_of(fields):
 
 def names(message):
     """Return the names of the fields in wire order."""
-    return [word.split(":")[0] for word in message.FIELDS.split()]
+    return [word.split(":")[0] for word in _words(_type(message))]
+
+
+def _words(cls):
+    """Return the words that state the fields of a class."""
+    fields = cls.FIELDS
+    if fields is None:
+        import message_fields  # noqa: PLC0415  as live_fields
+
+        fields = message_fields.FIELDS[cls.ID]
+    return fields.split()
 
 
 def text(message):

@@ -1,5 +1,5 @@
 # Generated from templates/codec/message.py: do not edit.
-# Inputs: 4cae417178ba4ebd
+# Inputs: 53f26d5f0093ed48
 """What all messages have in common; messages.py derives a class for each."""
 
 from array import array
@@ -26,7 +26,8 @@ class Message:
     CRC_EXTRA = 0
     BASE_LENGTH = 0  # bytes of payload without extension fields: all that MAVLink 1 sends
     LENGTH = 0
-    FIELDS = ""  # name:code in wire order; see fields
+    FIELDS = None  # name:code in wire order; see fields, and for the classes in messages.py message_fields
+    TARGETS = ()  # where its payload has the target system and component, as far as it has them
     DEFAULTS = {}  # what fields hold at first instead of 0: the version of the dialect
 
     _layout = None  # what fields.layout() returns, once it is needed

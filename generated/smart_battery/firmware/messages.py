@@ -25,7 +25,6 @@ class Heartbeat(Message):
     CRC_EXTRA = 50
     BASE_LENGTH = 9
     LENGTH = 9
-    FIELDS = "custom_mode:I type:B autopilot:B base_mode:B system_status:B mavlink_version:B"
     DEFAULTS = {"mavlink_version": 3}
 
 
@@ -43,7 +42,7 @@ class Ping(Message):
     CRC_EXTRA = 237
     BASE_LENGTH = 14
     LENGTH = 14
-    FIELDS = "time_usec:Q seq:I target_system:B target_component:B"
+    TARGETS = (12, 13)
 
 
 class ParamRequestRead(Message):
@@ -60,7 +59,7 @@ class ParamRequestRead(Message):
     CRC_EXTRA = 214
     BASE_LENGTH = 20
     LENGTH = 20
-    FIELDS = "param_index:h=-1 target_system:B target_component:B param_id:16s"
+    TARGETS = (2, 3)
 
 
 class ParamRequestList(Message):
@@ -75,7 +74,7 @@ class ParamRequestList(Message):
     CRC_EXTRA = 159
     BASE_LENGTH = 2
     LENGTH = 2
-    FIELDS = "target_system:B target_component:B"
+    TARGETS = (0, 1)
 
 
 class ParamValue(Message):
@@ -93,7 +92,6 @@ class ParamValue(Message):
     CRC_EXTRA = 220
     BASE_LENGTH = 25
     LENGTH = 25
-    FIELDS = "param_value:f param_count:H param_index:H param_id:16s param_type:B"
 
 
 class ParamSet(Message):
@@ -111,7 +109,7 @@ class ParamSet(Message):
     CRC_EXTRA = 168
     BASE_LENGTH = 23
     LENGTH = 23
-    FIELDS = "param_value:f target_system:B target_component:B param_id:16s param_type:B"
+    TARGETS = (4, 5)
 
 
 class RequestDataStream(Message):
@@ -129,7 +127,7 @@ class RequestDataStream(Message):
     CRC_EXTRA = 148
     BASE_LENGTH = 6
     LENGTH = 6
-    FIELDS = "req_message_rate:H target_system:B target_component:B req_stream_id:B start_stop:B"
+    TARGETS = (2, 3)
 
 
 class CommandInt(Message):
@@ -155,10 +153,7 @@ class CommandInt(Message):
     CRC_EXTRA = 158
     BASE_LENGTH = 35
     LENGTH = 35
-    FIELDS = (
-        "param1:f param2:f param3:f param4:f x:i y:i z:f command:H target_system:B target_component:B frame:B "
-        "current:B autocontinue:B"
-    )
+    TARGETS = (30, 31)
 
 
 class CommandLong(Message):
@@ -182,10 +177,7 @@ class CommandLong(Message):
     CRC_EXTRA = 152
     BASE_LENGTH = 33
     LENGTH = 33
-    FIELDS = (
-        "param1:f param2:f param3:f param4:f param5:f param6:f param7:f command:H target_system:B "
-        "target_component:B confirmation:B"
-    )
+    TARGETS = (30, 31)
 
 
 class CommandAck(Message):
@@ -204,7 +196,7 @@ class CommandAck(Message):
     CRC_EXTRA = 143
     BASE_LENGTH = 3
     LENGTH = 10
-    FIELDS = "command:H result:B progress:B result_param2:i target_system:B target_component:B"
+    TARGETS = (8, 9)
 
 
 class FileTransferProtocol(Message):
@@ -221,7 +213,7 @@ class FileTransferProtocol(Message):
     CRC_EXTRA = 84
     BASE_LENGTH = 254
     LENGTH = 254
-    FIELDS = "target_network:B target_system:B target_component:B payload:251B"
+    TARGETS = (1, 2)
 
 
 class BatteryStatus(Message):
@@ -248,11 +240,6 @@ class BatteryStatus(Message):
     CRC_EXTRA = 154
     BASE_LENGTH = 36
     LENGTH = 54
-    FIELDS = (
-        "current_consumed:i=-1 energy_consumed:i=-1 temperature:h=32767 voltages:10H=65535 current_battery:h=-1 "
-        "id:B battery_function:B type:B battery_remaining:b=-1 time_remaining:i=0 charge_state:B "
-        "voltages_ext:4H=0 mode:B fault_bitmask:I"
-    )
 
 
 class AutopilotVersion(Message):
@@ -277,11 +264,6 @@ class AutopilotVersion(Message):
     CRC_EXTRA = 178
     BASE_LENGTH = 60
     LENGTH = 78
-    FIELDS = (
-        "capabilities:Q uid:Q flight_sw_version:I middleware_sw_version:I os_sw_version:I board_version:I "
-        "vendor_id:H product_id:H flight_custom_version:8B middleware_custom_version:8B os_custom_version:8B "
-        "uid2:18B"
-    )
 
 
 class MessageInterval(Message):
@@ -296,7 +278,6 @@ class MessageInterval(Message):
     CRC_EXTRA = 95
     BASE_LENGTH = 6
     LENGTH = 6
-    FIELDS = "interval_us:i message_id:H"
 
 
 class Statustext(Message):
@@ -313,7 +294,6 @@ class Statustext(Message):
     CRC_EXTRA = 83
     BASE_LENGTH = 51
     LENGTH = 54
-    FIELDS = "severity:B text:50s id:H chunk_seq:B"
 
 
 class ProtocolVersion(Message):
@@ -331,7 +311,6 @@ class ProtocolVersion(Message):
     CRC_EXTRA = 217
     BASE_LENGTH = 22
     LENGTH = 22
-    FIELDS = "version:H min_version:H max_version:H spec_version_hash:8B library_version_hash:8B"
 
 
 class ParamError(Message):
@@ -349,7 +328,7 @@ class ParamError(Message):
     CRC_EXTRA = 209
     BASE_LENGTH = 21
     LENGTH = 21
-    FIELDS = "param_index:h=-1 target_system:B target_component:B param_id:16s error:B"
+    TARGETS = (2, 3)
 
 
 class BatteryStatusV2(Message):
@@ -370,10 +349,6 @@ class BatteryStatusV2(Message):
     CRC_EXTRA = 145
     BASE_LENGTH = 27
     LENGTH = 27
-    FIELDS = (
-        "voltage:f=nan current:f=nan capacity_consumed:f=nan capacity_remaining:f=nan state_of_charge:f=nan "
-        "status_flags:I temperature:h=32767 id:B"
-    )
 
 
 class SmartBatteryInfo(Message):
@@ -403,13 +378,6 @@ class SmartBatteryInfo(Message):
     CRC_EXTRA = 75
     BASE_LENGTH = 87
     LENGTH = 109
-    FIELDS = (
-        "capacity_full_specification:i=-1 capacity_full:i=-1 cycle_count:H=65535 weight:H=0 "
-        "discharge_minimum_voltage:H=65535 charging_minimum_voltage:H=65535 resting_minimum_voltage:H=65535 id:B "
-        "battery_function:B type:B serial_number:16s=0 device_name:50s=0 charging_maximum_voltage:H=0 "
-        "cells_in_series:B=0 discharge_maximum_current:I=0 discharge_maximum_burst_current:I=0 "
-        "manufacture_date:11s=0"
-    )
 
 
 class BatteryInfo(Message):
@@ -442,13 +410,6 @@ class BatteryInfo(Message):
     CRC_EXTRA = 26
     BASE_LENGTH = 140
     LENGTH = 140
-    FIELDS = (
-        "discharge_minimum_voltage:f=0 charging_minimum_voltage:f=0 resting_minimum_voltage:f=0 "
-        "charging_maximum_voltage:f=0 charging_maximum_current:f=0 nominal_voltage:f=0 "
-        "discharge_maximum_current:f=0 discharge_maximum_burst_current:f=0 design_capacity:f=0 "
-        "full_charge_capacity:f=nan cycle_count:H=65535 weight:H=0 id:B battery_function:B type:B "
-        "state_of_health:B=255 cells_in_series:B=0 manufacture_date:9s=0 serial_number:32s=0 name:50s=0"
-    )
 
 
 class BatteryCellVoltages(Message):
@@ -464,7 +425,6 @@ class BatteryCellVoltages(Message):
     CRC_EXTRA = 8
     BASE_LENGTH = 28
     LENGTH = 28
-    FIELDS = "id:H index:H voltages:12H=0"
 
 
 ALL = (

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 9d2aa39d8a1dea8b
+# Inputs: 6accf41eee792d6e
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -95,7 +95,6 @@ class Services:
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
-        self._targets = {}  # where those that have a target have its system and component
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
@@ -116,9 +115,6 @@ class Services:
         """
         found = self._takers.get(kind.ID)
         self._takers[kind.ID] = taker if found is None else _both(found, taker)
-        targets = _targets(kind)
-        if targets:
-            self._targets[kind.ID] = targets
 
     def run(self):
         """Go on with what takes several passes, for the station at hand."""
@@ -131,8 +127,7 @@ class Services:
         if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
         taker = self._takers.get(message.ID)
-        targets = self._targets.get(message.ID)
-        if taker is not None and (targets is None or self._is_addressed(message.wire, targets)):
+        if taker is not None and (not message.TARGETS or self._is_addressed(message.wire, message.TARGETS)):
             taker(message)
 
     def _is_addressed(self, wire, targets):

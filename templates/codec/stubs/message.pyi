@@ -10,7 +10,8 @@ class Message:
     CRC_EXTRA: ClassVar[int]
     BASE_LENGTH: ClassVar[int]
     LENGTH: ClassVar[int]
-    FIELDS: ClassVar[str]
+    FIELDS: ClassVar[str | None]
+    TARGETS: ClassVar[tuple[int, ...]]
     DEFAULTS: ClassVar[dict[str, int]]
     wire: memoryview
     live: array[int]

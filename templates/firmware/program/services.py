@@ -79,7 +79,6 @@ class Services:
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
-        self._targets = {}  # where those that have a target have its system and component
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
@@ -100,9 +99,6 @@ class Services:
         """
         found = self._takers.get(kind.ID)
         self._takers[kind.ID] = taker if found is None else _both(found, taker)
-        targets = _targets(kind)
-        if targets:
-            self._targets[kind.ID] = targets
 
     def run(self):
         """Go on with what takes several passes, for the station at hand."""
@@ -115,8 +111,7 @@ class Services:
         if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
         taker = self._takers.get(message.ID)
-        targets = self._targets.get(message.ID)
-        if taker is not None and (targets is None or self._is_addressed(message.wire, targets)):
+        if taker is not None and (not message.TARGETS or self._is_addressed(message.wire, message.TARGETS)):
             taker(message)
 
     def _is_addressed(self, wire, targets):
