@@ -1,12 +1,15 @@
 """Modules of the program get the numbers of the dialect as constants of their own."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from pymavlink.dialects.v20 import common
 
-from codegen.resolve.services import SERVICE_FIELDS
+from codegen.diagnostics import Report
+from codegen.pipeline import read_system
+from codegen.resolve.services import SERVICE_FIELDS, Uses, service_messages
 from codegen.targets.firmware.numbers import with_numbers
 
 PROGRAM = Path(__file__).resolve().parents[2] / "templates" / "firmware" / "program"
@@ -69,3 +72,20 @@ def test_modules_have_the_places_of_fields_that_pymavlink_has() -> None:
     assert bytes_of["PARAM_INDEX"].startswith(b"\x03\x04")
     assert bytes_of["PARAM_TYPE"][0] == 9
     assert int(found["PARAM_VALUE"]) == 0
+
+
+def test_a_dialect_whose_message_lacks_a_field_is_a_finding() -> None:
+    """As one would be that has COMMAND_ACK without the extensions that say whom it is for."""
+    system = read_system(str(PROGRAM.parents[2] / "specs" / "codegen.yaml"), Report())
+    assert system is not None
+    assert system.program is not None
+    ack = system.dialect.messages["COMMAND_ACK"]
+    short = replace(ack, fields=tuple(field for field in ack.fields if not field.name.startswith("target_")))
+    dialect = replace(system.dialect, messages={**system.dialect.messages, "COMMAND_ACK": short})
+    report = Report()
+    service_messages(system.program.spec, dialect, report, Uses())
+    (found,) = report
+    assert found.message == "common has no field COMMAND_ACK.target_component, COMMAND_ACK.target_system"
+    report = Report()
+    service_messages(system.program.spec, system.dialect, report, Uses())
+    assert not list(report)
