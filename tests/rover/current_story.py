@@ -94,6 +94,24 @@ def failing():
         yield read(board, state, count), state.battery[0].voltage is not None
 
 
+def interrupted():
+    """Ctrl-C while the sensor is read, and on with both readings."""
+    board, state = started(BATT_MONITOR=4)
+    read(board, state, DRAWN)
+    good = board.read_battery_current_adc
+
+    def interrupt(*_instance):
+        raise KeyboardInterrupt
+
+    board.read_battery_current_adc = interrupt
+    try:
+        read(board, state, DRAWN)
+    except KeyboardInterrupt:
+        yield "interrupted"
+    board.read_battery_current_adc = good
+    yield read(board, state, 1000, voltage=3000)[0], state.battery[0].voltage_mv
+
+
 def emptied():
     """A pack of 5 mAh, then one of which nobody said the size."""
     board, state = started(BATT_MONITOR=4, BATT_CAPACITY=5)
@@ -162,6 +180,7 @@ for tell in (
     charged,
     swapped,
     failing,
+    interrupted,
     emptied,
     empty_failsafe,
     never_empty,

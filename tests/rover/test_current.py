@@ -103,6 +103,12 @@ def test_a_sensor_that_fails_leaves_a_gap(told: Any) -> None:
     assert [each[:5] for each in readings[7:]] == [kept, [CENTIAMPERES, *counted(2)]]
 
 
+def test_an_interrupt_ends_no_reading_for_good(told: Any) -> None:
+    """Ctrl-C reaches who called; voltage and current are read again by the next call."""
+    # 1000 counts are 13.699634 A, 3000 are 9.549451 V.
+    assert told["interrupted"] == ["interrupted", [1370, 9549]]
+
+
 @pytest.mark.requirement("FR-00077.6", "FR-00077.7")
 def test_an_empty_pack_has_nothing_left(told: Any) -> None:
     """5 mAh are used up after 11 readings; without a capacity nothing says what is left."""
