@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: b417b807b6801deb
+# Inputs: dc70171863a0d4f9
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_REQUEST_MESSAGE = 512

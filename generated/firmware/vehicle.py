@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 2fa9911d90d9f091
+# Inputs: 51d2328d303b1ed5
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 4b74700635750955
+# Inputs: 5ae2137d0695afea
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -185,6 +185,7 @@ FAILSAFES = (
         },
         "level": "failsafe_number",
         "health": "health_number",
+        "tails": ["", " used 1234 mAh"],
         "used": "consumed_mah",
         "enabled": "monitored",
     },
