@@ -90,11 +90,23 @@ class Shown:
 
 
 @dataclass(frozen=True, slots=True)
+class Clause:
+    """A part of a text that is left out while a quantity in it is unknown."""
+
+    parts: tuple[str | Shown, ...]
+
+    @property
+    def shown(self) -> tuple[Shown, ...]:
+        """The quantities in it."""
+        return tuple(part for part in self.parts if isinstance(part, Shown))
+
+
+@dataclass(frozen=True, slots=True)
 class FailsafeText:
     """A text in ``parts``: letters, ``{name}`` and ``{level}`` as they are, and quantities. ``written`` has all."""
 
     written: str
-    parts: tuple[str | Shown, ...]
+    parts: tuple[str | Shown | Clause, ...]
 
 
 @dataclass(frozen=True, slots=True)

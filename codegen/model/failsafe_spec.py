@@ -106,7 +106,8 @@ class FailsafeSpec(Written):
     )
     text: str | None = described(
         "Text when a level is reached, of {name}, {level}, {value} and {QUANTITY} of the component, as {value:.1} with "
-        "so many decimals, or {QUANTITY or 0} with what stands for unknown. Default: {name} is {level}, and the value.",
+        "so many decimals, or {QUANTITY or 0} with what stands for unknown. What is in brackets is left out while a "
+        "quantity in it is unknown, as in [ used {QUANTITY} mAh]. Default: {name} is {level}, and the value.",
         default=None,
     )
     over: str | None = described(

@@ -1,9 +1,9 @@
-"""Texts of failsafes as they are written, with quantities in braces: ``{name} is {level} {voltage:.2}V``."""
+"""Texts of failsafes as they are written, with quantities in braces: ``{name} is {level}[ {voltage:.2}V]``."""
 
 import re
 
 from codegen.diagnostics import Report, did_you_mean
-from codegen.model.failsafe import FailsafeText, Shown
+from codegen.model.failsafe import Clause, FailsafeText, Shown
 from codegen.model.vehicle import Component, Quantity
 from codegen.resolve.bad_failsafe import BAD_FAILSAFE
 from codegen.source import Place
@@ -11,6 +11,7 @@ from codegen.source import Place
 NAME, LEVEL, VALUE = "name", "level", "value"
 MOST_DECIMALS = 3
 
+_CLAUSE = re.compile(r"\[([^][]*)\]")
 _FIELD = re.compile(r"([^{}]*)\{([a-z_][a-z0-9_]*)(?: or ([^{}:]*?))?(?::\.([0-9])f?)?\}")
 
 
@@ -18,6 +19,24 @@ def read_text(
     written: str, place: Place, component: Component | None, watched: Quantity | None, report: Report
 ) -> FailsafeText | None:
     """The text; None, with a finding, where braces name nothing. ``{name}`` and ``{level}`` stay as they are."""
+    found: list[str | Shown | Clause] = []
+    for number, piece in enumerate(_CLAUSE.split(written)):
+        parts = _parts(piece, place, component, watched, report)
+        if parts is None:
+            return None
+        if not number % 2:
+            found += parts
+        elif any(isinstance(part, Shown) for part in parts):
+            found.append(Clause(parts))
+        else:
+            report.add(BAD_FAILSAFE, place, f"[{piece}] shows no quantity, so that nothing leaves it out")
+            return None
+    return FailsafeText(written, tuple(found))
+
+
+def _parts(
+    written: str, place: Place, component: Component | None, watched: Quantity | None, report: Report
+) -> tuple[str | Shown, ...] | None:
     parts: list[str | Shown] = []
     end = 0
     for field in _FIELD.finditer(written):
@@ -40,11 +59,19 @@ def read_text(
             return None
         parts.append(Shown(quantity, int(decimals) if decimals else _decimals(quantity), unknown or "unknown"))
     rest = written[end:]
-    if "{" in rest or "}" in rest or '"' in written or "\\" in written or not written.isprintable():
-        hint = "write {level}, {value:.2}, {QUANTITY or 0:.1}"
-        report.add(BAD_FAILSAFE, place, f"{written!r} has braces, quotes or characters that no text has", hint)
+    if (
+        set("[]") & set(written)
+        or set("{}") & set(rest)
+        or '"' in written
+        or "\\" in written
+        or not written.isprintable()
+    ):
+        hint = "write {level}, {value:.2}, {QUANTITY or 0:.1}, [ with {QUANTITY}]"
+        report.add(
+            BAD_FAILSAFE, place, f"{written!r} has braces, brackets, quotes or characters that no text has", hint
+        )
         return None
-    return FailsafeText(written, (*parts, rest) if rest else tuple(parts))
+    return (*parts, rest) if rest else tuple(parts)
 
 
 def _decimals(quantity: Quantity) -> int:

@@ -1,19 +1,24 @@
 """Facts about failsafes for the generated tests: those that every check knows, and all that a pair of levels has."""
 
 from codegen.frozen import dataclass
-from codegen.model.failsafe import Condition, Failsafe, Sense, Setting
+from codegen.model.failsafe import Clause, Condition, Failsafe, FailsafeText, Sense, Setting, Shown
 from codegen.model.program import Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
-from codegen.model.vehicle import Parameter
+from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.naming import failsafe_function, parameter_attribute
+
+USED = 1234
+"""Steps of the other quantity that a text shows, in checks."""
 
 
 @dataclass(frozen=True, slots=True)
 class PairFacts:
     """A failsafe as checks of readings know it: latched, of a measured quantity, two levels below parameters.
 
-    ``names`` are the attributes of its parameters by what they are for, ``families`` those of each instance.
+    ``names`` are the attributes of its parameters by what they are for, ``families`` those of each instance. ``used``
+    is the attribute of another quantity that its text shows, ``tails`` what stands behind the value: while that is
+    unknown, and while it is ``USED``.
     """
 
     attribute: str
@@ -32,6 +37,7 @@ class PairFacts:
     health: str | None
     health_every_ms: int
     used: str | None
+    tails: tuple[str, str]
     enabled: str | None
 
 
@@ -124,8 +130,8 @@ def _pair(failsafe: Failsafe) -> PairFacts:
     least = next((each for each in failsafe.to_arm if each.quantity is quantity and each.sense is Sense.BELOW), None)
     if least is not None and least.limit is not None and least.limit.parameter is not None:
         read["minimum"], scales["minimum"] = least.limit.parameter, least.limit.count
-    shown = [part for part in failsafe.levels[0].text.parts if not isinstance(part, str)]
-    used = next((part.quantity for part in shown if part.quantity is not quantity), None)
+    text = failsafe.levels[0].text
+    used = next((part.quantity for part in _shown(text) if part.quantity is not quantity), None)
     families = {key: tuple(map(parameter_attribute, parameter.siblings)) for key, parameter in read.items()}
     return PairFacts(
         attribute=failsafe_function(failsafe.name),
@@ -144,8 +150,33 @@ def _pair(failsafe: Failsafe) -> PairFacts:
         health=failsafe.health.attribute if failsafe.health else None,
         health_every_ms=failsafe.health_every_ms,
         used=used.attribute if used else None,
+        tails=(_behind(text, quantity, None), _behind(text, quantity, USED)),
         enabled=component.enabled.name if component.enabled else None,
     )
+
+
+def _shown(text: FailsafeText) -> list[Shown]:
+    parts = [part.parts if isinstance(part, Clause) else (part,) for part in text.parts]
+    return [part for each in parts for part in each if isinstance(part, Shown)]
+
+
+def _behind(text: FailsafeText, watched: Quantity, used: int | None) -> str:
+    """What stands behind the watched value and its unit, while others are so many steps, or unknown."""
+    said, is_behind = "", False
+    for part in text.parts:
+        is_clause = isinstance(part, Clause)
+        parts = part.parts if isinstance(part, Clause) else (part,)
+        if is_clause and used is None and not any(isinstance(p, Shown) and p.quantity is watched for p in parts):
+            continue
+        for each in parts:
+            if isinstance(each, Shown) and each.quantity is watched:
+                is_behind = True
+            elif is_behind and isinstance(each, Shown):
+                value = None if used is None else float(used / each.quantity.steps)
+                said += each.unknown if value is None else f"{value:.{each.decimals}f}"
+            elif is_behind and isinstance(each, str):
+                said += each
+    return said.removeprefix(watched.unit.name)
 
 
 def watch_facts(system: System, program: Program) -> tuple[WatchFacts, ...]:

@@ -2,14 +2,14 @@
 # Inputs: fd68d344d31edd75
 """The current of the battery: imported only where it is measured.
 
-The board gets `read_battery_current_adc()` by connect(), and turn() lets the state take readings
-behind the first of the battery.
+The board gets `read_battery_current_adc()` by connect(), and behind() lets the state take readings
+behind those before, the first of the battery.
 """
 
 from adc_inputs import AdcInputs
 from board import open_adc
 from micropython import const
-from reading_turns import turns
+from reading_turns import in_turn, turns
 
 try:
     from battery_current_viper import battery_current_reading, read_battery_current
@@ -48,8 +48,8 @@ def connect(board, parameters, log):
     board.read_battery_current_adc = inputs.read
 
 
-def turn(state, log):
-    """Return what takes a turn, which is one reading of each, when it is given the board."""
+def behind(update, state, log):
+    """Return what takes a turn of `update`, then one reading of each, when it is given the board."""
     parts = state.battery_words
     parameters = state.parameters
     for instance in range(2):
@@ -71,4 +71,6 @@ def turn(state, log):
         if error is not None:
             log(f"error: the board cannot read battery {instance + 1}'s current:", str(error) or type(error).__name__)
 
-    return turns(state, read_battery_current, parts, (_BATTERY_CURRENT_COUNT, _BATTERY_CURRENT_FAILURES), tell, follow)
+    places = (_BATTERY_CURRENT_COUNT, _BATTERY_CURRENT_FAILURES)
+    turn = turns(state, read_battery_current, parts, places, tell, follow)
+    return in_turn(update, turn, state._start_battery)

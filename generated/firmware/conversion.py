@@ -1,5 +1,5 @@
 # Generated from templates/firmware/conversion.py: do not edit.
-# Inputs: 011d510b4085c30e
+# Inputs: ea7bb6cd743135d6
 """Exact steps between what people set, what the state keeps and what goes out.
 
 Only to_steps(), for people and tests, works with floats. Everything else is integer arithmetic, which allocates
@@ -10,11 +10,11 @@ LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allo
 
 
 def to_steps(value, numerator, denominator=1, high=LARGEST):
-    """Return a number as whole steps of numerator / denominator each, or None for None and NaN: unknown.
+    """Return a number as whole steps of numerator / denominator each, or None for None, NaN and infinity: unknown.
 
-    A half is rounded away from zero; what is beyond -high or high, infinity too, is left to whoever limits it.
+    A half is rounded away from zero; what is beyond -high or high is left to whoever limits it.
     """
-    if value is None or value != value:  # noqa: PLR0124  only NaN differs from itself
+    if value is None or value - value != 0:  # of NaN and infinity that is NaN
         return None
     steps = value * numerator
     if denominator != 1:

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 94d37b0c0afcb4da
+# Inputs: 688181bdf0e16397
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time
@@ -194,14 +194,13 @@ class Failsafe:
             self._vehicle.texts.say(severity, self.title + " health: " + word)
 
 
-def _shown(value, decimals, unknown):
-    return unknown if value is None else "{:.{}f}".format(value, decimals)
-
-
 def _battery_text(title, battery, level):
-    voltage = _shown(battery.voltage, 2, "unknown")
-    consumed = battery.consumed or 0
-    return f"{title} is {level} {voltage}V used {consumed:.0f} mAh"
+    said = f"{title} is {level}"
+    if battery.voltage is not None:
+        said += f" {battery.voltage:.2f}V"
+    if battery.consumed is not None:
+        said += f" used {battery.consumed:.0f} mAh"
+    return said
 
 
 def battery_failsafes(vehicle):

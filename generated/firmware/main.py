@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: e5f10aa83aef6a61
+# Inputs: 17bc2bf7436c300e
 """The program: what the board starts."""
 
 import asyncio

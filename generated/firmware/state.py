@@ -289,6 +289,10 @@ class SystemState:
         updates = self._battery_updates()
         next(updates)
         self.update_battery = updates.send
+        if any(getattr(self.parameters, each) == 4 for each in _BATT_MONITOR):
+            import battery_current  # noqa: PLC0415  where it is measured only
+
+            self.update_battery = battery_current.behind(self.update_battery, self, self._log)
 
     def _battery_updates(self):
         """Go on for ever: update_battery(board) is one turn, which takes one reading of each, FR-00067.1.
@@ -301,7 +305,6 @@ class SystemState:
         read = read_battery
         ticks = time.ticks_ms
         first = 0
-        further = self._further_battery()
         try:
             board = yield
             while True:
@@ -312,8 +315,6 @@ class SystemState:
                         self.tell_battery(told & 15, told >> 4)
                     else:
                         first = 0
-                        for update in further:
-                            update(board)
                         board = yield
                 except Exception as error:
                     from reading_turns import failed  # noqa: PLC0415  boards of codegen raise nothing
@@ -323,15 +324,6 @@ class SystemState:
         except (KeyboardInterrupt, SystemExit):
             self._start_battery()  # that was the end of this one
             raise
-
-    def _further_battery(self):
-        """Return what takes a turn of each further reading that is taken at all."""
-        found = []
-        if any(getattr(self.parameters, each) == 4 for each in _BATT_MONITOR):
-            import battery_current  # noqa: PLC0415  where it is measured only
-
-            found.append(battery_current.turn(self, self._log))
-        return found
 
     def tell_battery(self, told, instance, error=None):
         """Do what a reading gives cause to, or tell of a board that raises."""

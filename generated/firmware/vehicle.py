@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 94d37b0c0afcb4da
+# Inputs: 688181bdf0e16397
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 696fa000adb9a1c8
+# Inputs: 087da915dc5ae171
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -198,6 +198,7 @@ FAILSAFES = (
         },
         "level": "failsafe_number",
         "health": "health_number",
+        "tails": ["", " used 1234 mAh"],
         "used": "consumed_mah",
         "enabled": "monitored",
     },

@@ -8,11 +8,11 @@ LARGEST = 1073741823  # the largest integer that 32-bit boards keep without allo
 
 
 def to_steps(value, numerator, denominator=1, high=LARGEST):
-    """Return a number as whole steps of numerator / denominator each, or None for None and NaN: unknown.
+    """Return a number as whole steps of numerator / denominator each, or None for None, NaN and infinity: unknown.
 
-    A half is rounded away from zero; what is beyond -high or high, infinity too, is left to whoever limits it.
+    A half is rounded away from zero; what is beyond -high or high is left to whoever limits it.
     """
-    if value is None or value != value:  # noqa: PLR0124  only NaN differs from itself
+    if value is None or value - value != 0:  # of NaN and infinity that is NaN
         return None
     steps = value * numerator
     if denominator != 1:

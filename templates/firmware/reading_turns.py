@@ -20,6 +20,25 @@ def turns(state, read, parts, places, tell, follow):
     return turn.send
 
 
+def in_turn(first, second, restart):
+    """Return what lets both take a turn when it is given the board; `restart` makes all anew after an interrupt."""
+    both = _in_turn(first, second, restart)
+    next(both)
+    return both.send
+
+
+def _in_turn(first, second, restart):
+    try:
+        board = yield
+        while True:
+            first(board)
+            second(board)
+            board = yield
+    except (KeyboardInterrupt, SystemExit):
+        restart()
+        raise
+
+
 def _turns(words, read, parts, places, tell, follow):
     """Go on for ever: what lives on between the calls keeps an exception without heap, and looks up no names."""
     ticks = time.ticks_ms

@@ -104,7 +104,7 @@ def keep_shown(component, at, about, value):
 
 def keep_float(component, at, about, value):
     """Keep a float that is in the unit of people."""
-    if value is not None and value != value:  # noqa: PLR0124
+    if value is not None and value - value != 0:  # NaN or infinity
         value = None
     if value is not None and about[7] != about[8]:
         value = value * about[7] / about[8]

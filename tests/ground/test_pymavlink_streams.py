@@ -43,7 +43,7 @@ def test_failsafe_is_told(start: Any, link: GroundLink) -> None:
     for word, volts, expected_s in (("low", "10.30", 16), ("critical", "9.70", 36)):
         position = link.find("STATUSTEXT", 0, lambda message, word=word: f"is {word}" in message.text)
         text = link.heard[position]
-        assert text.text == f"Battery 1 is {word} {volts}V used 0 mAh"
+        assert text.text == f"Battery 1 is {word} {volts}V"
         assert text.severity == common.MAV_SEVERITY_WARNING
         seconds = sum(message.get_type() == "HEARTBEAT" for message in link.heard[:position])
         assert math.isclose(seconds, expected_s, abs_tol=2.5)

@@ -163,12 +163,15 @@ print(json.dumps(found + [clock.unix]))
 
 @pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
 def test_what_is_limited_is_counted_and_told_once(boat: Path, interpreter: str) -> None:
-    """A longitude of 200 degrees, twice, and again once one was right; an angle and an entry that there is not."""
+    """A longitude of 200 degrees, twice, and again once one was right; an angle and an entry that there is not.
+
+    Infinity is no value that could be limited: it is unknown.
+    """
     script = """
 told = []
 state = SystemState(log=told.append)
 gps, attitude = state.gps, state.attitude
-for lon in (200, 201, None, -200, 180, float("inf")):
+for lon in (200, 201, None, -200, 180, 1e30, float("inf"), float("-inf")):
     gps.lon = lon
 attitude.roll = 7
 gps.fix = 300
@@ -181,4 +184,4 @@ print(json.dumps([told, gps.limited, attitude.limited, gps.lon_dege7]))
         "warning: attitude.roll beyond 3.141593: limited",
         "warning: gps.fix beyond 8: limited",
     ]
-    assert (gps, attitude, lon) == ({"lon": 4, "fix": 1}, {"roll": 1}, 1800000000)
+    assert (gps, attitude, lon) == ({"lon": 4, "fix": 1}, {"roll": 1}, None)

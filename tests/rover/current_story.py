@@ -94,6 +94,34 @@ def failing():
         yield read(board, state, count), state.battery[0].voltage is not None
 
 
+def interrupted():
+    """Ctrl-C while the sensor is read, and on with both readings."""
+    board, state = started(BATT_MONITOR=4)
+    read(board, state, DRAWN)
+    good = board.read_battery_current_adc
+
+    def interrupt(*_instance):
+        raise KeyboardInterrupt
+
+    board.read_battery_current_adc = interrupt
+    try:
+        read(board, state, DRAWN)
+    except KeyboardInterrupt:
+        yield "interrupted"
+    board.read_battery_current_adc = good
+    yield read(board, state, 1000, voltage=3000)[0], state.battery[0].voltage_mv
+
+
+def endless():
+    """What code sets to infinity is no number."""
+    _, state = started()
+    battery = state.battery[0]
+    for value in (float("inf"), float("-inf"), float("nan")):
+        battery.voltage = battery.current = battery.temperature = value
+        yield [battery.voltage_mv, battery.current_ca, battery.temperature_cdegc, battery.limited]
+    yield bytes(telemetry.build_battery_status_v2(state, 0).wire).hex()
+
+
 def emptied():
     """A pack of 5 mAh, then one of which nobody said the size."""
     board, state = started(BATT_MONITOR=4, BATT_CAPACITY=5)
@@ -162,6 +190,8 @@ for tell in (
     charged,
     swapped,
     failing,
+    interrupted,
+    endless,
     emptied,
     empty_failsafe,
     never_empty,

@@ -4,7 +4,9 @@
 """
 
 import json
+import math
 import os
+import struct
 import subprocess
 import sys
 from fractions import Fraction
@@ -101,6 +103,20 @@ def test_a_sensor_that_fails_leaves_a_gap(told: Any) -> None:
     assert [each[:5] for each in readings[1:6]] == [kept] * 5
     assert readings[6][:6] == [None, *counted(1)[:2], None, None, None]
     assert [each[:5] for each in readings[7:]] == [kept, [CENTIAMPERES, *counted(2)]]
+
+
+def test_an_interrupt_ends_no_reading_for_good(told: Any) -> None:
+    """Ctrl-C reaches who called; voltage and current are read again by the next call."""
+    # 1000 counts are 13.699634 A, 3000 are 9.549451 V.
+    assert told["interrupted"] == ["interrupted", [1370, 9549]]
+
+
+@pytest.mark.requirement("FR-00072.4")
+def test_infinity_is_unknown(told: Any) -> None:
+    """It went out as 1073741.875 V; NaN is what the new message has for unknown, and nothing was limited."""
+    *kept, payload = told["endless"]
+    assert kept == [[None, None, None, {}]] * 3
+    assert struct.unpack_from("<ff", bytes.fromhex(payload)) == pytest.approx((math.nan, math.nan), nan_ok=True)
 
 
 @pytest.mark.requirement("FR-00077.6", "FR-00077.7")

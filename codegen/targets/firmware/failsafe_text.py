@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from codegen.model.failsafe import Failsafe, FailsafeLevel, FailsafeText, Sense, Shown
+from codegen.model.failsafe import Clause, Failsafe, FailsafeLevel, FailsafeText, Sense, Shown
 from codegen.targets.naming import quoted
 
 ZERO = "0"
@@ -50,8 +50,14 @@ def _is_known(part: Shown, level: FailsafeLevel | None, failsafe: Failsafe) -> b
 
 
 def _said(text: FailsafeText, level: FailsafeLevel | None, failsafe: Failsafe, variable: str) -> Iterator[str]:
-    said = ""
+    said, begun = "", False
     for part in text.parts:
+        if isinstance(part, Clause):
+            if said or not begun:
+                yield f"said {'+=' if begun else '='} {_quoted(said)}"
+            begun, said = True, ""
+            yield from _clause(part, level, failsafe, variable)
+            continue
         if not isinstance(part, Shown):
             said += part.replace("{name}", "{title}")
             continue
@@ -65,4 +71,24 @@ def _said(text: FailsafeText, level: FailsafeLevel | None, failsafe: Failsafe, v
             continue
         yield f"{name} = _shown({variable}.{name}, {part.decimals}, {quoted(part.unknown)})"
         said += f"{{{name}}}"
-    yield f'return {"f" if "{" in said else ""}"{said}"'
+    before = "said" if begun else ""
+    yield f"return {' + '.join(filter(None, (before, _quoted(said) if said or not before else '')))}"
+
+
+def _clause(clause: Clause, level: FailsafeLevel | None, failsafe: Failsafe, variable: str) -> Iterator[str]:
+    """The statements that add a part to ``said`` where all of it is known."""
+    doubtful = [f"{variable}.{each.quantity.name}" for each in clause.shown if not _is_known(each, level, failsafe)]
+    said = "".join(
+        f"{{{variable}.{part.quantity.name}:.{part.decimals}f}}" if isinstance(part, Shown) else part
+        for part in clause.parts
+    ).replace("{name}", "{title}")
+    add = f"said += {_quoted(said)}"
+    if not doubtful:
+        yield add
+        return
+    yield f"if {' and '.join(f'{each} is not None' for each in doubtful)}:"
+    yield f"    {add}"
+
+
+def _quoted(said: str) -> str:
+    return f'{"f" if "{" in said else ""}"{said}"'

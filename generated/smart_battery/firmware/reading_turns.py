@@ -1,5 +1,5 @@
 # Generated from templates/firmware/reading_turns.py: do not edit.
-# Inputs: efbb9798560756f8
+# Inputs: 94f792ae12eac6c4
 """Further readings of a component, behind the first: a turn of each takes one reading of every part."""
 
 import time
@@ -20,6 +20,25 @@ def turns(state, read, parts, places, tell, follow):
     turn = _turns(state.words, read, parts, places, tell, follow)
     next(turn)
     return turn.send
+
+
+def in_turn(first, second, restart):
+    """Return what lets both take a turn when it is given the board; `restart` makes all anew after an interrupt."""
+    both = _in_turn(first, second, restart)
+    next(both)
+    return both.send
+
+
+def _in_turn(first, second, restart):
+    try:
+        board = yield
+        while True:
+            first(board)
+            second(board)
+            board = yield
+    except (KeyboardInterrupt, SystemExit):
+        restart()
+        raise
 
 
 def _turns(words, read, parts, places, tell, follow):

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 6accf41eee792d6e
+# Inputs: ba048b3d11ac2518
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -62,19 +62,6 @@ def _both(first, second):
         second(message)
 
     return take
-
-
-def _targets(kind):
-    """Return where messages of a class have their target system and component, as far as they have them."""
-    places = {}
-    at = 0
-    for word in kind.FIELDS.split():
-        name, form = word.split("=")[0].split(":")
-        places[name] = at
-        at += struct.calcsize("<" + form)
-    system = places.get("target_system", places.get("target"))
-    component = places.get("target_component")
-    return () if system is None else (system,) if component is None else (system, component)
 
 
 class Services:

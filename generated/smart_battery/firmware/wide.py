@@ -1,5 +1,5 @@
 # Generated from templates/firmware/wide.py: do not edit.
-# Inputs: 800802834f14268f
+# Inputs: ef84fb86523e744f
 """Attributes for numbers of more than 30 bits, and for floats: views of several words of a component.
 
 Each of these words has 16 bits, the low ones first, which every port reads without allocating; while the number is not
@@ -106,7 +106,7 @@ def keep_shown(component, at, about, value):
 
 def keep_float(component, at, about, value):
     """Keep a float that is in the unit of people."""
-    if value is not None and value != value:  # noqa: PLR0124
+    if value is not None and value - value != 0:  # NaN or infinity
         value = None
     if value is not None and about[7] != about[8]:
         value = value * about[7] / about[8]

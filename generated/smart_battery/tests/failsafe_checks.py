@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: 0029b6457704a456
+# Inputs: 0c7f052bf6d0b17e
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -133,7 +133,7 @@ def text_of_each_escalation():
     watch.readings(watch.between, 3 * watch.per_second)
     watch.readings(watch.deep, 3 * watch.per_second)
     texts = watch.rover.said(facts["title"] + " is ")
-    tail = " used 0 mAh" if facts["used"] else ""
+    tail = facts["tails"][0]
     expected = [
         (
             dialect.MAV_SEVERITY_WARNING,
@@ -146,12 +146,12 @@ def text_of_each_escalation():
 
 
 def text_counts_the_charge_used():
-    """The charge used stands in the text where something counts it."""
+    """Another quantity stands in the text once it is known, such as the charge that was used."""
     watch = armed_watch(1)
-    needs(watch.facts["used"], "the charge used")
+    needs(watch.facts["used"], "another quantity in the text")
     setattr(watch.component, watch.facts["used"], 1234)
     watch.readings(watch.between, 2 * watch.per_second)
-    assert watch.rover.said(watch.facts["title"] + " is ")[0][1].endswith(" used 1234 mAh")
+    assert watch.rover.said(watch.facts["title"] + " is ")[0][1].endswith(watch.facts["tails"][1])
 
 
 def _note(rover, name):

@@ -48,19 +48,6 @@ def _both(first, second):
     return take
 
 
-def _targets(kind):
-    """Return where messages of a class have their target system and component, as far as they have them."""
-    places = {}
-    at = 0
-    for word in kind.FIELDS.split():
-        name, form = word.split("=")[0].split(":")
-        places[name] = at
-        at += struct.calcsize("<" + form)
-    system = places.get("target_system", places.get("target"))
-    component = places.get("target_component")
-    return () if system is None else (system,) if component is None else (system, component)
-
-
 class Services:
     """The services of one connection.
 
