@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 60c34cdecd7a586d
+# Inputs: 7bdce9390b209957
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -60,7 +60,7 @@ class Connection:
             self._stations = None
             self.stations = [self._new_station()]
         else:
-            self._stations = port.stations(self._new_station, vehicle.SILENCE_MS)
+            self._stations = port.stations(port, self._new_station, vehicle.SILENCE_MS)
             self.stations = self._stations.served
         self.station = self.stations[0]
         self.station.text = 0  # what was said before there was a link

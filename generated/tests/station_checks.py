@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 155aa0c9fb15f2cb
+# Inputs: 64bebe5f68b20a8d
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -258,6 +258,26 @@ def the_declared_address_is_served_while_nobody_is_there():
         assert min(scene.heard(5, 2, 3, 4, 5)) >= 4
 
 
+def the_declared_address_keeps_its_rates():
+    """A station there that never beats has what it has asked for, for as long as nobody else is there."""
+    home = address(1)
+    scene = Scene(home)
+    scene.seconds(1)
+    scene.station(1).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, -1)
+    scene.seconds(SILENCE_MS // 1000 + 2)
+    scene.air.taken = {}
+    run(scene.rover, 5 * SECOND_US)
+    assert scene.beats(home) == 0
+    scene.seconds(1, 2)
+    assert scene.heard(5, 2)[0] >= 4
+    assert home not in scene.air.taken
+    scene.seconds(SILENCE_MS // 1000 + 2)
+    scene.air.taken = {}
+    run(scene.rover, 5 * SECOND_US)
+    assert scene.beats(home) == 0
+    assert address(2) not in scene.air.taken
+
+
 def who_comes_back_finds_its_rates():
     """From the laptop to the tablet and back: each has what it asked for, and who is away is not sent to."""
     scene = Scene()
@@ -353,6 +373,7 @@ CHECKS = (
     (datagrams_stand_for_themselves, "services.stations"),
     (vehicles_are_no_stations, "services.stations"),
     (the_declared_address_is_served_while_nobody_is_there, "services.stations"),
+    (the_declared_address_keeps_its_rates, "services.stations"),
     (who_comes_back_finds_its_rates, "services.stations"),
     (who_comes_back_is_told_what_it_missed, "services.stations"),
     (a_station_that_starts_again_is_served_at_once, "services.stations"),

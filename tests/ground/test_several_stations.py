@@ -1,5 +1,6 @@
 """Several pymavlink stations at the one UDP link of the simulated rover, under MicroPython."""
 
+import itertools
 import socket
 import time
 from collections.abc import Iterator
@@ -57,7 +58,7 @@ def count(messages: list[Any], name: str) -> int:
 def lost(messages: list[Any]) -> int:
     """How many sequence numbers are missing between messages of one sender."""
     numbers = [message.get_seq() for message in messages]
-    return sum((after - before - 1) % 256 for before, after in zip(numbers, numbers[1:], strict=False))
+    return sum((after - before - 1) % 256 for before, after in itertools.pairwise(numbers))
 
 
 def test_stations_do_not_disturb_one_another(stations: Stations) -> None:

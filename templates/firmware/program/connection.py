@@ -55,7 +55,7 @@ class Connection:
             self._stations = None
             self.stations = [self._new_station()]
         else:
-            self._stations = port.stations(self._new_station, vehicle.SILENCE_MS)
+            self._stations = port.stations(port, self._new_station, vehicle.SILENCE_MS)
             self.stations = self._stations.served
         self.station = self.stations[0]
         self.station.text = 0  # what was said before there was a link
