@@ -335,7 +335,7 @@ def test_true_frame_is_found_behind_any_garbage(firmware: SimpleNamespace, data:
 
 
 pieces = st.one_of(
-    st.binary(max_size=30),
+    st.binary(max_size=30) | st.just(bytes(280)),
     magics,
     st.sampled_from([b"\xfd\xff\x00\x00\x00\x01\x01\x00\x00\x00", b"\xfe\x20\x00\x01\x01\x00"]),
     st.builds(oracle.raw_frame, st.just(0), st.binary(min_size=1, max_size=9), st.sampled_from([50, 51])),
