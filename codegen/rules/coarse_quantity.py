@@ -38,4 +38,6 @@ def check(system: System) -> Iterator[Diagnostic]:
 def _is_coarse(answer: Answer, quantity: Quantity) -> bool:
     if quantity.kind is not QuantityKind.NUMBER or quantity.spec.stored is not None or quantity.storage.is_float:
         return False
+    if quantity.derivation is not None and quantity.derivation.gives:
+        return False  # a sensor gives these steps: nothing lies between them
     return not answer.covers.field.type.is_integer or any(scaling.factor > 1 for scaling in answer.scalings)

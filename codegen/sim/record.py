@@ -3,6 +3,7 @@
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import isclose
 from typing import Any
 
 from codegen.model.scenario import Course, Event, Fault, Scenario, Sending, is_number
@@ -14,6 +15,7 @@ from codegen.sim.told import Told
 _MOST_POINTS = 20_000
 _MOST_LINES = 500
 _MOST_TEXTS = 5_000
+_NOISE = 1e-13  # of a number
 _ARMED, _STATUS, _MODE = "vehicle.armed", "vehicle.status", "vehicle.mode"
 
 
@@ -220,9 +222,12 @@ class Recording:
         return self.add(Kind.SWAP, "Another board was put in", at_ms=at_ms)
 
     def largest_difference(self, label: str) -> tuple[float, int] | None:
-        """The largest difference of what was told of a number from what was true, in its unit, and its time in ms."""
+        """The largest difference of what was told of a number from what was true, in its unit, and its time in ms.
+
+        What a double cannot tell apart after a few roundings is no difference.
+        """
         found = [
-            (abs(reading.value - true), reading.at_ms)
+            (0.0 if isclose(reading.value, true, rel_tol=_NOISE) else abs(reading.value - true), reading.at_ms)
             for reading in self.readings_of.get(label, ())
             if reading.value is not None
             if (true := self.true(label, reading.at_ms)) is not None

@@ -10,6 +10,7 @@ from codegen.model.failsafe import Failsafe
 from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Citation
+from codegen.targets.failsafe_facts import pairs
 
 _Cited = tuple[str, Citation]
 
@@ -28,6 +29,9 @@ def _cited(system: System, program: Program) -> Iterator[_Cited]:
     yield from _of_commands(program)
     for failsafe in program.failsafes:
         yield from _of_failsafe(failsafe)
+    for failsafe in pairs(system, program):
+        yield from _of_pair(failsafe)
+        yield from _named("pair", program.aspects.get("arming", {}))
     for name, _, conversion in system.measured():
         component = system.components[name]
         yield from _named("component", component.aspects)
@@ -55,9 +59,17 @@ def _of_commands(program: Program) -> Iterator[_Cited]:
 
 def _of_failsafe(failsafe: Failsafe) -> Iterator[_Cited]:
     yield from _named("failsafe", failsafe.aspects)
-    for aspect, level in zip(("first", "second", "third"), failsafe.levels, strict=False):
+    for level in failsafe.levels:
         if level.citation is not None:
-            yield f"failsafe.{aspect}", level.citation
+            yield from ((f"failsafe.{condition.sense.value}", level.citation) for condition in level.conditions)
+
+
+def _of_pair(failsafe: Failsafe) -> Iterator[_Cited]:
+    """What the checks of two levels show, which are left out for other failsafes."""
+    yield from _named("pair", failsafe.aspects)
+    for aspect, level in zip(("first", "second"), failsafe.levels, strict=True):
+        if level.citation is not None:
+            yield f"pair.{aspect}", level.citation
 
 
 def _named(section: str, aspects: Mapping[str, Citation]) -> Iterator[_Cited]:

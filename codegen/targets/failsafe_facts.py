@@ -76,8 +76,13 @@ class WatchFacts:
 
 def pair_facts(system: System, program: Program) -> tuple[PairFacts, ...]:
     """Those that the checks of readings are about."""
+    return tuple(map(_pair, pairs(system, program)))
+
+
+def pairs(system: System, program: Program) -> tuple[Failsafe, ...]:
+    """Failsafes of two levels below parameters of what is measured, which the checks of readings are about."""
     measured = {quantity.path for _, quantity, _ in system.measured()}
-    return tuple(_pair(failsafe) for failsafe in program.failsafes if _is_pair(failsafe, measured))
+    return tuple(failsafe for failsafe in program.failsafes if _is_pair(failsafe, measured))
 
 
 def _is_pair(failsafe: Failsafe, measured: set[str]) -> bool:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: fa9ac4c313a498d9
+# Inputs: eb4910c8862b5b50
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
@@ -59,8 +59,10 @@ def partial_writes_keep_frames_whole():
     parts, seconds = [0, 1, 2, 3, 5, 7, 11, 0, 0, 13] + [32, 32] * (several - 1), 10
     needed = _bytes_sent(seconds) * 3 // 2  # a line that takes less would have to drop frames
     rover, station, line, port = _wired(max(512 * max(1, several), needed // seconds * 2))
-    while sum(parts) * seconds * SECOND_US < needed * len(parts) * LINKS_US:
-        parts += [needed]
+    passes = len(parts)
+    while sum(parts) * seconds * SECOND_US < needed * passes * LINKS_US:
+        parts += [32] * 8  # whole pieces of the port, as many as it sends in a pass
+        passes += 1
     line.parts = parts * 200
     run(rover, seconds * SECOND_US)
     found = station.received(*messages.ALL)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 31f384b83129cd3b
+# Inputs: f3be17eec638dbc3
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -11,7 +11,7 @@ from program_bench import (
     needs_arming,
     new_rover,
 )
-from program_facts import CHECKS_US, MEASURED, PARAMETERS, WATCHED
+from program_facts import ACTIONS, CHECKS_US, MEASURED, PARAMETERS, WATCHED
 
 import dialect
 import messages
@@ -218,6 +218,45 @@ def a_level_stays_or_is_over():
             assert bench.rover.state.vehicle.status == dialect.MAV_STATE_ACTIVE
 
 
+def each_level_does_what_it_says():
+    """Its action is called once, with the action's mode, and what disarms disarms; HEARTBEAT says critical."""
+    for facts, condition in _each(("below", "above", "unknown")):
+        for chosen, (number, call, mode, disarms) in _choices(facts["actions"][condition[LEVEL] - 1]):
+            bench = Bench(facts)
+            if condition[SENSE] == "unknown":
+                beyond = None
+            else:
+                _, beyond = _sides(condition, bench.limit(condition))
+            due = bench.delay(condition)
+            bench.rests(condition)
+            if chosen:
+                setattr(bench.rover.parameters, chosen, number)
+            calls = []
+            for name in [name for _, name, _, _ in ACTIONS] + ["disarm"]:
+                setattr(bench.rover, name, _note(calls, name))
+            vehicle = bench.rover.state.vehicle
+            before = vehicle.mode_number
+            bench.values[condition[ATTRIBUTE]] = beyond
+            bench.run(passes=due + 5)
+            assert calls == ([call] if call else []) + (["disarm"] if disarms else []), (condition, number, calls)
+            assert vehicle.mode_number == (before if mode is None else mode), (condition, number)
+            assert vehicle.status == dialect.MAV_STATE_CRITICAL, (condition, number)
+
+
+def _choices(action):
+    """Return what can be done at a level: the parameter that chooses it or None, and the action."""
+    none = (0, None, None, False)
+    if not isinstance(action, str):
+        return [(None, next((each for each in ACTIONS if each[0] == action), none))]
+    parameter = next(each for each in PARAMETERS if each["attribute"] == action)
+    actions = [none] + [each for each in ACTIONS]  # noqa: C416  MicroPython cannot
+    return [(action, each) for each in actions if parameter["minimum"] <= each[0] <= parameter["maximum"]]
+
+
+def _note(calls, name):
+    return lambda **_given: calls.append(name)
+
+
 def a_parameter_of_0_switches_off():
     """A threshold of 0, a time of 0 and the failsafe's own switch."""
     for facts, condition in _each():
@@ -310,16 +349,17 @@ def silence_begins_anew_with_each_heartbeat():
 
 
 CHECKS = (
-    (a_condition_holds_beyond_its_threshold_for_its_time, "failsafe.timer"),
+    (a_condition_holds_beyond_its_threshold_for_its_time, "failsafe.timer", "failsafe.below", "failsafe.above"),
     (one_good_reading_begins_the_time_anew, "failsafe.timer"),
     (unknown_counts_from_when_it_is_unknown, "failsafe.unknown"),
     (disarmed_only_what_always_watches_acts, "failsafe.disarmed"),
     (a_level_stays_or_is_over, "failsafe.latch", "failsafe.recovery"),
+    (each_level_does_what_it_says, "failsafe.action", "failsafe.status"),
     (a_parameter_of_0_switches_off, "failsafe.off"),
     (arming_asks_for_every_condition, "arming.reasons"),
     (each_text_fits_one_frame, "failsafe.text"),
-    (silence_is_counted_from_the_last_heartbeat, "failsafe.timer"),
-    (silence_begins_anew_with_each_heartbeat, "failsafe.timer"),
+    (silence_is_counted_from_the_last_heartbeat, "failsafe.timer", "failsafe.silent"),
+    (silence_begins_anew_with_each_heartbeat, "failsafe.timer", "failsafe.silent"),
 )
 
 if __name__ == "__main__":

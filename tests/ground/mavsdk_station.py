@@ -38,7 +38,7 @@ def plain(value: Any) -> Any:
 
 
 def main() -> None:
-    """Wait for a vehicle on the port that is the only argument, then for lines."""
+    """Wait for a vehicle on the port of the first argument, then for lines; other arguments are what is told, too."""
     mavsdk = Mavsdk(Configuration.create_with_component_type(ComponentType.GROUND_STATION))
     result = mavsdk.add_any_connection(f"udpin://127.0.0.1:{sys.argv[1]}")
     if result != ConnectionResult.SUCCESS:
@@ -49,7 +49,7 @@ def main() -> None:
         sys.exit("no vehicle")
     telemetry = Telemetry(system)
     plugins = {"telemetry": telemetry, "param": Param(system), "action": Action(system), "info": Info(system)}
-    kinds = ("battery", "status_text", "health", "armed", "health_all_ok")
+    kinds = ("battery", "status_text", "health", "armed", "health_all_ok", *sys.argv[2:])
     for kind in kinds:
         getattr(telemetry, f"subscribe_{kind}")(lambda value, kind: write("seen", kind=kind, value=plain(value)), kind)
     write(

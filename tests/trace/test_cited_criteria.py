@@ -50,7 +50,10 @@ OF_THE_BEHAVIOUR = {
     "reading": {"reference", "samples", "read_limit", "failure", "absence", "when"},
 }
 """Aspects that test_frames.py and test_behaviour.py cite."""
-OF_THEIR_OWN = {"failsafe.first", "failsafe.second", "streams.rate", "streams.fixed", "command.done", "mode.change"}
+OF_THEIR_OWN = {
+    *("failsafe.below", "failsafe.above", "failsafe.silent"),
+    *("streams.rate", "streams.fixed", "command.done", "mode.change"),
+}
 """What the ``requirement`` of a level, a stream, a command or a mode asks for."""
 
 
@@ -122,6 +125,9 @@ def test_each_aspect_is_shown_by_a_check() -> None:
     known = {f"{section}.{aspect}" for section, spec in SECTIONS.items() for aspect in spec.ASPECTS}
     receiver = {f"receiver.{aspect}" for aspects in shown_by_receiver_tests().values() for aspect in aspects}
     behaviour = {f"{section}.{aspect}" for section, aspects in OF_THE_BEHAVIOUR.items() for aspect in aspects}
-    shown = checked_aspects() | receiver
+    of_pairs = {each for each in checked_aspects() if each.startswith("pair.")}
+    named = {f"pair.{aspect}" for spec in (FailsafeSpec, ArmingSpec) for aspect in spec.ASPECTS}
+    assert of_pairs - named == {"pair.first", "pair.second"}, "checks that are for failsafes of two levels alone"
+    shown = (checked_aspects() - of_pairs) | receiver
     assert shown - known == OF_THEIR_OWN
     assert known - shown - behaviour == set()

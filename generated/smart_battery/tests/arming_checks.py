@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/arming_checks.py: do not edit.
-# Inputs: 694586aec9b4aaaf
+# Inputs: c8144be4b84b1987
 """Arming: what it is refused for, in which order, and what the user's code has to do with it."""
 
 from failsafe_bench import TIMER, armed_watch, new_watch
@@ -95,10 +95,10 @@ def nothing_is_watched_without_the_monitor():
 
 
 CHECKS = (
-    (reasons_not_to_arm, "arming.reasons"),
-    (latched_level_is_a_reason, "arming.reasons"),
-    (users_check_comes_last, "arming.reasons"),
-    (arming_calls_the_user, "arming.reasons"),
+    (reasons_not_to_arm, "pair.reasons"),
+    (latched_level_is_a_reason, "pair.reasons"),
+    (users_check_comes_last, "pair.reasons"),
+    (arming_calls_the_user, "pair.reasons"),
     (nothing_is_watched_without_the_monitor, "reading.monitor"),
 )
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: 75553f21686f2852
+# Inputs: 0029b6457704a456
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -255,20 +255,20 @@ def _let_run(rover, measured, value, seconds):
 
 
 CHECKS = (
-    (low_after_the_timer, "failsafe.first"),
-    (default_timer_is_the_specified_one, "failsafe.first"),
-    (critical_goes_first, "failsafe.second"),
-    (each_level_has_its_own_timer, "failsafe.second"),
-    (one_good_reading_restarts, "failsafe.timer"),
-    (unknown_neither_restarts_nor_advances, "failsafe.timer"),
-    (zero_switches_off, "failsafe.off"),
-    (disarmed_it_rests, "failsafe.disarmed"),
-    (nothing_clears_it, "failsafe.latch"),
-    (text_of_each_escalation, "failsafe.text"),
-    (text_counts_the_charge_used, "failsafe.text"),
-    (each_action_is_its_call, "failsafe.action"),
-    (action_that_raises_does_no_harm, "failsafe.action"),
-    (heartbeat_says_critical, "failsafe.status"),
+    (low_after_the_timer, "pair.first"),
+    (default_timer_is_the_specified_one, "pair.first"),
+    (critical_goes_first, "pair.second"),
+    (each_level_has_its_own_timer, "pair.second"),
+    (one_good_reading_restarts, "pair.timer"),
+    (unknown_neither_restarts_nor_advances, "pair.timer"),
+    (zero_switches_off, "pair.off"),
+    (disarmed_it_rests, "pair.disarmed"),
+    (nothing_clears_it, "pair.latch"),
+    (text_of_each_escalation, "pair.text"),
+    (text_counts_the_charge_used, "pair.text"),
+    (each_action_is_its_call, "pair.action"),
+    (action_that_raises_does_no_harm, "pair.action"),
+    (heartbeat_says_critical, "pair.status"),
     (counts_lead_to_both_levels, "component.scenarios"),
 )
 

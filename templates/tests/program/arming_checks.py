@@ -93,10 +93,10 @@ def nothing_is_watched_without_the_monitor():
 
 
 CHECKS = (
-    (reasons_not_to_arm, "arming.reasons"),
-    (latched_level_is_a_reason, "arming.reasons"),
-    (users_check_comes_last, "arming.reasons"),
-    (arming_calls_the_user, "arming.reasons"),
+    (reasons_not_to_arm, "pair.reasons"),
+    (latched_level_is_a_reason, "pair.reasons"),
+    (users_check_comes_last, "pair.reasons"),
+    (arming_calls_the_user, "pair.reasons"),
     (nothing_is_watched_without_the_monitor, "reading.monitor"),
 )
 

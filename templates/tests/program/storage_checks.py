@@ -115,7 +115,7 @@ def power_cut_leaves_old_or_new():
         facts = PARAMETERS[0]
         for index in range(saves):
             assert rover.parameters.set(
-                facts["name"], (facts["minimum"] + index) * facts["numerator"] / facts["denominator"]
+                facts["name"], (facts["minimum"] + index % 2) * facts["numerator"] / facts["denominator"]
             )
             save(rover)
         old_files = dict(rover.flash.files)

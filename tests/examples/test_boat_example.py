@@ -1,0 +1,104 @@
+"""examples/boat, the second vehicle: built as a user builds it, tested, simulated and traced.
+
+pymavlink decodes what the generated suite lets the firmware send; this file runs that suite on three interpreters.
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "boat"
+BIN = Path(sys.executable).parent
+
+
+def run(folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
+    """A command of the environment, in a folder."""
+    return subprocess.run(
+        [str(BIN / command[0]), *command[1:]], cwd=folder, capture_output=True, text=True, check=False, timeout=240
+    )
+
+
+def copied(folder: Path) -> Path:
+    """A copy of what is kept of the example, without what a build wrote."""
+    return Path(shutil.copytree(EXAMPLE, folder, ignore=shutil.ignore_patterns("generated", "__pycache__")))
+
+
+@pytest.fixture(scope="module")
+def boat(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The example, built: nothing is found."""
+    folder = copied(tmp_path_factory.mktemp("example") / "boat")
+    done = run(folder, "codegen", "build")
+    assert (done.returncode, done.stdout) == (0, ""), done.stdout
+    return folder
+
+
+def test_nothing_is_found(boat: Path) -> None:
+    """The example shows nobody a warning, and its requirement documents claim nothing that is not so."""
+    done = run(boat, "codegen", "check")
+    assert (done.returncode, done.stdout) == (0, ""), done.stdout
+
+
+def test_its_suite_shows_every_criterion(boat: Path) -> None:
+    """The generated suite passes under CPython and MicroPython, and each criterion of the documents is shown by it."""
+    done = run(boat, "python", "-m", "pytest", "-n0", "generated/tests", "--junit-xml=results.xml")
+    assert done.returncode == 0, done.stdout[-4000:]
+    traced = run(boat, "codegen", "trace", "--results", "results.xml")
+    assert traced.returncode == 0, traced.stdout
+    assert "4 requirement documents, 21 criteria" in traced.stdout
+    assert re.search(r"^  passed +21$", traced.stdout, re.MULTILINE), traced.stdout
+
+
+def test_it_behaves_alike_with_words_of_32_bits(tmp_path: Path) -> None:
+    """An ESP32 has words of 32 bits: whole numbers of more than 30 bits are objects on its heap."""
+    folder = copied(tmp_path / "boat")
+    with (folder / "specs" / "codegen.yaml").open("a") as file:
+        file.write("machine_code: false\n")  # what stands in for the board has none
+    assert run(folder, "codegen", "build").returncode == 0
+    generated = folder / "generated"
+    path = os.pathsep.join(str(generated / name) for name in ("firmware", "mocks", "tests"))
+    for script in ("behaviour", "sources_behaviour", "command_checks", "watched_checks"):
+        done = subprocess.run(
+            [str(BIN / "micropython32"), "-X", "heapsize=4m", str(generated / "tests" / f"{script}.py")],
+            env={**os.environ, "MICROPYPATH": f"{path}{os.pathsep}.frozen"},
+            cwd=generated / "tests",
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+        )
+        assert done.returncode == 0, done.stderr
+        wrong = {name: why for name, why in _checked(done.stdout).items() if why and not why.startswith("left out")}
+        assert wrong == {}, script
+
+
+def _checked(printed: str) -> dict[str, str | None]:
+    found: dict[str, str | None] = json.loads(printed)
+    assert found
+    return found
+
+
+@pytest.mark.parametrize("scenario", ["nominal", "trip", "no_echo"])
+def test_its_scenarios_come_out_as_expected(boat: Path, scenario: str) -> None:
+    """Each says itself what is expected of it: positions, depths, modes, texts, and what moves rudder and motor."""
+    done = run(boat, "codegen", "sim", scenario, "--speed", "max", "--quiet", "--out", "udp:127.0.0.1:9")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "Expected" not in done.stdout
+    assert re.search(r"gps\.lon.* told", done.stdout)
+
+
+def test_a_wrong_expectation_is_found(boat: Path, tmp_path: Path) -> None:
+    """A scenario that expects what is not so fails: the ones above could."""
+    folder = Path(shutil.copytree(boat, tmp_path / "boat"))
+    scenarios = folder / "specs" / "scenarios.yaml"
+    scenarios.write_text(
+        scenarios.read_text().replace("told: gps.lat, is: 54.3233 deg", "told: gps.lat, is: 54.3234 deg", 1)
+    )
+    done = run(folder, "codegen", "sim", "nominal", "--speed", "max", "--quiet", "--out", "udp:127.0.0.1:9")
+    assert done.returncode == 1
+    assert "Expected told gps.lat is 54.3234 deg" in done.stdout
