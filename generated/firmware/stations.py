@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/stations.py: do not edit.
-# Inputs: a66ee95fb0e573fa
+# Inputs: 555377e802a6dae2
 """The stations at the other end of a port that tells them apart by their addresses."""
 
 import time
@@ -15,10 +15,12 @@ class Stations:
     """Who is served, in `served`: the declared address while nobody is heard, and else whoever is.
 
     A station is heard while its frames arrive, and gone after `silence_ms`. It is remembered until its place is needed,
-    so that it finds the rates that it has asked for when it comes back. `make` returns a new Station.
+    so that it finds the rates that it has asked for when it comes back. `make` returns a new Station, `port` has the
+    declared address as its `home`.
     """
 
-    def __init__(self, make, silence_ms):
+    def __init__(self, port, make, silence_ms):
+        self._port = port
         self._make = make
         self._silence_ms = silence_ms
         self._looked_ms = 0  # when it was looked who is gone
@@ -54,7 +56,7 @@ class Stations:
         if self.served:
             self._known = [station for station in self._known if station.address is not None]
         else:
-            self.served.append(self._put(self._make()))
+            self.served.append(self._find(self._port.home) or self._put(self._make()))
 
     def _find(self, address):
         for station in self._known:
@@ -64,8 +66,8 @@ class Stations:
 
     def _add(self, address, now_ms):
         """Return the station that gets an address, None if there are enough others."""
-        station = self.served[0]  # the declared one becomes that of who answers
-        if station.is_heard:
+        station = self.served[0]
+        if station.address is not None:  # else it is the declared one, which becomes that of who answers
             if len(self._known) == _MOST and time.ticks_diff(now_ms, self._oldest().heard_ms) < _GONE_MS:
                 return None
             station = self._put(self._make())

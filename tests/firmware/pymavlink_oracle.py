@@ -143,3 +143,13 @@ def payload(name: str, values: Values, base_only: bool = False) -> bytes:
 def parse(data: bytes) -> list[Any]:
     """The messages that pymavlink finds."""
     return common_2.MAVLink(None).parse_buffer(data) or []
+
+
+def is_valid(frame: bytes) -> bool:
+    """Whether a whole frame of a message of common.xml has the checksum that pymavlink computes."""
+    header, signature = (10, 13 * (frame[2] & 1)) if frame[0] == 0xFD else (6, 0)
+    number = int.from_bytes(frame[7:10], "little") if header == 10 else frame[5]
+    end = header + frame[1]
+    crc = x25crc()
+    crc.accumulate(frame[1:end] + bytes([common_2.mavlink_map[number].crc_extra]))
+    return len(frame) == end + 2 + signature and frame[end : end + 2] == crc.crc.to_bytes(2, "little")

@@ -97,7 +97,7 @@ def test_bytes_that_look_like_frames_take_no_longer(services: Services) -> None:
 
 
 @pytest.mark.parametrize(
-    "false", [b"\xfd\xff\x00", b"\xfd\xff\x00\x00\xff\xbe\x4c\x00\x00", b"\xfe\xff\x00\x01\x01\x00"]
+    "false", [b"\xfd\xff\x00", b"\xfd\xff\x00\x00\x00\xff\xbe\x4c\x00\x00", b"\xfe\xff\x00\x01\x01\x00"]
 )
 def test_a_stray_start_of_a_frame_delays_nothing_for_long(services: Services, false: bytes) -> None:
     """Half a second at most, where it looks like a message that is known; the frames behind it are all found."""
@@ -108,7 +108,7 @@ def test_a_stray_start_of_a_frame_delays_nothing_for_long(services: Services, fa
 
 def test_a_stray_start_is_given_up_though_bytes_go_on_arriving(services: Services) -> None:
     """A byte now and then does not keep it waiting for all that it announces."""
-    steps = [("arrive", b"\xfd\xff\x00\x00\xff\xbe\x4c\x00\x00" + b"\x00" + COMMAND)]
+    steps = [("arrive", b"\xfd\xff\x00\x00\x00\xff\xbe\x4c\x00\x00" + b"\x00" + COMMAND)]
     steps += [step for _ in range(60) for step in (("arrive", b"\x00"), ("passes", 4))]
     assert len(services.run(*steps).of("COMMAND_ACK")) == 1
 

@@ -332,3 +332,75 @@ def test_true_frame_is_found_behind_any_garbage(firmware: SimpleNamespace, data:
     frame = oracle.raw_frame(0, b"\x2a\x2b\x2c", extra=50)
     found = [bytes(message.wire[:3]) for message in link.feed(data + frame + bytes(300))]
     assert found[-1:] == [b"\x2a\x2b\x2c"]
+
+
+pieces = st.one_of(
+    st.binary(max_size=30) | st.just(bytes(280)),
+    magics,
+    st.sampled_from([b"\xfd\xff\x00\x00\x00\x01\x01\x00\x00\x00", b"\xfe\x20\x00\x01\x01\x00"]),
+    st.builds(oracle.raw_frame, st.just(0), st.binary(min_size=1, max_size=9), st.sampled_from([50, 51])),
+    st.builds(oracle.raw_frame_1, st.just(0), st.binary(min_size=9, max_size=9), st.sampled_from([50, 51])),
+    # A stray byte that, with the sequence number 0 of what follows, looks like the start of a HEARTBEAT of MAVLink 1.
+    st.just(
+        b"\xfe" + oracle.frame("HEARTBEAT", oracle.random_values(oracle.describe("HEARTBEAT"), random.Random(5)), 0)
+    ),
+    # Of a message that nobody knows, with a true frame in it.
+    st.builds(
+        lambda tail: oracle.raw_frame(70000, oracle.raw_frame(0, b"\x07", extra=50) + tail, 3), st.binary(max_size=9)
+    ),
+)
+
+
+def scanned(data: bytes) -> list[bytes]:
+    """The frames of HEARTBEAT from left to right: each that pymavlink takes for one, and behind the first byte of all
+    else the search goes on."""
+    found, at = [], 0
+    while at < len(data):
+        header = {0xFD: 10, 0xFE: 6}.get(data[at], 0)
+        flags = data[at + 2] if header == 10 and at + header <= len(data) else 0
+        if header and at + header <= len(data) and flags in (0, 1):
+            frame = data[at : at + header + data[at + 1] + 2 + 13 * flags]
+            is_known = frame[5:6] == b"\0" if header == 6 else frame[7:10] == b"\0\0\0"
+            if is_known and len(frame) == header + data[at + 1] + 2 + 13 * flags and oracle.is_valid(frame):
+                found.append(frame)
+                at += len(frame)
+                continue
+        at += 1
+    return found
+
+
+@FUZZ
+@given(
+    parts=st.lists(pieces, max_size=12), sizes=st.lists(st.integers(1, 400), min_size=1), limit=st.sampled_from([0, 64])
+)
+def test_exactly_the_valid_frames_are_found(
+    firmware: SimpleNamespace, parts: list[bytes], sizes: list[int], limit: int
+) -> None:
+    """Whatever bytes arrive, in whatever pieces, looked at all at once or a few at a time."""
+    data = b"".join(parts)
+    link, found, at, turn = receiver(firmware, "HEARTBEAT"), [], 0, 0
+    link._state[16] = limit
+
+    def take() -> None:
+        while True:
+            link._state[15] = 0
+            message = link.receive()
+            if message is not None:
+                found.append((message.source_sequence, bytes(message.wire)))
+            elif not limit or link._state[15] < limit:
+                return
+
+    while at < len(data):
+        size = sizes[turn % len(sizes)]
+        link.put(data[at : at + size])
+        take()
+        at, turn = at + size, turn + 1
+    while link._state[0] < link._state[1]:
+        link.give_up()
+        take()
+    expected = []
+    for frame in scanned(data):
+        header = 10 if frame[0] == 0xFD else 6
+        payload = frame[header : header + frame[1]][:9].ljust(9, b"\0")
+        expected.append((frame[4 if header == 10 else 2], payload))
+    assert found == expected

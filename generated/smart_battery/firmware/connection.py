@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 40a1793487435093
+# Inputs: 7bdce9390b209957
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -53,13 +53,14 @@ class Connection:
         self.component_id = frame[at + 1]
         self._log = vehicle.texts
         self._budget = [_FRAMES, 0]  # messages of streams that may go out in this pass, and those that were left out
+        self._last = None  # the station that had the end of them
         self._make_streams = make_streams
         self._ends = getattr(port, "ends", None)
         if self._ends is None:
             self._stations = None
             self.stations = [self._new_station()]
         else:
-            self._stations = port.stations(self._new_station, vehicle.SILENCE_MS)
+            self._stations = port.stations(port, self._new_station, vehicle.SILENCE_MS)
             self.stations = self._stations.served
         self.station = self.stations[0]
         self.station.text = 0  # what was said before there was a link
@@ -168,20 +169,27 @@ class Connection:
         return True
 
     def _serve_all(self, now_ms):
+        self._last = None
         for station in self.stations:
-            if station is not self.station:
-                self.turn_to(station)
             self._serve(station, now_ms)
-        if len(self.stations) > 1:
-            self.stations.append(self.stations.pop(0))  # another one is the first to have its share
+        if self._last is not None:
+            self._begin_with(self._last)  # next time others have their share first
+
+    def _begin_with(self, station):
+        while self.stations[0] is not station:
+            self.stations.append(self.stations.pop(0))
 
     def _serve(self, station, now_ms):
+        if station is not self.station:
+            self.turn_to(station)
         if station.waiting:
             self._answer(station, now_ms)
         with self._guard:
             self.streams.run(now_ms)
             if self.port.is_up:
                 self.streams.announce()
+        if self._last is None and self._budget[0] <= 0:
+            self._last = station
         if self._guard.error is not None or self._quiet_from_ms is not None:
             self._note(now_ms)
         with self._guard:

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 7861391f8a906968
+# Inputs: 64bebe5f68b20a8d
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -12,7 +12,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import LINKS_US, PARAMETERS, SENT, SILENCE_MS, VERSION
+from program_facts import LINKS_US, MESSAGES, PARAMETERS, SENT, SILENCE_MS, VERSION
 from stations import Stations
 
 import dialect
@@ -101,7 +101,7 @@ class Scene:
         )
 
     def heard(self, count, *numbers):
-        """Return how many HEARTBEATs stations, or None for the declared address, got in seconds in which they beat.
+        """Return how many HEARTBEATs each station got in some seconds in which it beats; None is the declared address.
 
         Only the frames of the last second are kept.
         """
@@ -137,8 +137,8 @@ def all_of_four_are_served():
 
 
 def _follows(frames):
-    numbers = [frame[SEQUENCE] for frame in frames]
-    return all((numbers[at] - numbers[at - 1]) & 0xFF == 1 for at in range(1, len(numbers)))
+    first = frames[0][SEQUENCE]
+    return [frame[SEQUENCE] for frame in frames] == [(first + at) & 0xFF for at in range(len(frames))]
 
 
 def rates_are_of_who_asked():
@@ -202,7 +202,7 @@ def bytes_that_are_no_frame_change_nothing():
     """A stray byte, noise and a damaged frame: nobody is served for them, and nobody less."""
     scene = Scene()
     frame = bytes(scene.station(7).link.encode(messages.Heartbeat(unknown=False).update(type=dialect.MAV_TYPE_GCS)))
-    own = bytes(GroundStation(None, VERSION, 1, 1).link.encode(messages.Heartbeat(unknown=False)))
+    own = bytes(GroundStation(None, VERSION, 1, 1).link.encode(messages.Ping(unknown=False)))
     strays = (b"", b"\0", b"\xfd\xff\0", frame[:-1], frame[:-1] + bytes((frame[-1] ^ 1,)), bytes(range(256)) * 4)
     for present in ((None,), (1, 2)):
         for stray in strays + (own,):  # noqa: RUF005  MicroPython has no stars there
@@ -220,12 +220,16 @@ def datagrams_stand_for_themselves():
     scene = Scene()
     scene.seconds(1, 1, 2)
     scene.air.taken = {}
-    announced = b"\xfd\xff\0\0\xff\xbe\x4c\0\0" if VERSION == 2 else b"\xfe\xff\0\xff\xbe\x4c"
+    announced = b"\xfd\xff\0\0\0\xff\xbe\x4c\0\0" if VERSION == 2 else b"\xfe\xff\0\xff\xbe\x4c"
     for _ in range(5):
         scene.air.arrived.append((address(2), announced))
         scene.station(1).command(410)
         run_passes(scene.rover, 2)
     assert len(scene.station(1).received(messages.CommandAck)) == 5
+    frame = bytes(scene.station(1).link.encode(messages.CommandLong(unknown=False).update(command=410)))
+    scene.air.arrived += [(address(1), frame[:20]), (address(2), frame[20:])]
+    run_passes(scene.rover, 4)
+    assert not scene.station(1).received(messages.CommandAck) + scene.station(2).received(messages.CommandAck)
 
 
 def vehicles_are_no_stations():
@@ -250,6 +254,28 @@ def the_declared_address_is_served_while_nobody_is_there():
         declared = scene.heard(5, None)[0]
         assert declared >= 4 if home else declared == 0
         assert address(1) not in scene.air.taken
+        scene.seconds(1, 2, 3, 4, 5)
+        assert min(scene.heard(5, 2, 3, 4, 5)) >= 4
+
+
+def the_declared_address_keeps_its_rates():
+    """A station there that never beats has what it has asked for, for as long as nobody else is there."""
+    home = address(1)
+    scene = Scene(home)
+    scene.seconds(1)
+    scene.station(1).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, -1)
+    scene.seconds(SILENCE_MS // 1000 + 2)
+    scene.air.taken = {}
+    run(scene.rover, 5 * SECOND_US)
+    assert scene.beats(home) == 0
+    scene.seconds(1, 2)
+    assert scene.heard(5, 2)[0] >= 4
+    assert home not in scene.air.taken
+    scene.seconds(SILENCE_MS // 1000 + 2)
+    scene.air.taken = {}
+    run(scene.rover, 5 * SECOND_US)
+    assert scene.beats(home) == 0
+    assert address(2) not in scene.air.taken
 
 
 def who_comes_back_finds_its_rates():
@@ -266,6 +292,23 @@ def who_comes_back_finds_its_rates():
     scene.seconds(1, 1)
     there, back = scene.heard(5, 2, 1)
     assert (there >= 4, back) == (True, 0)
+
+
+def who_comes_back_is_told_what_it_missed():
+    """What is sent on connection goes to it alone, though another station has the same system id."""
+    told = [number for number, facts in MESSAGES.items() if facts["on_connection"]]
+    scene = Scene()
+    needs(told and VERSION == 2, "a message that is sent on connection")
+    scene.seconds(2, 1, 2)
+    scene.seconds(SILENCE_MS // 1000 + 2, 2)
+    scene.air.taken = {}
+    scene.seconds(1, 1, 2)
+    found = [
+        [frame for frame in scene.air.taken[address(number)] if frame[7] | frame[8] << 8 | frame[9] << 16 in told]
+        for number in (1, 2)
+    ]
+    assert found[0], "who came back"
+    assert not found[1], "who was there"
 
 
 def a_station_that_starts_again_is_served_at_once():
@@ -286,6 +329,7 @@ def there_is_no_place_for_a_fifth():
     scene.seconds(12, 1, 2, 3, 4)
     assert address(5) not in scene.air.taken
     assert scene.rover.said("air has no place for another station")
+    assert scene.rover.connections[0].faults == 0
     scene.seconds(6, 1, 2, 3, 5)
     assert min(scene.heard(5, 1, 2, 3, 5)) >= 4
 
@@ -304,6 +348,8 @@ def too_much_is_left_out_from_the_end():
     needs(per_pass > 9, "enough messages")
     scene.seconds(1, 1, 2, 3, 4)
     found = scene.heard(5, 1, 2, 3, 4)
+    frames = [len(scene.air.taken[address(number)]) for number in (1, 2, 3, 4)]
+    assert min(frames) > max(frames) * 3 // 4, frames
     assert max(found) - min(found) <= max(found) // 5, found
     assert min(found) > 100, found
     for _ in range(11):
@@ -327,7 +373,9 @@ CHECKS = (
     (datagrams_stand_for_themselves, "services.stations"),
     (vehicles_are_no_stations, "services.stations"),
     (the_declared_address_is_served_while_nobody_is_there, "services.stations"),
+    (the_declared_address_keeps_its_rates, "services.stations"),
     (who_comes_back_finds_its_rates, "services.stations"),
+    (who_comes_back_is_told_what_it_missed, "services.stations"),
     (a_station_that_starts_again_is_served_at_once, "services.stations"),
     (there_is_no_place_for_a_fifth, "services.stations"),
     (too_much_is_left_out_from_the_end, "services.stations"),
