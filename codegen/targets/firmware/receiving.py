@@ -23,8 +23,10 @@ from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
 
-FIELDS = 3
+FIELDS = 5
 """Where the counts of the fields begin."""
+_OWN = 3
+"""Where the system and the component of the vehicle stand."""
 _MASK = f"0x{SMALL_INT_MAX:X}"
 _TOP = 0x8000
 
@@ -115,7 +117,13 @@ def call_name(table: Reception) -> str:
 
 
 def _conditions(table: Reception) -> Iterator[str]:
-    """Leave what another table, or nobody, is for; count what is taken."""
+    """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
+    places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
+    others = [f"wire[{offset}] != 0 and wire[{offset}] != counts[{at}]" for offset, at in places]
+    if others:
+        yield f"if {_any(others)}:"
+        yield "    counts[0] = -1  # for somebody else"
+        yield "    return"
     if table.conditions:
         tests = " or ".join(f"{_number(field, field.offset)} != {number}" for field, number in table.conditions)
         yield f"if {tests}:"
@@ -123,6 +131,10 @@ def _conditions(table: Reception) -> Iterator[str]:
         yield "    return"
     yield "counts[0] = 0"
     yield f"counts[1] = counts[1] + 1 & {_MASK}"
+
+
+def _any(tests: list[str]) -> str:
+    return tests[0] if len(tests) == 1 else " or ".join(f"({test})" for test in tests)
 
 
 def _half(offset: int) -> str:

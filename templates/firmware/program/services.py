@@ -66,6 +66,7 @@ class Services:
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
+        self._targets = {}  # where those that are for this vehicle alone have their target
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
@@ -84,6 +85,12 @@ class Services:
 
         The link has to receive it, see receivable(). What is for everybody, or names no target, is for this vehicle.
         """
+        if kind.TARGETS:
+            self._targets[kind.ID] = kind.TARGETS
+        self.take_any(kind, taker)
+
+    def take_any(self, kind, taker):
+        """Call taker(message) with each message of a class, whoever it is for, unless another taker has asked for less."""
         found = self._takers.get(kind.ID)
         self._takers[kind.ID] = taker if found is None else _both(found, taker)
 
@@ -98,7 +105,8 @@ class Services:
         if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
         taker = self._takers.get(message.ID)
-        if taker is not None and (not message.TARGETS or self._is_addressed(message.wire, message.TARGETS)):
+        targets = self._targets.get(message.ID)
+        if taker is not None and (targets is None or self._is_addressed(message.wire, targets)):
             taker(message)
 
     def _is_addressed(self, wire, targets):
