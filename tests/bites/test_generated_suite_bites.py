@@ -1,9 +1,11 @@
 """The generated suite notices a fault in the generated firmware: each mutation below makes its part of it fail."""
 
 import shutil
-import subprocess
-import sys
+from ast import literal_eval
+from functools import cache
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from generated_suite import run_suite, suite_is_green
@@ -12,6 +14,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 FRAMES = "tests/test_frames.py"
 BEHAVIOUR = "tests/test_behaviour.py"
+
+INTERPRETERS = ("cpython", "micropython")
 
 WRONG_FRAMES = [
     ("sentinel-of-temperature", "telemetry_plain.py", "value = 32767 if", "value = 32766 if"),
@@ -71,46 +75,134 @@ WRONG_FRAMES = [
 ]
 
 WRONG_BEHAVIOUR = [
-    ("length", "messages.py", "    LENGTH = 9", "    LENGTH = 8"),
+    ("length", "heartbeat_stream_keeps_its_rate", "messages.py", "    LENGTH = 9", "    LENGTH = 8"),
     (
         "float-that-is-made",
+        "battery_steady_cycle_allocates_nothing",
         "floats_viper.py",
         "        top = 0\n",
         "        top = 0\n        made = [value]\n",
     ),
-    ("failed-readings", "state_plain.py", "_FAILURES] >= 5", "_FAILURES] >= 6"),
-    ("failed-readings-in-machine-code", "state_viper.py", "_FAILURES] >= 5", "_FAILURES] >= 6"),
-    ("default-of-the-multiplier", "parameters.py", "batt_volt_mult = 39500", "batt_volt_mult = 39400"),
-    ("default-rate", "parameters.py", "sr0_extra1 = 2", "sr0_extra1 = 3"),
-    ("rounding-of-the-mean", "samples_plain.py", "(total + 2) // 5", "total // 5"),
-    ("rounding-of-the-mean-in-machine-code", "samples_viper.py", "(total + 2) // 5", "total // 5"),
-    ("warning-threshold", "state_plain.py", "> 13000", "> 12990"),
-    ("warning-threshold-in-machine-code", "state_viper.py", "> 13000", "> 12990"),
+    (
+        "failed-readings",
+        "battery_repeated_failures_make_it_unknown",
+        "state_plain.py",
+        "_FAILURES] >= 5",
+        "_FAILURES] >= 6",
+    ),
+    (
+        "failed-readings-in-machine-code",
+        "battery_repeated_failures_make_it_unknown",
+        "state_viper.py",
+        "_FAILURES] >= 5",
+        "_FAILURES] >= 6",
+    ),
+    (
+        "default-of-the-multiplier",
+        "parameters_start_with_their_defaults",
+        "parameters.py",
+        "batt_volt_mult = 39500",
+        "batt_volt_mult = 39400",
+    ),
+    ("default-rate", "parameters_start_with_their_defaults", "parameters.py", "sr0_extra1 = 2", "sr0_extra1 = 3"),
+    ("rounding-of-the-mean", "battery_mean", "samples_plain.py", "(total + 2) // 5", "total // 5"),
+    ("rounding-of-the-mean-in-machine-code", "battery_mean", "samples_viper.py", "(total + 2) // 5", "total // 5"),
+    ("warning-threshold", "battery_high_value_warns_now_and_then", "state_plain.py", "> 13000", "> 12990"),
+    (
+        "warning-threshold-in-machine-code",
+        "battery_high_value_warns_now_and_then",
+        "state_viper.py",
+        "> 13000",
+        "> 12990",
+    ),
     (
         "period",
+        "heartbeat_stream_keeps_its_rate",
         "streams.py",
         "self._numerator = 1000\n            self._denominator = 1\n",
         "self._numerator = 950\n            self._denominator = 1\n",
     ),
-    ("burst", "streams.py", "due_ms = time.ticks_add(now_ms, parts // self._denominator)", "pass"),
-    ("board-that-raises", "reading_turns.py", "words[count] = -1\n", "words[count] = 3000\n"),
-    ("age", "state_plain.py", "now_ms - 1073740824", "now_ms - 1073740823"),
-    ("age-in-machine-code", "state_viper.py", "now_ms - 1073740824", "now_ms - 1073740823"),
-    ("reading-that-is-kept", "telemetry_viper.py", "battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN", "pass"),
-    ("time-limit", "samples_plain.py", "us > 2000", "us > 2010"),
-    ("time-limit-in-machine-code", "samples_viper.py", "took > 2000", "took > 2010"),
+    (
+        "burst",
+        "late_pass_sends_no_burst",
+        "streams.py",
+        "due_ms = time.ticks_add(now_ms, parts // self._denominator)",
+        "pass",
+    ),
+    (
+        "board-that-raises",
+        "battery_broken_board_does_not_raise",
+        "reading_turns.py",
+        "words[count] = -1\n",
+        "words[count] = 3000\n",
+    ),
+    ("age", "battery_old_reading_is_unknown", "state_plain.py", "now_ms - 1073740824", "now_ms - 1073740823"),
+    (
+        "age-in-machine-code",
+        "battery_old_reading_is_unknown",
+        "state_viper.py",
+        "now_ms - 1073740824",
+        "now_ms - 1073740823",
+    ),
+    (
+        "reading-that-is-kept",
+        "battery_old_reading_is_unknown",
+        "telemetry_viper.py",
+        "battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN",
+        "pass",
+    ),
+    ("time-limit", "battery_late_reading_keeps_the_last_value", "samples_plain.py", "us > 2000", "us > 2010"),
+    (
+        "time-limit-in-machine-code",
+        "battery_late_reading_keeps_the_last_value",
+        "samples_viper.py",
+        "took > 2000",
+        "took > 2010",
+    ),
     (
         "failed-reading-of-the-board",
+        "battery_failed_reading_keeps_the_last_value",
         "adc_inputs.py",
         "return self.tell(instance, took)",
         "return 0 * self.tell(instance, took)",
     ),
-    ("told-again-and-again", "words.py", "if place not in self.beyond:", "if True:"),
-    ("right-again", "words.py", "self.beyond.pop(place, None)", "self.beyond.get(place)"),
-    ("limit-of-a-quantity", "state.py", '65534, "voltage"', '65535, "voltage"'),
-    ("failure-that-is-over", "samples_plain.py", "failures[instance] = 0", "pass"),
-    ("failure-that-is-over-in-machine-code", "samples_viper.py", "failures[instance] = 0", "pass"),
+    (
+        "told-again-and-again",
+        "what_is_limited_is_counted_and_told_once",
+        "words.py",
+        "if place not in self.beyond:",
+        "if True:",
+    ),
+    (
+        "right-again",
+        "what_is_limited_is_counted_and_told_once",
+        "words.py",
+        "self.beyond.pop(place, None)",
+        "self.beyond.get(place)",
+    ),
+    (
+        "limit-of-a-quantity",
+        "what_is_limited_is_counted_and_told_once",
+        "state.py",
+        '65534, "voltage"',
+        '65535, "voltage"',
+    ),
+    (
+        "failure-that-is-over",
+        "battery_failed_reading_keeps_the_last_value",
+        "samples_plain.py",
+        "failures[instance] = 0",
+        "pass",
+    ),
+    (
+        "failure-that-is-over-in-machine-code",
+        "battery_failed_reading_keeps_the_last_value",
+        "samples_viper.py",
+        "failures[instance] = 0",
+        "pass",
+    ),
 ]
+"""The name of a case, the check that notices it, and what is replaced by what in which file."""
 
 
 def copy_of_generated(folder: Path) -> Path:
@@ -129,55 +221,86 @@ def test_untouched_firmware_passes(part, tmp_path):
     suite_is_green(copy_of_generated(tmp_path), part)
 
 
-def mutated(folder: Path, file: str, old: str, new: str) -> tuple[Path, tuple[str, ...]]:
-    """A copy with one change in its firmware, and the interpreters that run that form of it."""
-    generated = copy_of_generated(folder)
-    path = generated / "firmware" / file
-    text = path.read_text()
+@pytest.mark.parametrize(
+    ("part", "file", "old", "new"), [(FRAMES, *WRONG_FRAMES[-1][1:]), (BEHAVIOUR, *WRONG_BEHAVIOUR[0][2:])]
+)
+def test_the_suite_fails(part, file, old, new, tmp_path):
+    """With a mutation each part fails, and by a failed test (not by an error of the tests)."""
+    generated = copy_of_generated(tmp_path)
+    (generated / "firmware" / file).write_text(mutation(file, old, new))
+    done = run_suite(generated, part, options=("-x",))
+    assert done.returncode == 1, done.stdout[-2000:]
+    assert " failed" in done.stdout
+
+
+def mutation(file: str, old: str, new: str) -> str:
+    """The text of a file of the firmware with one change."""
+    text = (ROOT / "generated" / "firmware" / file).read_text()
     assert old in text, f"{old!r} is not in {file}"
-    path.write_text(text.replace(old, new, 1))
-    forms = {"_viper": ("micropython",), "_plain": ("cpython",)}
-    return generated, forms.get(path.stem[-6:], ("cpython", "micropython"))
+    return text.replace(old, new, 1)
 
 
-def answers(generated: Path, interpreter: str) -> str:
+@cache
+def scripts() -> ModuleType:
+    """How the suite runs its scripts, as it stands in the committed output."""
+    spec = spec_from_file_location("scripts_of_the_suite", ROOT / "generated" / "tests" / "interpreters.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def mutated(tmp_path, monkeypatch):
+    """Let one change of a file hide the committed file; returns the interpreters that run that form of it."""
+
+    def change(file: str, old: str, new: str) -> tuple[str, ...]:
+        (tmp_path / file).write_text(mutation(file, old, new))
+        monkeypatch.setattr(scripts(), "PATHS", [str(tmp_path), *scripts().PATHS])
+        return {"_viper": ("micropython",), "_plain": ("cpython",)}.get(file[-9:-3], INTERPRETERS)
+
+    return change
+
+
+def answers(interpreter: str) -> str:
     """What the firmware makes of all cases, as the suite asks for it."""
-    ask = "import sys; from interpreters import CASES, run_under; "
-    ask += "print(run_under(sys.argv[1], 'runner.py', str(CASES), heap='64m'))"
-    command = [sys.executable, "-c", ask, interpreter]
-    done = subprocess.run(command, cwd=generated / "tests", capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-2000:]
-    return done.stdout
+    return scripts().run_under(interpreter, "runner.py", str(scripts().CASES), heap="64m")
 
 
 @pytest.fixture(scope="module")
 def untouched() -> dict[str, str]:
     """The answers of the committed firmware, by interpreter."""
-    return {interpreter: answers(ROOT / "generated", interpreter) for interpreter in ("cpython", "micropython")}
+    return {interpreter: answers(interpreter) for interpreter in INTERPRETERS}
 
 
 @pytest.mark.parametrize(("file", "old", "new"), [pytest.param(*case[1:], id=case[0]) for case in WRONG_FRAMES])
-def test_another_answer_is_given(file, old, new, tmp_path, untouched):
+def test_another_answer_is_given(file, old, new, untouched, mutated):
     """One change in the firmware, and it answers a case otherwise; the suite holds each answer to pymavlink's, exactly.
 
     That the committed firmware's answers are the right ones, and that another one fails, is shown beside this.
     """
-    generated, interpreters = mutated(tmp_path, file, old, new)
-    assert any(answers(generated, interpreter) != untouched[interpreter] for interpreter in interpreters)
+    assert any(answers(interpreter) != untouched[interpreter] for interpreter in mutated(file, old, new))
+
+
+def outcome(interpreter: str, check: str, folder: Path) -> str | None:
+    """What a check of the suite finds wrong, or None."""
+    script = folder / "one_check.py"
+    script.write_text("import behaviour, sys\nprint(repr(behaviour.outcome(getattr(behaviour, sys.argv[1]))))\n")
+    return literal_eval(scripts().run_under(interpreter, script, check))
+
+
+@pytest.fixture(scope="module")
+def passing(tmp_path_factory) -> set[str]:
+    """The checks named above that find nothing in the committed firmware, on any interpreter."""
+    folder, named = tmp_path_factory.mktemp("untouched"), {case[1] for case in WRONG_BEHAVIOUR}
+    return {name for name in named if not any(outcome(each, name, folder) for each in INTERPRETERS)}
 
 
 @pytest.mark.parametrize(
-    ("part", "file", "old", "new"),
-    [
-        pytest.param(part, *case[1:], id=case[0])
-        for part, cases in ((FRAMES, WRONG_FRAMES[-1:]), (BEHAVIOUR, WRONG_BEHAVIOUR))
-        for case in cases
-    ],
+    ("check", "file", "old", "new"), [pytest.param(*case[1:], id=case[0]) for case in WRONG_BEHAVIOUR]
 )
-def test_mutation_is_caught(part, file, old, new, tmp_path):
-    """One change in the firmware, and the suite fails with a failed test (not with an error of the tests)."""
-    generated, interpreters = mutated(tmp_path, file, old, new)
-    ran = ("-k", interpreters[0]) if len(interpreters) == 1 else ()
-    done = run_suite(generated, part, options=("-x", *ran))
-    assert done.returncode == 1, done.stdout[-2000:]
-    assert " failed" in done.stdout
+def test_check_notices(check, file, old, new, tmp_path, passing, mutated):
+    """One change in the firmware, and the check that is about it fails; a test of the suite fails with each check."""
+    assert check in passing
+    assert any(outcome(interpreter, check, tmp_path) for interpreter in mutated(file, old, new))
