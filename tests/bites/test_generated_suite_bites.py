@@ -2,15 +2,14 @@
 
 import shutil
 from ast import literal_eval
-from functools import cache
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
 
 import pytest
-from generated_suite import run_suite, suite_is_green
+from generated_suite import run_suite, scripts_of, suite_is_green
 
 ROOT = Path(__file__).resolve().parents[2]
+
+SCRIPTS = scripts_of(ROOT / "generated" / "tests")
 
 FRAMES = "tests/test_frames.py"
 BEHAVIOUR = "tests/test_behaviour.py"
@@ -240,24 +239,13 @@ def mutation(file: str, old: str, new: str) -> str:
     return text.replace(old, new, 1)
 
 
-@cache
-def scripts() -> ModuleType:
-    """How the suite runs its scripts, as it stands in the committed output."""
-    spec = spec_from_file_location("scripts_of_the_suite", ROOT / "generated" / "tests" / "interpreters.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.fixture
 def mutated(tmp_path, monkeypatch):
     """Let one change of a file hide the committed file; returns the interpreters that run that form of it."""
 
     def change(file: str, old: str, new: str) -> tuple[str, ...]:
         (tmp_path / file).write_text(mutation(file, old, new))
-        monkeypatch.setattr(scripts(), "PATHS", [str(tmp_path), *scripts().PATHS])
+        monkeypatch.setattr(SCRIPTS, "PATHS", [str(tmp_path), *SCRIPTS.PATHS])
         return {"_viper": ("micropython",), "_plain": ("cpython",)}.get(file[-9:-3], INTERPRETERS)
 
     return change
@@ -265,7 +253,7 @@ def mutated(tmp_path, monkeypatch):
 
 def answers(interpreter: str) -> str:
     """What the firmware makes of all cases, as the suite asks for it."""
-    return scripts().run_under(interpreter, "runner.py", str(scripts().CASES), heap="64m")
+    return SCRIPTS.run_under(interpreter, "runner.py", str(SCRIPTS.CASES), heap="64m")
 
 
 @pytest.fixture(scope="module")
@@ -287,7 +275,7 @@ def outcome(interpreter: str, check: str, folder: Path) -> str | None:
     """What a check of the suite finds wrong, or None."""
     script = folder / "one_check.py"
     script.write_text("import behaviour, sys\nprint(repr(behaviour.outcome(getattr(behaviour, sys.argv[1]))))\n")
-    return literal_eval(scripts().run_under(interpreter, script, check))
+    return literal_eval(SCRIPTS.run_under(interpreter, script, check))
 
 
 @pytest.fixture(scope="module")
