@@ -144,7 +144,7 @@ def test_all_parameters(station: Station) -> None:
 @pytest.mark.requirement("FR-00070.5", "FR-00068.9")
 def test_arming(station: Station) -> None:
     """Armable, armed, disarmed; with a reason where it is refused."""
-    assert station.sees("health")["is_armable"] is True
+    station.sees("health", r'\{[^{}]*"is_armable": true[^{}]*\}')  # a reading that a busy machine delays is none
     station.do("action.arm")
     station.sees("armed", "true")
     station.do("action.disarm")
