@@ -50,15 +50,15 @@ def taken(name, table, alone=False):
     services = connection.services
 
     def work(rounds):
-        takers = services._of_all
+        takers = services._takers
         if alone:
-            services._of_all = {messages.GpsInput.ID: reception.take}
+            services._takers = {messages.GpsInput.ID: reception.take}
         handle = services.handle
         before = reception.taken
         for _ in range(rounds):
             link.put(frame)
             handle(link.receive())
-        services._of_all = takers
+        services._takers = takers
         return reception.taken - before
 
     return work

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: b7d993fad4c39665
+# Inputs: 1d46bbf504fd8ce9
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -106,7 +106,7 @@ class Services:
         self.take_any(kind, taker)
 
     def take_any(self, kind, taker):
-        """Call taker(message) with each message of a class, whoever it is for, unless another taker has asked for less."""
+        """Call taker(message) with each message of a class, whoever it is for, unless take() was asked, too."""
         found = self._takers.get(kind.ID)
         self._takers[kind.ID] = taker if found is None else _both(found, taker)
 

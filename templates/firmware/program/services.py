@@ -90,7 +90,7 @@ class Services:
         self.take_any(kind, taker)
 
     def take_any(self, kind, taker):
-        """Call taker(message) with each message of a class, whoever it is for, unless another taker has asked for less."""
+        """Call taker(message) with each message of a class, whoever it is for, unless take() was asked, too."""
         found = self._takers.get(kind.ID)
         self._takers[kind.ID] = taker if found is None else _both(found, taker)
 
