@@ -23,33 +23,29 @@ def next_due(times, now_us):
 
 
 def asking(times, turns, most):
-    """Return what asks the sensors that are due, so many of them at most; `turns` are what to call for each."""
+    """Return what asks the sensors that are due, so many of them at most; `turns` are what to call for each.
+
+    A turn that returns something else than nothing only looked whether something waits: then comes the one that was in
+    its place at first.
+    """
     ticks = time.ticks_us
+    heard = tuple(turns)
 
     def ask():
-        left = most
-        while left:
-            at = next_due(times, ticks())
-            if at < 0:
-                return
-            turns[at]()
-            left -= 1
-
-    return ask
-
-
-def turning(poll):
-    """Return the turn of a sensor for which nothing waits most of the time, and what tells it how to find out."""
-
-    def waiting():
+        at = next_due(times, ticks())
+        if at < 0:
+            return False
+        if turns[at]():
+            heard[at]()
         return True
 
-    def turn():
-        if waiting():
-            poll()
+    return ask if most == 1 else _several(ask, most)
 
-    def listen(function):
-        nonlocal waiting
-        waiting = function
 
-    return turn, listen
+def _several(ask, most):
+    def ask_several():
+        left = most
+        while left and ask():
+            left -= 1
+
+    return ask_several

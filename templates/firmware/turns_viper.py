@@ -29,36 +29,32 @@ def next_due(times, now_us: int) -> int:
 
 
 def asking(times, turns, most):
-    """Return what asks the sensors that are due, so many of them at most; `turns` are what to call for each."""
+    """Return what asks the sensors that are due, so many of them at most; `turns` are what to call for each.
+
+    A turn that returns something else than nothing only looked whether something waits: then comes the one that was in
+    its place at first.
+    """
     ticks = time.ticks_us
-    due = next_due
+    heard = tuple(turns)
+    due = next_due  # one name less to find each time
 
     @micropython.native
     def ask():
-        left = most
-        while left:
-            at = due(times, ticks())
-            if at < 0:
-                return
-            turns[at]()
-            left -= 1
-
-    return ask
-
-
-def turning(poll):
-    """Return the turn of a sensor for which nothing waits most of the time, and what tells it how to find out."""
-
-    def waiting():
+        at = due(times, ticks())
+        if at < 0:
+            return False
+        if turns[at]():
+            heard[at]()
         return True
 
+    return ask if most == 1 else _several(ask, most)
+
+
+def _several(ask, most):
     @micropython.native
-    def turn():
-        if waiting():
-            poll()
+    def ask_several():
+        left = most
+        while left and ask():
+            left -= 1
 
-    def listen(function):
-        nonlocal waiting
-        waiting = function
-
-    return turn, listen
+    return ask_several

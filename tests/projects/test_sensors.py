@@ -129,6 +129,7 @@ EXPECTED: dict[str, Any] = {
     "turns": {"sonar": 40, "imu": 80, "receiver": 79, "power": 40, "solar": 40, "needle": 39, "log": 20},
     "at once": 3,
     "after half a turn of the ticks": 7,
+    "asked while nothing waits": [1, 1, 2, 2],
 }
 
 

@@ -25,7 +25,8 @@ FAULTS = [
     ("polling", "self.longest_us = took_us\n", "pass\n", "imu-takes_too_long"),
     ("polling", 'return "memory is full"', 'return ""', "imu-strange_errors"),
     ("listening", "<= self._silence_ms", "<= 100 * self._silence_ms", "receiver-silence"),
-    ("listening", "self._listen(_always)\n", "pass\n", "receiver-silence"),
+    ("listening", "self._calls[self._place] = self.turn\n", "pass\n", "receiver-silence"),
+    ("listening", "self._calls[self._place] = self.driver.waiting\n", "pass\n", "receiver-silence"),
     ("sources", "value // 10 + (value % 10 + 5) // 10", "value // 10", "sonar-ends"),
     ("sources", "-(value // 8 + (value % 8 + 4) // 8)", "(value // 8 + (value % 8 + 4) // 8)", "power-ends"),
     ("sources", "if 200 <= value <= 40000:", "if 200 <= value <= 40001:", "sonar-ends"),
@@ -56,7 +57,7 @@ def test_none_fails_as_it_is(output: Path) -> None:
     assert failed(output) == set()
 
 
-@pytest.mark.parametrize(("module", "text", "fault", "check"), FAULTS, ids=[fault[1].strip()[:30] for fault in FAULTS])
+@pytest.mark.parametrize(("module", "text", "fault", "check"), FAULTS, ids=[fault[1].strip()[:50] for fault in FAULTS])
 def test_is_noticed(output: Path, module: str, text: str, fault: str, check: str) -> None:
     path = output / "firmware" / f"{module}.py"
     right = path.read_text()

@@ -38,6 +38,8 @@ SAID = {
 }
 """What can be wrong with it in a simulation."""
 
+_MODULES = ("nmea", "nmea_plain", "nmea_viper", "sentences_plain", "sentences_viper")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NmeaSpec(SourceSpec):
@@ -69,7 +71,7 @@ class NmeaReceiver(Source):
 
     @property
     def modules(self) -> tuple[str, ...]:
-        return ("nmea/firmware/nmea.py",)
+        return tuple(f"nmea/firmware/{name}.py" for name in _MODULES)
 
     @property
     def clock_modules(self) -> tuple[str, ...]:

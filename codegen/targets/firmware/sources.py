@@ -62,16 +62,23 @@ class Turns(NamedTuple):
     most: int
 
 
+class ListenerView(NamedTuple):
+    """A sensor that speaks by itself, and its place among all of them."""
+
+    name: str
+    place: int
+
+
 @dataclass(frozen=True, slots=True)
 class SourcesView:
-    """The module; ``listeners`` are the sensors that speak by themselves, ``turns`` as the main loop asks for them."""
+    """The module; ``turns`` are as the main loop asks for them."""
 
     imports: tuple[str, ...]
     machine_imports: tuple[str, ...]
     turns: Turns
     constants: tuple[ConstantView, ...]
     sources: tuple[SourceView, ...]
-    listeners: tuple[str, ...]
+    listeners: tuple[ListenerView, ...]
 
 
 def sources_view(system: System, layout: Layout) -> SourcesView:
@@ -81,7 +88,9 @@ def sources_view(system: System, layout: Layout) -> SourcesView:
     clocked = [source for source in system.polled if clock_is_set(source, system)]
     if clocked:
         constants[_CLOCK] = layout.blocks[CLOCK].base
-    listeners = tuple(source.name for source in system.polled if source.silence_ms is not None)
+    listeners = tuple(
+        ListenerView(source.name, place) for place, source in enumerate(system.polled) if source.silence_ms is not None
+    )
     names = {("array", "array"), ("micropython", "const")}
     names |= {(source.module, source.opened.partition("(")[0]) for source in system.polled}
     names |= {("listening", "Listener")} if listeners else set()

@@ -39,6 +39,7 @@ class Driver:
         self.took_us = 0
         self.is_new = True
         self.begun = 0
+        self.polls = 0
 
     def begin(self):
         self.begun += 1
@@ -49,6 +50,7 @@ class Driver:
         return 1 if self.is_new or self.error is not None else 0
 
     def poll(self, _now_ms):
+        self.polls += 1
         mock_time.advance_us(self.took_us)
         if self.error is not None:
             raise self.error
@@ -66,6 +68,9 @@ class Bench:
         self.sources = Sources(self.state, self._log)
         self.poller = getattr(self.sources, facts["name"])
         self.driver = self.poller.driver = Driver(facts["values"])
+        self.calls = [self.poller.turn]
+        if facts["listens"]:
+            self.poller.listen(self.calls, 0)
         if facts["mask"] is not None:
             self.driver.values[facts["mask"]] = facts["new"]
 
@@ -92,9 +97,10 @@ class Bench:
         return getattr(getattr(self.state, quantity["component"])[quantity["instance"]], quantity["attribute"])
 
     def turn(self, ms=0):
-        """Let so much time pass, and then a turn."""
+        """Let so much time pass, and then a turn, as asking() does."""
         mock_time.advance_us(ms * 1000)
-        self.poller.turn()
+        if self.calls[0]():
+            self.poller.turn()
 
 
 def silent(*_words):
@@ -241,6 +247,8 @@ def silence(facts):
     bench.give_all()
     bench.turn()
     bench.driver.is_new = False
+    bench.turn()
+    assert bench.driver.polls == 1  # nothing waits
     for _ in range(30):
         bench.turn(1000)
         bench.sources.watch()
@@ -280,7 +288,7 @@ def allocates_nothing(facts):
         bench.turn()
         before = mem_total()
         for _ in range(20):
-            bench.poller.turn()
+            bench.turn()
         used = mem_total() - before
         assert used == 0, (is_new, used)
 

@@ -401,12 +401,13 @@ class Counted:
 
     def __init__(self):
         self.turns = 0
+        self.waits = 1
 
     def begin(self):
         pass
 
     def waiting(self):
-        return 1
+        return self.waits
 
     def poll(self, _now_ms):
         self.turns += 1
@@ -429,5 +430,17 @@ mock_time.advance_us(700000000)
 for _ in range(4):
     sources.turn()
 found["after half a turn of the ticks"] = sum([poller.driver.turns for poller in sources.every]) - last
+
+# A turn of one that speaks by itself looks whether something waits, but for the first, which sets it up.
+state, sources = fresh()
+quiet = sources.receiver.driver = Counted()
+quiet.waits = 0
+asked = []
+for quiet.waits in (0, 0, 3, 0):
+    for _ in range(3):
+        sources.turn()
+        mock_time.advance_us(20000)
+    asked.append(quiet.turns)
+found["asked while nothing waits"] = asked
 
 print(json.dumps(found))
