@@ -23,8 +23,10 @@ from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import class_names
 
-FIELDS = 3
+FIELDS = 5
 """Where the counts of the fields begin."""
+_OWN = 3
+"""Where the system and the component of the vehicle stand."""
 _MASK = f"0x{SMALL_INT_MAX:X}"
 _TOP = 0x8000
 
@@ -68,7 +70,7 @@ def receiving_view(system: System, layout: Layout) -> ReceivingView:
     machine_code = system.spec.project.machine_code
     senders = {("reception", take.sender) for take in takes}
     return ReceivingView(
-        imports=import_lines(["messages"], [("reception", "Reception"), *senders]),
+        imports=import_lines(["messages"], [("reception", "Reception"), ("reception", "add"), *senders]),
         either=either_import("receiving", sorted(take.function for take in takes), machine_code=machine_code),
         constants=tuple(ConstantView(name, place) for name, place in sorted(places.items(), key=lambda each: each[1])),
         makes_wholes=any(makes_whole(taken) for table in system.receptions for taken in table.fields),
@@ -115,7 +117,13 @@ def call_name(table: Reception) -> str:
 
 
 def _conditions(table: Reception) -> Iterator[str]:
-    """Leave what another table, or nobody, is for; count what is taken."""
+    """Leave what is for another vehicle, and what another table, or nobody, is for; count what is taken."""
+    places = [(field.offset, at) for at, field in enumerate(table.targets, _OWN) if field is not None]
+    others = [f"wire[{offset}] != 0 and wire[{offset}] != counts[{at}]" for offset, at in places]
+    if others:
+        yield f"if {_any(others)}:"
+        yield "    counts[0] = -1  # for somebody else"
+        yield "    return"
     if table.conditions:
         tests = " or ".join(f"{_number(field, field.offset)} != {number}" for field, number in table.conditions)
         yield f"if {tests}:"
@@ -123,6 +131,10 @@ def _conditions(table: Reception) -> Iterator[str]:
         yield "    return"
     yield "counts[0] = 0"
     yield f"counts[1] = counts[1] + 1 & {_MASK}"
+
+
+def _any(tests: list[str]) -> str:
+    return tests[0] if len(tests) == 1 else " or ".join(f"({test})" for test in tests)
 
 
 def _half(offset: int) -> str:
