@@ -8,6 +8,7 @@ from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.failsafe import Condition, Failsafe
 from codegen.model.program import Program
+from codegen.model.program_spec import ActionSpec
 from codegen.model.receiver import Receiver
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
@@ -23,6 +24,7 @@ def program_subjects(system: System) -> Iterator[Subject]:
             facts = (
                 Fact("call", action.call, rules.FAILSAFE, action.at("call")),
                 Fact("mode", mode, rules.FAILSAFE, action.at("mode")),
+                Fact("priority", _place(action, system.program), rules.FAILSAFE, system.program.spec.at("priority")),
                 Fact("disarms", "yes" if action.disarm else "", rules.FAILSAFE, action.at("disarm")),
                 Fact("doc", action.doc, DOC, action.at("doc")),
             )
@@ -31,6 +33,11 @@ def program_subjects(system: System) -> Iterator[Subject]:
         yield from command_subjects(system.program)
     if system.receiver is not None:
         yield _receiver(system.receiver)
+
+
+def _place(action: ActionSpec, program: Program) -> str:
+    """How many actions are more severe, in words; empty where none is said to be."""
+    return f"behind {program.priority.index(action)} of {len(program.priority)}" if program.priority else ""
 
 
 def _program(program: Program) -> Subject:

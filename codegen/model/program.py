@@ -69,6 +69,7 @@ class Program:
     is gone. ``module`` and ``class_name`` are those of the user's code, which is asked to measure every ``measure_us``,
     or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
     single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
+    ``priority`` are the actions, the most severe first, or none where each failsafe acts for itself.
     """
 
     control_us: int
@@ -91,6 +92,7 @@ class Program:
     spec: VehicleSpec
     commands: tuple[Command, ...] = ()
     modes: tuple[Mode, ...] = ()
+    priority: tuple[ActionSpec, ...] = ()
 
     @property
     def built_in(self) -> tuple[BuiltInCommand, ...]:

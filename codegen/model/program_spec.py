@@ -135,6 +135,11 @@ class VehicleSpec(Written):
         "Failsafes by a name of their own: they may watch the same component.", default_factory=dict
     )
     actions: tuple[ActionSpec, ...] = described("What failsafes can do.", default=())
+    priority: tuple[str, ...] = described(
+        "The calls of all actions, the most severe first: where several failsafes are up, the first one there that any "
+        "of them asks for holds, whichever came first. Without it each does what it asks for when it is reached.",
+        default=(),
+    )
     modes: Mapping[str, ModeSpec] = described(
         "The modes by their numbers: what SET_MODE and MAV_CMD_DO_SET_MODE change to. Without it the mode is what code "
         "makes it.",

@@ -17,6 +17,7 @@ from codegen.resolve.commands import resolve_commands
 from codegen.resolve.failsafe import resolve_failsafes
 from codegen.resolve.modes import resolve_modes
 from codegen.resolve.named import is_name
+from codegen.resolve.priority import resolve_priority
 from codegen.resolve.services import SENT, Uses, service_constants, service_messages
 from codegen.source import Place
 
@@ -119,6 +120,7 @@ def resolve_program(
         spec=spec,
         commands=own,
         modes=modes,
+        priority=resolve_priority(spec, failsafes, report),
     )
 
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.failsafe import Failsafe, FailsafeLevel
 from codegen.model.failsafe_spec import Watching
-from codegen.model.program import BoardLink, LinkKind
+from codegen.model.program import BoardLink, LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.unit import decimal
@@ -141,6 +141,7 @@ def program_section(system: System) -> ProgramSection | None:
         f"Messages without a stream are sent at most at {decimal(program.fastest)} Hz{cited.get('services', '')}.",
         f"A ground station that was silent for {program.silence_ms} ms is told anew what is sent on connection.",
         f"The system id is {system.system_id}{_default_of(system.system_parameter)}.",
+        *_priority(program),
         *(
             [f"The component id is {system.component_id}{_default_of(system.component_parameter)}."]
             if system.component_parameter
@@ -155,6 +156,14 @@ def program_section(system: System) -> ProgramSection | None:
         modes=mode_lines(program.modes),
         notes=(*notes, *(sentence for failsafe in program.failsafes for sentence in _sentences(failsafe))),
     )
+
+
+def _priority(program: Program) -> list[str]:
+    """The sentence about failsafes that are up at once."""
+    if not program.priority:
+        return []
+    calls = ", then ".join(f"`{action.call}`" for action in program.priority)
+    return [f"Of the actions that failsafes ask for while they are up, the most severe holds: {calls}."]
 
 
 def _default_of(parameter: Parameter | None) -> str:

@@ -236,6 +236,9 @@ ACTIONS = (
     (5, "terminate", None, True),
 )
 
+# Their values, the most severe first; nothing where each failsafe acts for itself.
+PRIORITY = ()
+
 # Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
 PARAMETERS = (
     {

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: f3be17eec638dbc3
+# Inputs: 85405f3778f2686e
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -11,7 +11,7 @@ from program_bench import (
     needs_arming,
     new_rover,
 )
-from program_facts import ACTIONS, CHECKS_US, MEASURED, PARAMETERS, WATCHED
+from program_facts import ACTIONS, CHECKS_US, MEASURED, PARAMETERS, PRIORITY, WATCHED
 
 import dialect
 import messages
@@ -291,6 +291,31 @@ def arming_asks_for_every_condition():
                     assert refused is not None
 
 
+def the_most_severe_action_holds():
+    """Whichever comes first; once it is over the next one does, and what holds already is not done again."""
+    needs(len(PRIORITY) > 1, "actions by their severity")
+    needs(len(WATCHED) > 1, "several failsafes")
+    rover = new_rover()
+    one, other = (getattr(rover, facts["list"])[0] for facts in WATCHED[:2])
+    for at in range(1, len(PRIORITY)):
+        severe, mild = PRIORITY[at - 1], PRIORITY[at]
+        for first, second, told in ((mild, severe, [mild, severe]), (severe, mild, [severe]), (mild, mild, [mild])):
+            done = []
+            rover._act = done.append
+            one.action, other.action = (lambda: first), (lambda: second)  # noqa: B023  called in this turn
+            for each in (one, other):
+                each.level = 1
+                rover._check([])
+                rover._check([])
+            assert done == told, (first, second, done)
+            one.level = 0
+            rover._check([])
+            assert done[-1] == second, (first, second, done)
+            other.level = 0
+            rover._check([])
+            assert done[-1] == 0, (first, second, done)
+
+
 def each_text_fits_one_frame():
     """A text of the failsafe has at most 50 characters where the values are those that bring it."""
     for facts, condition in _each():
@@ -357,6 +382,7 @@ CHECKS = (
     (each_level_does_what_it_says, "failsafe.action", "failsafe.status"),
     (a_parameter_of_0_switches_off, "failsafe.off"),
     (arming_asks_for_every_condition, "arming.reasons"),
+    (the_most_severe_action_holds, "failsafe.action"),
     (each_text_fits_one_frame, "failsafe.text"),
     (silence_is_counted_from_the_last_heartbeat, "failsafe.timer", "failsafe.silent"),
     (silence_begins_anew_with_each_heartbeat, "failsafe.timer", "failsafe.silent"),

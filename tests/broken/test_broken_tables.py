@@ -35,6 +35,8 @@ LINK = "  wifi:\n    udp: 14550\n"
 PROGRAM = "vehicle.yaml:3:1"
 CHARGE = '        unit: "%"\n        stored: "%"\n        min: 0\n        max: 100\n        requirement: FR-00068.5\n'
 
+MILDER = "hold, return_to_launch, smart_return, smart_return_or_hold"
+
 CASES = [
     # a value that contradicts the dialect
     Case(
@@ -408,6 +410,21 @@ CASES = [
     Case("bad-failsafe", "vehicle.yaml", "health_every: 10 s", "hysteresis: §0.1 V", "write latch: false"),
     Case("bad-failsafe", "vehicle.yaml", "health_every: 10 s", "over: §It is over", "never over"),
     Case("bad-failsafe", "vehicle.yaml", "      low: {", "      §Low!: {", "no name of a level"),
+    Case(
+        "bad-priority",
+        "vehicle.yaml",
+        "actions:\n",
+        f"priority: §[halt, {MILDER}, terminate]\nactions:\n",
+        "no action halt",
+    ),
+    Case("bad-priority", "vehicle.yaml", "actions:\n", f"priority: §[{MILDER}]\nactions:\n", "terminate has no place"),
+    Case(
+        "bad-priority",
+        "vehicle.yaml",
+        "actions:\n",
+        f"priority: §[terminate, {MILDER}, hold]\nactions:\n",
+        "a place already",
+    ),
     Case(
         "unknown-key",
         "vehicle.yaml",

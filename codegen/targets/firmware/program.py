@@ -7,6 +7,7 @@ from codegen.model.program import LinkKind, Program
 from codegen.model.program_spec import ActionSpec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.targets.firmware.acting import check_statements, choosing_statements
 from codegen.targets.firmware.commands import (
     MethodView,
     ModeView,
@@ -80,7 +81,9 @@ class ProgramView:
     failsafe_lists: tuple[str, ...]
     checked: str
     everything: str
-    recovers: bool
+    priority: tuple[int, ...]
+    checking: tuple[str, ...]
+    choosing: tuple[str, ...]
     actions: tuple[ActionView, ...]
     order: tuple[str, ...]
     calls: tuple[CallView, ...]
@@ -121,10 +124,15 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         class_name=program.class_name,
         silence_ms=program.silence_ms,
         failsafes=failsafes,
-        failsafe_lists=tuple(_failsafe_lists(failsafes)),
+        failsafe_lists=(
+            *_failsafe_lists(failsafes),
+            *(["self._in_force = 0  # the action"] if program.priority else []),
+        ),
         checked=_checked(failsafes),
         everything=_everything(failsafes),
-        recovers=whole is not None and whole.has_recovery,
+        priority=tuple(action.value for action in program.priority),
+        checking=check_statements(program, recovers=whole is not None and whole.has_recovery),
+        choosing=choosing_statements(program, _everything(failsafes)),
         actions=tuple(_action(action, has_modes=bool(program.modes)) for action in program.actions),
         order=("control", *(("readings with their failsafes", "arming checks") if can_arm else ("readings",)), "links"),
         calls=call_views(system, program, jobs),

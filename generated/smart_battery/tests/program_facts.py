@@ -138,6 +138,9 @@ WATCHED = ()
 # Actions: value of the parameter, call, drive mode (None: stays), whether the vehicle is disarmed.
 ACTIONS = ()
 
+# Their values, the most severe first; nothing where each failsafe acts for itself.
+PRIORITY = ()
+
 # Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
 PARAMETERS = (
     {

@@ -1,0 +1,57 @@
+"""What the vehicle does about failsafes that are up: the statements of its methods."""
+
+from codegen.model.program import Program
+
+
+def check_statements(program: Program, *, recovers: bool) -> tuple[str, ...]:
+    """The body of _check(failsafes), which looks at some of them."""
+    if program.priority:
+        return (
+            '"""Look at them; of what all that are up ask for, the most severe holds, and is done once."""',
+            "for index in range(len(failsafes)):  # in few variables: those of a larger function lie on the heap",
+            "    failsafes[index].update(time.ticks_ms())",
+            "self._set_status()",
+            "self._settle(self._most_severe())",
+        )
+    return (
+        '"""Do what the highest level asks for that is reached just now, unless a higher one was reached before."""',
+        "acting = self._acting(failsafes, self._highest(failsafes) or 1)",
+        *(["self._set_status()  # something may be over"] if recovers else []),
+        "if acting is not None:",
+        *([] if recovers else ["    self._set_status()"]),
+        "    self._act(acting.action())",
+    )
+
+
+def choosing_statements(program: Program, everything: str) -> tuple[str, ...]:
+    """The method that says which failsafe, or which action, it is."""
+    if program.priority:
+        values = ", ".join(str(action.value) for action in program.priority)
+        return (
+            "def _settle(self, action):",
+            "    if action != self._in_force:",
+            "        self._in_force = action",
+            "        self._act(action)",
+            "",
+            "def _most_severe(self):",
+            f"    for action in ({values}{',' if len(program.priority) == 1 else ''}):",
+            "        if self._is_asked_for(action):",
+            "            return action",
+            "    return 0",
+            "",
+            "def _is_asked_for(self, action):",
+            f"    failsafes = {everything}",
+            "    for index in range(len(failsafes)):",
+            "        if failsafes[index].level and failsafes[index].action() == action:",
+            "            return True",
+            "    return False",
+        )
+    return (
+        "def _acting(self, failsafes, least):",
+        "    acting = None",
+        "    for index in range(len(failsafes)):  # in few variables: those of a larger function lie on the heap",
+        "        if failsafes[index].update(time.ticks_ms()) >= least:",
+        "            acting = failsafes[index]",
+        "            least = acting.level + 1",
+        "    return acting",
+    )
