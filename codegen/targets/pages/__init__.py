@@ -4,8 +4,9 @@ from codegen.model.system import System
 from codegen.targets.origin import origin_of, specification_file
 from codegen.targets.pages.bandwidth import bandwidth_page
 from codegen.targets.pages.message import message_page
-from codegen.targets.pages.navigation import message_path
+from codegen.targets.pages.navigation import PROGRAM_PAGE, message_path, takes_anything
 from codegen.targets.pages.overview import overview_page
+from codegen.targets.pages.program import program_page
 from codegen.targets.rendered import rendered_page
 
 
@@ -26,6 +27,10 @@ def render_pages(system: System) -> dict[str, str]:
     origin = origin_of(system, [*shared, *tables], wires)
     bandwidth = bandwidth_page(system, origin.open)
     files["docs/bandwidth.html"] = origin.closed(rendered_page("pages/bandwidth.html.j2", bandwidth))
+    origin = origin_of(system, system.spec.files, [*wires, *(table.wire for table in system.receptions)])
+    if takes_anything(system):
+        program = program_page(system, origin.open)
+        files[f"docs/{PROGRAM_PAGE}"] = origin.closed(rendered_page("pages/program.html.j2", program))
     origin = origin_of(system, system.spec.files, wires)
     overview = overview_page(system, origin.open, cited)
     files["docs/index.html"] = origin.closed(rendered_page("pages/overview.html.j2", overview))

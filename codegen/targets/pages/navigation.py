@@ -6,6 +6,9 @@ from codegen.model.system import System
 PAGES = (("index.html", "Overview"), ("bandwidth.html", "Bandwidth"))
 """Pages about the whole program: the path below its ``docs/``, and what links call them."""
 
+PROGRAM_PAGE = "program.html"
+"""The page on what comes in, of projects in which something does."""
+
 TRACE_PAGE = "trace.html"
 """The page about the requirements of a project, which its further programs share."""
 
@@ -32,6 +35,11 @@ def message_path(name: str) -> str:
     return f"messages/{name.lower()}.html"
 
 
+def takes_anything(system: System) -> bool:
+    """Whether anything comes in: messages, commands, or what sensors give."""
+    return bool(system.program or system.receptions or system.polled)
+
+
 def shared_docs(system: System) -> str:
     """The way from ``docs/`` of a program to that of its project, where it is another one."""
     return "../../docs/" if system.spec.program else ""
@@ -44,6 +52,7 @@ def navigation(system: System, here: str) -> Navigation:
     return Navigation(
         pages=(
             *(Link(up + path, label, path == here) for path, label in PAGES),
+            *([Link(up + PROGRAM_PAGE, "Program", here == PROGRAM_PAGE)] if takes_anything(system) else []),
             Link(shared + TRACE_PAGE, "Requirements", here == TRACE_PAGE),
         ),
         messages=tuple(
