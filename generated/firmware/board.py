@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 39cc7d02773ef247
+# Inputs: 7cff8698932195c6
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: a0543e47b28a74b8
+# Inputs: f1a1f6a282f61ac2
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 import messages

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 260cb5a375930085
+# Inputs: 33cf97f469cb0f5d
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time

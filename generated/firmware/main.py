@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: a0543e47b28a74b8
+# Inputs: f1a1f6a282f61ac2
 """The program: what the board starts."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: 41e8b457276efa55
+# Inputs: 2587c239f821c88e
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 2a92b42889802605
+# Inputs: 792f3bce04fad669
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 2a92b42889802605
+# Inputs: 792f3bce04fad669
 """Samples of each ADC and their mean, by MicroPython's viper emitter; samples_plain is the same in Python."""
 
 import time

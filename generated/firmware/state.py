@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 39cc7d02773ef247
+# Inputs: 7cff8698932195c6
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -133,7 +133,7 @@ class BatteryState(Component):
     # Energy drawn since the pack was full, or put in [hJ]
     # hJ, or None while it is unknown; FR-00068.6
     energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1)
-    # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
+    # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
     # %, or None while it is unknown; FR-00068.5
     remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
     # Charge that is left. Nothing on the rover counts it; code that does sets it [mAh]

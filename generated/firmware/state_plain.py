@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 39cc7d02773ef247
+# Inputs: 7cff8698932195c6
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 260cb5a375930085
+# Inputs: 33cf97f469cb0f5d
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 1dbb7172030e929b
+# Inputs: bc1a6e05a4e422fe
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -165,27 +165,25 @@ def health_is_told_after_days():
     assert len(watch.rover.said(title)) == told + 1, watch.rover.said(title)
 
 
-def remaining_charge():
-    """Unknown without an estimate; with one it follows the curve, from 0 to 100, and is unknown with the value."""
+def estimated():
+    """What is estimated follows its curve and is unknown with the value; what could be and is not stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         points = measured["estimate_points"]
         component = _state_of(new_rover(), measured)
-        if not points:
+        for name in measured["not_estimated"]:
             component.set_count(measured["full_scale"], 1)
-            assert getattr(component, "remaining_pct", None) is None
+            assert getattr(component, name) is None
+        if not points:
             continue
-        before = 0
         multiplier = next(each["default"] for each in PARAMETERS if each["attribute"] == measured["multiplier"])
         for count in range(0, measured["full_scale"] + 1, 5):
             component.set_count(count, multiplier)
-            value, percent = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
-            assert before <= percent <= 100, (count, percent)
-            assert value > points[0][0] or percent == points[0][1], (value, percent)
-            assert value < points[-1][0] or percent == points[-1][1], (value, percent)
-            for (low, least), (high, most) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
-                assert not low <= value <= high or least <= percent <= most, (value, percent)
-            before = percent
+            value, found = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
+            assert value > points[0][0] or found == points[0][1], (value, found)
+            assert value < points[-1][0] or found == points[-1][1], (value, found)
+            for (low, one), (high, other) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
+                assert not low <= value <= high or min(one, other) <= found <= max(one, other), (value, found)
         component.forget()
         assert getattr(component, measured["estimate"]) is None
 
@@ -344,7 +342,7 @@ CHECKS = (
     (health_of_every_step, "failsafe.health"),
     (change_of_health_is_logged_once, "failsafe.health_text"),
     (health_is_told_after_days, "failsafe.health_text"),
-    (remaining_charge, "quantity.estimate"),
+    (estimated, "quantity.estimate"),
     (pin_counts_from_the_next_start, "reading.pin"),
     (monitor_off_measures_nothing, "reading.monitor"),
     (read_often_enough, "reading.rate", "component.rate"),

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: e0c8271815c377cb
+# Inputs: dd4a957954f18e69
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -161,6 +161,7 @@ MEASURED = (
         "trend": "trend_mv_s",
         "trend_half": 20,
         "estimate": None,
+        "not_estimated": ['remaining_pct'],
         "estimate_points": [],
     },
 )

@@ -38,7 +38,7 @@ CASES = [
     # families
     Case("bad-parameter-family", "parameters.yaml", FAMILY, "  §CAPACITY:\n", "BATT_", is_alone=False),
     Case("bad-parameter-family", "parameters.yaml", EACH, EACH.replace("battery", "§bat"), "battery", is_alone=False),
-    Case("bad-parameter-family", "parameters.yaml", LAST, f"{LAST}    per_cell: §true\n", "no component"),
+    Case("bad-parameter-family", "parameters.yaml", LAST, f"{LAST}    per: §cells\n", "no component"),
     Case("bad-parameter", "parameters.yaml", FAMILY, "  §BATT_CAPACITY_ALL:\n", "BATT_CAPACITY_ALL", is_alone=False),
     Case(
         "bad-parameter",

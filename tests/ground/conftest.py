@@ -86,7 +86,7 @@ def estimating(tmp_path_factory: pytest.TempPathFactory) -> Path:
     shutil.copytree(ROOT / "specs", project / "specs")
     state = project / "specs" / "state.yaml"
     written = state.read_text()
-    changed = re.sub(r"(?m)^( +)remaining:\n", r"\g<0>\1  estimate_from: voltage\n", written)
+    changed = re.sub(r"(?m)^( +)remaining:\n", r"\g<0>\1  estimate_from: voltage\n\1  curve: discharge\n", written)
     assert changed != written
     state.write_text(changed)
     subprocess.run([str(BIN / "codegen"), "build"], cwd=project, check=True, capture_output=True, timeout=120)

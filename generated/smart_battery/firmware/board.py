@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 940407389e80b8d2
+# Inputs: 2550d6c2f8f1f46a
 """The hardware: Raspberry Pi Pico (RP2040)."""
 
 import machine

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: 560e924037026792
+# Inputs: e4afa69f4e5b44d2
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: 560e924037026792
+# Inputs: e4afa69f4e5b44d2
 """Samples of each ADC and their mean, by MicroPython's viper emitter; samples_plain is the same in Python."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 940407389e80b8d2
+# Inputs: 2550d6c2f8f1f46a
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -87,7 +87,7 @@ class BatteryState(Component):
     energy_hj = integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy")
     # hJ, or None while it is unknown; FR-00074.9
     energy = shown_integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy", 1)
-    # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
+    # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
     # %, or None while it is unknown; FR-00074.9
     remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
     # Charge that is left [mAh]
