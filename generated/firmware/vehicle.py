@@ -134,7 +134,7 @@ class Vehicle:
         self.texts("Armed")
         return None
 
-    def disarm(self, force=False):  # noqa: ARG002  a rover can stop at any time
+    def disarm(self, force=False):  # noqa: ARG002  a vehicle can stop at any time
         """Stop the motors; nothing keeps it from that, so that it returns None."""
         if self.is_armed:
             self.state.vehicle.armed = False

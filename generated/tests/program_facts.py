@@ -161,7 +161,7 @@ MEASURED = (
         "trend": "trend_mv_s",
         "trend_half": 20,
         "estimate": None,
-        "not_estimated": ['remaining_pct'],
+        "not_estimated": ["remaining_pct"],
         "estimate_points": [],
     },
 )
