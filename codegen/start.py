@@ -1,4 +1,4 @@
-"""New projects: each kind is a folder of templates/start, a project as it stands; the rover is codegen's own."""
+"""New projects: each kind is a folder of templates/start, a project as it stands, or codegen's own specification."""
 
 import json
 import os
@@ -16,8 +16,6 @@ from codegen.model.board_model import BoardModelSpec
 from codegen.source import Place
 from codegen.template_files import templates_folder
 
-KINDS = ("minimal", "rover", "boat", "codec")
-"""What a new project can begin as."""
 CODEC = "codec"
 """The kind that has no specification: a dialect of one's own, of which a codec is made."""
 
@@ -83,10 +81,11 @@ def report_existing(folder: str, paths: Mapping[str, object], report: Report) ->
 
 
 def _kind_files(kind: str) -> dict[str, str]:
-    """The files of a kind; those of the rover are the specification that codegen itself is built and tested with."""
-    if kind != "rover":
-        return _texts(os.path.join(templates_folder(), "start", kind))
-    installed = os.path.join(os.path.dirname(templates_folder()), "rover_specs")
+    """The files of a kind; without a folder it is the specification that codegen itself is built and tested with."""
+    folder = os.path.join(templates_folder(), "start", kind)
+    if os.path.isdir(folder):
+        return _texts(folder)
+    installed = os.path.join(os.path.dirname(templates_folder()), "own_specs")
     checkout = os.path.join(os.path.dirname(templates_folder()), "specs")
     specs = _texts(installed if os.path.isdir(installed) else checkout)
     return {f"specs/{path}": text for path, text in specs.items()}

@@ -25,7 +25,7 @@ from codegen.model.vehicle import Component, Instance
 class FactAnswer(KindOfAnswer):
     """A fact that differs between the instances of the component: what is fixed for each, by number."""
 
-    SHAPED_BY = frozenset({"per_cell"})
+    SHAPED_BY = frozenset({"per"})
 
     covers: Elements
     parts: tuple[FixedAnswer, ...]
@@ -130,24 +130,25 @@ def _facts(covers: Elements, scope: Scope) -> list[str | Fraction] | None:
         hint = f"state it under instances, or under facts for every {owner}"
         scope.report.add(UNKNOWN_FACT, place, message, hint)
         return None
-    return _of_packs(covers, found, parts, scope) if covers.written.per_cell else found
+    return _multiplied(covers, found, parts, scope) if covers.written.per is not None else found
 
 
-def _of_packs(
+def _multiplied(
     covers: Elements, facts: list[str | Fraction], parts: tuple[Instance, ...], scope: Scope
 ) -> list[str | Fraction] | None:
-    """Facts of one cell, by instance, as those of the packs: numbers or amounts times the fact cells."""
-    packs: list[str | Fraction] = []
+    """Facts of one of what another fact counts, by instance, as those of all: numbers or amounts times the count."""
+    per = covers.written.per or ""
+    products: list[str | Fraction] = []
     for fact, part in zip(facts, parts, strict=False):
-        cells = part.cells
+        count = part.count(per)
         measure = read_measure(fact) if isinstance(fact, str) else None
-        if cells is None or (isinstance(fact, str) and measure is None):
-            number = part.facts.get("cells", "no number of")
-            message = f"{covers.written.board} of {fact} cannot be multiplied with {number} cells"
-            scope.report.add(UNKNOWN_FACT, covers.written.at("per_cell"), message)
+        if count is None or (isinstance(fact, str) and measure is None):
+            number = part.facts.get(per, "no number of")
+            message = f"{covers.written.board} of {fact} cannot be multiplied with {number} {per}"
+            scope.report.add(UNKNOWN_FACT, covers.written.at("per"), message, did_you_mean(per, part.facts))
             return None
-        packs.append(f"{decimal(measure.value * cells)} {measure.unit.name}" if measure else Fraction(fact) * cells)
-    return packs
+        products.append(f"{decimal(measure.value * count)} {measure.unit.name}" if measure else Fraction(fact) * count)
+    return products
 
 
 def _fixed(covers: Elements, fact: str | Fraction, scope: Scope) -> FixedAnswer | None:

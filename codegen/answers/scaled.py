@@ -58,9 +58,9 @@ def fitting(
     scaling: Scaling,
     conversion: str,
     unknown: int | float | None,
-    cell_high: int | None = None,
+    element_high: int | None = None,
 ) -> Iterator[Step]:
-    """The steps of unit, limits and what stands for unknown; ``cell_high`` is what an element holds before it spills.
+    """The steps of unit, limits and what stands for unknown; ``element_high`` is what one holds before it spills.
 
     Source: the dialect's units, limits and sentinels.
     """
@@ -70,8 +70,8 @@ def fitting(
     details = []
     if scaling.hole is not None and scaling.beside is not None:
         details.append(f"{_shown(scaling.hole)} would read as unknown and becomes {_shown(scaling.beside)}")
-    if cell_high is not None:
-        details.append(f"what is above {cell_high} spills into the next element")
+    if element_high is not None:
+        details.append(f"what is above {element_high} spills into the next element")
     limits = f"{_shown(scaling.low)}..{_shown(scaling.high)}"
     yield Step("limits", f"{limits} {unit}".strip(), tuple(details), (str(covers.citation),))
     if unknown is not None:

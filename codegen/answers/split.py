@@ -40,7 +40,7 @@ BAD_SPLIT = Rule(
 
 @dataclass(frozen=True, slots=True)
 class SplitAnswer(KindOfAnswer):
-    """A quantity spread over elements: each holds up to ``cell_high``, the rest spills into the next.
+    """A quantity spread over elements: each holds up to ``element_high``, the rest spills into the next.
 
     ``unused`` is the sentinel of elements that are not reached; the scaling is that of the whole.
     Source: the dialect's text for BATTERY_STATUS.voltages.
@@ -51,7 +51,7 @@ class SplitAnswer(KindOfAnswer):
     covers: Elements
     source: Quantity
     scaling: Scaling
-    cell_high: int
+    element_high: int
     unused: int
 
     @classmethod
@@ -77,15 +77,15 @@ class SplitAnswer(KindOfAnswer):
         ):
             scope.report.add(BAD_SPLIT, covers.written.at("split"), f"{covers.label} cannot be split")
             return None
-        cell_high = wire_type.maximum - 1
-        bounds = taken.bounds.within(Bounds(Fraction(0), Fraction(cell_high * covers.count)))
+        element_high = wire_type.maximum - 1
+        bounds = taken.bounds.within(Bounds(Fraction(0), Fraction(element_high * covers.count)))
         low, high = bounds.whole()
         check_declared(covers, taken, Bounds(low, high), scope.report)
         return cls(
             covers=covers,
             source=taken.source,
             scaling=Scaling(taken.factor, covers.written.rounding, low, high),
-            cell_high=cell_high,
+            element_high=element_high,
             unused=wire_type.maximum,
         )
 
@@ -105,11 +105,11 @@ class SplitAnswer(KindOfAnswer):
         count = self.covers.count
         if stored is None:
             return (self.unused,) * count
-        full, last = divmod(self.scaling.whole(stored), self.cell_high)
-        cells = [self.cell_high] * full
-        if last or not cells:
-            cells.append(last)
-        return tuple(cells + [self.unused] * (count - len(cells)))
+        full, last = divmod(self.scaling.whole(stored), self.element_high)
+        elements = [self.element_high] * full
+        if last or not elements:
+            elements.append(last)
+        return tuple(elements + [self.unused] * (count - len(elements)))
 
     @property
     def scalings(self) -> tuple[Scaling, ...]:
@@ -118,12 +118,12 @@ class SplitAnswer(KindOfAnswer):
 
     def statements(self, code: PayloadCode) -> list[str]:
         """The value into the first element; what that cannot hold into the next ones."""
-        words = f"{origin(self.covers, self.source)}, spilling above {self.cell_high}"
+        words = f"{origin(self.covers, self.source)}, spilling above {self.element_high}"
         return [comment(self.covers, words), *self.spilled(code)]
 
     def spilled(self, code: PayloadCode) -> list[str]:
         """The statements without their comment."""
-        covers, most, last = self.covers, self.cell_high, self.covers.first + self.covers.count - 1
+        covers, most, last = self.covers, self.element_high, self.covers.first + self.covers.count - 1
         spread = [
             *fitted(self.scaling, None),
             f"place = {covers.first}",
@@ -140,20 +140,20 @@ class SplitAnswer(KindOfAnswer):
     def words(self) -> Words:
         """The path of the source, how it is scaled and spread, and its limits on the wire."""
         conversion = conversion_words(self.covers, self.source, self.scaling)
-        spread = f"spills above {self.cell_high}"
+        spread = f"spills above {self.element_high}"
         text = f"{conversion}, {spread}" if conversion else spread
         return Words(self.source.path, text, limit_words(self.scaling))
 
     def way(self, origins: Origins) -> Iterator[Step]:
         """The source, then what is done so that it fits."""
         yield from origins.steps(self.source)
-        yield from fitting(self.covers, self.scaling, self.words().conversion, self.unused, self.cell_high)
+        yield from fitting(self.covers, self.scaling, self.words().conversion, self.unused, self.element_high)
 
     def traits(self, position: int) -> Iterator[Trait]:
         """Source, scaling, limits and sentinel."""
         yield Trait("source", f"{self.source.path}, spilling over", Aspect.SOURCE)
         yield conversion_trait(self.covers, self.source, self.scaling)
-        yield Trait("limits", f"{limit_words(self.scaling)}, {self.cell_high} an element", Aspect.LIMITS)
+        yield Trait("limits", f"{limit_words(self.scaling)}, {self.element_high} an element", Aspect.LIMITS)
         yield Trait("unknown", str(self.unused), Aspect.UNKNOWN)
 
     def readings(self, component: Component, dialect: Dialect) -> Iterator[Reading]:
@@ -195,8 +195,8 @@ class SplitAnswer(KindOfAnswer):
         """Those of stored values."""
         path = self.source.path
         yield from limit_cases(self.scaling, path)
-        for cells in range(1, self.covers.count + 1):
+        for elements in range(1, self.covers.count + 1):
             for name, wire in (("full", 0), ("full-and-one", 1), ("full-less-one", -1)):
-                stored = self.scaling.to_stored(cells * self.cell_high + wire)
-                yield StateCase(f"{cells}-cells-{name}", {path: stored})
+                stored = self.scaling.to_stored(elements * self.element_high + wire)
+                yield StateCase(f"{elements}-elements-{name}", {path: stored})
         yield StateCase("sentinel", {path: self.scaling.to_stored(self.unused)})

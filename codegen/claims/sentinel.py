@@ -10,6 +10,7 @@ from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.dialect import Kind, WireField
 from codegen.model.literals import named_number, same_number
 from codegen.model.unit import Unit
+from codegen.model.unit_table import SHOWN
 
 SENTINEL = Rule(
     "claim-sentinel",
@@ -25,7 +26,7 @@ UNIT = Rule(
 _VALUE = r"(?P<value>U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|(?<![\w.+-])-1(?![\w.])|(?<![\w.+-])0(?![\w.]))"
 _TIE = r"[\s(]*(?:\b(?:if|when|where|for|is|means|stands for|mark(?:ed)? as)\b|[:=;,])?[\s(]*"
 _UNKNOWN = (
-    r"(?:(?:field|value|voltage|temperature|current|it)\s)?(?:is\s)?"
+    rf"(?:(?:field|value|it|{'|'.join(sorted(set(SHOWN.values())))})\s)?(?:is\s)?"
     r"(?:unknown|unavailable|invalid|not (?:known|provided|available|measured))"
 )
 _OTHER = _VALUE.replace("value", "other")

@@ -15,9 +15,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "topic",
         metavar="TOPIC",
-        help="a message (BATTERY_STATUS) or its field (BATTERY_STATUS.voltages), a table by its own name, a component "
-        "(battery) or its quantity (battery.voltage), a parameter, a stream, a requirement or its criterion "
-        "(FR-00068.3), or the id of a rule (sentinel-contradiction)",
+        help="a message (GPS_RAW_INT) or its field (GPS_RAW_INT.eph), a table by its own name, a component (gps) or "
+        "its quantity (gps.latitude), a parameter, a stream, a requirement or its criterion (FR-1.3), or the id "
+        "of a rule (sentinel-contradiction)",
     )
     parser.set_defaults(run=run)
 

@@ -9,11 +9,12 @@ if TYPE_CHECKING:
     from codegen.diagnostics import Report
     from codegen.start import Wish
 
-KINDS = ("minimal", "rover", "boat", "codec")
-
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    from codegen.start_kinds import start_kinds
+
+    kinds = start_kinds()
     parser = commands.add_parser(
         "init",
         parents=[common],
@@ -24,10 +25,9 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--from",
         dest="kind",
-        choices=KINDS,
+        choices=tuple(kinds),
         default="minimal",
-        help="what it begins as: minimal, a board that measures one thing; rover, the whole rover with its battery; "
-        "boat, position, attitude and depth; codec, a dialect of your own without a program (default: minimal)",
+        help=f"what it begins as: {'; '.join(f'{name}, {text}' for name, text in kinds.items())} (default: minimal)",
     )
     parser.add_argument("--board", metavar="B", help="a board of docs/boards.md, such as pico_2_w or esp32")
     parser.add_argument(

@@ -73,7 +73,6 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="your code, whose class extends the generated vehicle, whatever the file is called (default: the module "
         "that code in vehicle.yaml names, in the folder of the project, if it is there)",
     )
-    parser.add_argument("--rover", dest="code", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--quiet", action="store_true", help="print only the result")
     parser.set_defaults(run=run)
 

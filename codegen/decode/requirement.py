@@ -123,7 +123,7 @@ def _heading(document: Document, report: Report) -> Section | None:
         report.add(REQUIREMENT_TITLE, further.place, "a second heading of level 1; use ##", related=related)
     if not _TITLE.fullmatch(headings[0].title):
         message = f"the heading {headings[0].title!r} is not of the form 'ID | Title'"
-        report.add(REQUIREMENT_TITLE, headings[0].place, message, "for instance: # FR-00068 | Battery telemetry")
+        report.add(REQUIREMENT_TITLE, headings[0].place, message, "for instance: # FR-1 | Position")
         return None
     return headings[0]
 

@@ -44,8 +44,9 @@ from codegen.source import Place, Written, shown_path
 
 NO_MESSAGES = Rule(
     "no-messages",
-    "The folder messages beside codegen.yaml has no YAML file, so there is nothing to send. Write one population table "
-    "for each message.",
+    "The folder messages beside codegen.yaml has no YAML file. A program sends something: a ground station knows it by "
+    "its HEARTBEAT, and commands and received messages are for one that is known. Write one population table for each "
+    "message. What only encodes and decodes messages needs no specification: codegen codec makes it.",
 )
 INCOMPLETE_PROJECT = Rule(
     "incomplete-project",
@@ -253,8 +254,11 @@ class _SpecReader:
         """The tables in use, by the names of their files; of two with one name the first."""
         paths = self._united("messages", (".yaml",))
         if not paths and len(self._missing) < 2:
-            hint = "codegen init FOLDER writes a project with two of them to begin with"
-            self._report.add(NO_MESSAGES, Place(self._base_file), "there is no population table messages/*.yaml", hint)
+            others = [name for name in ("commands.yaml", "receives") if exists(os.path.join(self._folder, name))]
+            alone = f", and {' and '.join(others)} cannot do without" if others else ""
+            what = f"there is no population table messages/*.yaml, so nothing would be sent{alone}"
+            hint = "write messages/heartbeat.yaml: codegen init FOLDER writes a project that has it"
+            self._report.add(NO_MESSAGES, Place(self._base_file), what, hint)
         tables: dict[str, PopulationSpec] = {}
         for path in paths:
             table = self._record(path, PopulationSpec, Place(path))

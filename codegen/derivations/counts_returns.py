@@ -54,7 +54,7 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
         around.no_quantity("counts_returns_of", gone, BAD_RETURN)
     elif not _follows_a_reading(gone, around):
         message = f"{gone} is no boolean that follows a limit of what an ADC measures"
-        hint = f"{gone}: {{boolean: true, follows: voltage, below: 1.0, doc: ...}}"
+        hint = f"{gone}: {{boolean: true, follows: ..., below: ..., doc: ...}}"
         around.bad("counts_returns_of", message, BAD_RETURN, hint)
     if kept.unit is not NUMBER:
         message = f"{name} is no pure number that only code sets, so it cannot count"

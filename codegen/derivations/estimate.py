@@ -1,6 +1,6 @@
-"""The charge that a measured voltage stands for, by the discharge curve of the board's chemistry."""
+"""What a measured quantity stands for, by a curve of points: a charge by a voltage, a content by a level."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
-from codegen.measure import UNIT_MISMATCH
+from codegen.model.board_spec import CurveSpec
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import EstimateSpec, MeasuredSpec
-from codegen.model.unit import NUMBER, Unit, ratio, read_measure, unit_named
+from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure
 from codegen.model.vehicle import Instance, Quantity
 
 if TYPE_CHECKING:
@@ -19,17 +19,18 @@ if TYPE_CHECKING:
 
 BAD_ESTIMATE = Rule(
     "bad-estimate",
-    "The remaining charge is estimated from a measured voltage of the same component: it is in %, and board.yaml has "
-    "the component's chemistry and cells and a discharge curve of that chemistry, from 100 down to 0, that falls with "
-    "the voltage.",
+    "A quantity is estimated from a measured one of the same component, by a curve of board.yaml: two points or more, "
+    "each an amount of the measured quantity and a number in the unit of the estimate, which rise or fall throughout "
+    "and keep to its limits. Where a fact chooses the points, there are points for the fact of every instance.",
 )
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate(Derivation):
-    """Percent of charge by pack voltage: for each instance the points (stored steps of ``quantity``, %), rising."""
+    """For each instance the points (stored steps of ``quantity``, stored steps of the estimate), by the first."""
 
     quantity: str
+    curve: str
     curves: tuple[tuple[tuple[int, int], ...], ...]
 
     @property
@@ -46,92 +47,130 @@ class Estimate(Derivation):
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         for number, curve in enumerate(self.curves, 1):
-            points = ", ".join(f"{stored}: {percent}" for stored, percent in curve)
+            points = ", ".join(f"{stored}: {value}" for stored, value in curve)
             text = f"by {self.quantity}, {points}"
             yield DerivationFact(f"estimate of instance {number}:", text, "estimate_from")
 
     def words(self, quantity: Quantity) -> str:
-        return f"discharge curve by {quantity.component}.{self.quantity}"
+        return f"{self.curve} curve by {quantity.component}.{self.quantity}"
 
     def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
-        yield "follows", f"{self.quantity}, by the discharge curve of {len(self.curves[0])} points"
+        yield "follows", f"{self.quantity}, by the {self.curve} curve of {len(self.curves[0])} points"
 
 
 def resolve_estimate(written: EstimateSpec, kept: Kept, around: Surroundings) -> Estimate | None:
-    """The curve of each pack by its voltage; None after a finding."""
+    """The curve of each instance, by what is measured; None after a finding."""
     name = written.estimate_from
     followed = around.others.get(name)
     if followed is None:
         around.no_quantity("estimate_from", name, BAD_ESTIMATE)
         return None
-    spelt = followed.stored or followed.unit
-    unit = NUMBER if spelt is None else Unit.parse(spelt)
-    if unit is None:
-        return None  # the unit has been reported
-    volts = ratio(unit_named("V"), unit)
-    if around.spec.unit != "%" or (around.spec.stored or "%") != "%" or volts is None:
-        around.bad("estimate_from", "an estimate is a share in %, from a voltage", UNIT_MISMATCH)
-        return None
-    curves = []
-    for part in around.parts:
-        curve = _curve(part, around)
-        if curve is None:
-            return None
-        curves.append(tuple((round(cell * (part.cells or 1) * volts), percent) for cell, percent in curve))
     if followed.written(MeasuredSpec) is None:
         around.bad("estimate_from", f"{name} is not measured by an ADC", BAD_ESTIMATE)
-    return Estimate(name, tuple(curves))
-
-
-def _curve(part: Instance, around: Surroundings) -> list[tuple[Fraction, int]] | None:
-    """Volts of one cell and percent for the chemistry of an instance; None after a finding."""
-    component, board = around.component, around.whole.board
-    chemistry = part.facts.get("chemistry")
-    if not isinstance(chemistry, str) or part.cells is None:
-        message = f"board.yaml does not state the chemistry and the cells of {component}"
-        hint = f"facts: {{{component}: {{chemistry: ..., cells: 3}}}}"
-        around.bad("estimate_from", message, BAD_ESTIMATE, hint)
         return None
-    enum = around.dialect.enums.get("MAV_BATTERY_TYPE")
-    if enum is not None and enum.entry(chemistry) is None:
-        _report_chemistry(chemistry, part, [entry.name for entry in enum.entries], around)
+    spelt = followed.stored or followed.unit
+    stored = NUMBER if spelt is None else Unit.parse(spelt)
+    if stored is None:
+        return None  # the unit has been reported
+    curve = _curve(written, around)
+    if curve is None:
         return None
-    if chemistry not in board.discharge_curves:
-        hint = did_you_mean(chemistry, board.discharge_curves) or "write it under discharge_curves in board.yaml"
-        around.bad("estimate_from", f"there is no discharge curve of {chemistry}", BAD_ESTIMATE, hint)
-        return None
-    return _points(chemistry, around)
-
-
-def _report_chemistry(chemistry: str, part: Instance, names: list[str], around: Surroundings) -> None:
-    """An unknown chemistry; a message that sends it reports it, too, and better."""
-    component, whole = around.component, around.whole
-    answers = (answer for population in whole.populations for answer in population.fields.values())
-    if not any(answer.board == f"{component}.chemistry" for answer in answers):
-        message = f"MAV_BATTERY_TYPE has no entry {chemistry}"
-        place = whole.board.fact_place(component, part.number, "chemistry")
-        around.report.add(BAD_ESTIMATE, place, message, did_you_mean(chemistry, names))
-
-
-def _points(chemistry: str, around: Surroundings) -> list[tuple[Fraction, int]] | None:
-    """Volts of one cell and percent, rising."""
-    board, report = around.whole.board, around.report
-    points = []
-    for written, percent in board.discharge_curves[chemistry].items():
-        measure = read_measure(written)
-        cell = measure.in_unit(unit_named("V")) if measure else None
-        place = board.at(f"discharge_curves.{chemistry}.{written}")
-        if cell is None or cell <= 0:
-            report.add(BAD_ESTIMATE, place, f"{written!r} is not a voltage of a cell")
+    curves = []
+    for number, part in enumerate(around.parts, 1):
+        found = _points_of(curve, number, part, around)
+        points = found and _Points(*found, name, stored, kept, around).read(part.count(curve.per) if curve.per else 1)
+        if not points:
             return None
-        if percent.denominator != 1:
-            report.add(BAD_ESTIMATE, place, f"{percent} is not a whole number of %")
-            return None
-        points.append((cell, int(percent)))
-    points.sort()
-    falls = all(first[1] < second[1] for first, second in pairwise(points))
-    if len(points) < 2 or points[0][1] != 0 or points[-1][1] != 100 or not falls:
-        message = f"the curve of {chemistry} does not go from 100 down to 0 % with the voltage"
-        report.add(BAD_ESTIMATE, board.at(f"discharge_curves.{chemistry}"), message)
+        curves.append(points)
+    return Estimate(name, written.curve or "", tuple(curves))
+
+
+def _curve(written: EstimateSpec, around: Surroundings) -> CurveSpec | None:
+    """The curve of board.yaml; None after a finding."""
+    curves = around.whole.board.curves
+    if written.curve is None:
+        names = ", ".join(curves) or "write one under curves in board.yaml"
+        around.bad("estimate_from", "no curve is named", BAD_ESTIMATE, f"write curve: and its name: {names}")
         return None
-    return points
+    if written.curve not in curves:
+        hint = did_you_mean(written.curve, curves) or "write it under curves in board.yaml"
+        around.bad("curve", f"board.yaml has no curve {written.curve}", BAD_ESTIMATE, hint)
+        return None
+    curve = curves[written.curve]
+    if curve.per is not None and around.counted(curve.per, "curve", BAD_ESTIMATE) is None:
+        return None
+    if (curve.choice is None) == bool(curve.by) or bool(curve.by) == bool(curve.points):
+        message = f"the curve {written.curve} has neither points, nor a choice and points by what is chosen"
+        if curve.by and curve.points:
+            message = f"the curve {written.curve} has points and points by what is chosen"
+        hint = "points: {4.2 V: 100, ...}, or choice: a fact, and by: {its value: {4.2 V: 100, ...}}"
+        around.report.add(BAD_ESTIMATE, curve.place, message, hint)
+        return None
+    return curve
+
+
+def _points_of(
+    curve: CurveSpec, number: int, part: Instance, around: Surroundings
+) -> tuple[CurveSpec, str, Mapping[str, Fraction]] | None:
+    """The curve, the key of the points of an instance in it, and these; None after a finding."""
+    name = around.spec.written(EstimateSpec).curve  # type: ignore[union-attr]
+    if curve.choice is None:
+        return curve, "points", curve.points
+    chosen = part.facts.get(curve.choice)
+    owner = around.component if len(around.parts) == 1 else f"{around.component} {number}"
+    if not isinstance(chosen, str):
+        message = f"the curve {name} is chosen by {curve.choice}, which board.yaml does not state of {owner}"
+        hint = did_you_mean(curve.choice, part.facts) or f"facts: {{{around.component}: {{{curve.choice}: ...}}}}"
+        around.report.add(BAD_ESTIMATE, curve.at("choice"), message, hint)
+        return None
+    if chosen not in curve.by:
+        hint = did_you_mean(chosen, curve.by) or f"write it under by of {name}"
+        place = around.whole.board.fact_place(around.component, part.number, curve.choice)
+        related = [(curve.at("by"), f"the curve {name}")]
+        around.report.add(BAD_ESTIMATE, place, f"the curve {name} has no points for {chosen}", hint, related)
+        return None
+    return curve, f"by.{chosen}", curve.by[chosen]
+
+
+@dataclass(frozen=True, slots=True)
+class _Points:
+    """Points as written at ``key`` of a curve; ``stored`` is the unit that the measured quantity is kept in."""
+
+    curve: CurveSpec
+    key: str
+    written: Mapping[str, Fraction]
+    measured: str
+    stored: Unit
+    kept: Kept
+    around: Surroundings
+
+    def read(self, count: int | None) -> tuple[tuple[int, int], ...] | None:
+        """The points in stored steps, by those of the measured quantity; None after a finding."""
+        points = []
+        for amount, value in self.written.items():
+            measure = read_measure(amount)
+            factor = ratio(measure.unit, self.stored) if measure else None
+            if measure is None or factor is None:
+                self._bad(f".{amount}", f"{amount!r} is no amount of {self.measured}, which is in {self.stored.name}")
+                return None
+            steps = value * self.kept.steps
+            if steps.denominator != 1:
+                self._bad(f".{amount}", f"{decimal(value)} is not a whole number of {self.kept.stored.name or 'steps'}")
+                return None
+            if not self.kept.minimum <= steps <= self.kept.maximum:
+                low, high = (decimal(Fraction(end) / self.kept.steps) for end in (self.kept.minimum, self.kept.maximum))
+                self._bad(f".{amount}", f"{decimal(value)} is not within {low} to {high}")
+                return None
+            points.append((round(measure.value * factor * (count or 1)), int(steps)))
+        points.sort()
+        values = [value for _, value in points]
+        is_steady = all(first < second for first, second in pairwise(values)) or all(
+            first > second for first, second in pairwise(values)
+        )
+        if len(points) < 2 or not is_steady:
+            self._bad("", "a curve has two points or more, whose values rise or fall throughout")
+            return None
+        return tuple(points)
+
+    def _bad(self, below: str, message: str) -> None:
+        self.around.report.add(BAD_ESTIMATE, self.curve.at(self.key + below), message)

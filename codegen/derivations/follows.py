@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 BAD_FOLLOWING = Rule(
     "bad-following",
     "A boolean that follows names a number of the same component and one limit for it, at_least or below, in its unit. "
-    "With per_cell the limit, or warn_above, is multiplied with the fact cells, which board.yaml states for every "
-    "instance.",
+    "With per the limit, or warn_above, is multiplied with a fact that counts something, which board.yaml states for "
+    "every instance.",
 )
 
 
@@ -90,10 +90,11 @@ class Follows(Derivation):
         return "below" if self.is_below else "at least"
 
     def _limit(self, quantity: Quantity) -> str:
-        """As written: ``at least 4.25 per cell``."""
+        """As written: ``at least 4.25 times cells``."""
+        times = f" times {quantity.spec.per}" if quantity.spec.per else ""
         limit = self.spec.below if self.is_below else self.spec.at_least
         assert limit is not None
-        return f"{self._word} {decimal(limit)}{' per cell' if quantity.spec.per_cell else ''}"
+        return f"{self._word} {decimal(limit)}{times}"
 
 
 def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> Follows | None:
@@ -119,8 +120,8 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
         return None
     steps = _steps(followed)
     counts: tuple[int, ...] | None = (1,) * len(around.parts)
-    if around.spec.per_cell and steps is not None:
-        counts = around.counted("cells", "per_cell", BAD_FOLLOWING)
+    if around.spec.per is not None and steps is not None:
+        counts = around.counted(around.spec.per, "per", BAD_FOLLOWING)
     if steps is None or counts is None:
         return None  # the units of the followed quantity have been reported, or the fact
     [(key, limit)] = limits.items()

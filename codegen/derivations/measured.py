@@ -23,6 +23,9 @@ from codegen.model.vehicle import Parameter, Quantity, Threshold, by_instance
 if TYPE_CHECKING:
     from codegen.model.system import System
 
+VOLT = unit_named("V")
+"""What an ADC measures."""
+
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
 
 ADC_FAULTS = {
@@ -154,16 +157,16 @@ def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conv
         return None  # without them there is no conversion; whatever is wrong with them was reported
     factor = None if per_volt is None else ratio(multiplier.unit, per_volt)
     if factor is None:
-        message = f"{multiplier.name} makes no {stored.kind} of a voltage: it is in {multiplier.unit.name or 'no unit'}"
-        hint = (
-            "a pure number" if ratio(unit_named("V"), stored) else f"give it a unit per volt, such as {stored.name}/V"
+        message = (
+            f"{multiplier.name} makes no {stored.kind} of a {VOLT.kind}: it is in {multiplier.unit.name or 'no unit'}"
         )
+        hint = "a pure number" if ratio(VOLT, stored) else f"give it a unit per volt, such as {stored.name}/V"
         around.bad("multiplier", message, UNIT_MISMATCH, hint)
         return None
-    away = Fraction(0) if offset is None else ratio(offset.unit, unit_named("V"))
+    away = Fraction(0) if offset is None else ratio(offset.unit, VOLT)
     if away is None:
         assert offset is not None
-        around.bad("offset", f"{offset.name} is a {offset.unit.kind}, but a voltage is needed", UNIT_MISMATCH)
+        around.bad("offset", f"{offset.name} is a {offset.unit.kind}, but a {VOLT.kind} is needed", UNIT_MISMATCH)
         return None
     if offset is None and multiplier.minimum < 0:
         around.bad("multiplier", f"{multiplier.name} can be negative, and what is measured never is", UNIT_MISMATCH)
@@ -207,7 +210,7 @@ def _factor(key: str, written: str, around: Surroundings) -> Factor | None:
         return Constant(Fraction(written), NUMBER)
     except (ValueError, ZeroDivisionError):
         message = f"{written!r} is neither a parameter nor an amount"
-        around.bad(key, message, BAD_AMOUNT, f"write {key}: BATT_VOLT_MULT, or {key}: 17 A/V")
+        around.bad(key, message, BAD_AMOUNT, f"write {key}: and the name of a parameter, or {key}: 17 A/V")
         return None
 
 
@@ -225,7 +228,7 @@ def _threshold(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Thres
     if written.warn_above is None:
         return None
     limits = [written.warn_above * kept.steps] * len(around.parts)
-    if around.spec.per_cell:
-        counts = around.counted("cells", "per_cell", BAD_FOLLOWING) or ()
+    if around.spec.per is not None:
+        counts = around.counted(around.spec.per, "per", BAD_FOLLOWING) or ()
         limits = [Fraction(round(limit * count)) for limit, count in zip(limits, counts, strict=False)]
     return Threshold(tuple(around.in_steps("warn_above", limit, Fraction(1)) for limit in limits), every_ms)

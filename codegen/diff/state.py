@@ -33,7 +33,7 @@ def _parameter(parameter: Parameter) -> Subject:
         Fact("values", choices, rules.PARAMETER, spec.at("values")),
         Fact("used", "after a restart" if spec.reboot else "at once", rules.PARAMETER, spec.at("reboot")),
         Fact("belongs to", _owner(parameter), rules.PARAMETER, spec.at("for_each")),
-        Fact("default and limits are", "per cell" if spec.per_cell else "", rules.PARAMETER, spec.at("per_cell")),
+        Fact("default is", f"times {spec.per}" if spec.per else "", rules.PARAMETER, spec.at("per")),
         Fact("answers to", str(parameter.citation or ""), CITATION, spec.at("requirement")),
         Fact("doc", spec.doc, DOC, spec.at("doc")),
     )

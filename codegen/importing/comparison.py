@@ -135,9 +135,7 @@ def _bare(answer: FieldAnswer) -> FieldAnswer:
 
 def _is_said(stated: FieldAnswer, tabled: FieldAnswer) -> bool:
     """Whether both have the same source. Limits and rounding are beyond what a document says in its own words."""
-    return all(
-        getattr(stated, key) == getattr(tabled, key) for key in (*FieldAnswer.SOURCES, "split", "first", "per_cell")
-    )
+    return all(getattr(stated, key) == getattr(tabled, key) for key in (*FieldAnswer.SOURCES, "split", "first", "per"))
 
 
 def fixed_number(answer: FieldAnswer, target: Target, sources: Sources) -> Number | str | None:
@@ -187,9 +185,10 @@ def _pairs(answer: FieldAnswer) -> Iterator[str]:
             yield f"{key}: {_scalar(value)}"
     if answer.first:
         yield f"from: {answer.first}"
-    for key in ("per_cell", "split"):
-        if getattr(answer, key):
-            yield f"{key}: true"
+    if answer.per is not None:
+        yield f"per: {_scalar(answer.per)}"
+    if answer.split:
+        yield "split: true"
     for key in ("min", "max"):
         if getattr(answer, key) is not None:
             yield f"{key}: {_scalar(getattr(answer, key))}"

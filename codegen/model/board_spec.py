@@ -90,6 +90,26 @@ class InstanceSpec(Written):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CurveSpec(Written):
+    """A curve: the values of a quantity by amounts of a measured one, straight between its points."""
+
+    points: Mapping[str, Fraction] = described(
+        "The value in the unit of the quantity, by the amount that is measured: {0.2 V: 0, 2.9 V: 40}.",
+        default_factory=dict,
+    )
+    choice: str | None = described(
+        "A fact of the component that decides which points count, such as chemistry; the points stand under by then.",
+        default=None,
+    )
+    by: Mapping[str, Mapping[str, Fraction]] = described(
+        "Points by what the fact of choice is: {MAV_BATTERY_TYPE_LIPO: {4.2 V: 100, 3.27 V: 0}}.", default_factory=dict
+    )
+    per: str | None = described(
+        "A fact of the component that counts something, such as cells: the amounts are for one of them.", default=None
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BoardSpec(Written):
     """``board.yaml``: the board and what is connected to it."""
 
@@ -108,10 +128,8 @@ class BoardSpec(Written):
         "Which instances of a component there are, in the order of their numbers; without an entry there is one.",
         default_factory=dict,
     )
-    discharge_curves: Mapping[str, Mapping[str, Fraction]] = described(
-        "By chemistry (an entry of MAV_BATTERY_TYPE): the charge that remains, in %, by the voltage of one cell at "
-        "rest, such as 3.84 V: 50.",
-        default_factory=dict,
+    curves: Mapping[str, CurveSpec] = described(
+        "Curves by name: what a measured amount stands for, for quantities with estimate_from.", default_factory=dict
     )
 
     def fact_place(self, component: str, number: int, fact: str) -> Place:

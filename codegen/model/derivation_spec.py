@@ -35,7 +35,7 @@ class DerivationSpec(Written):
 
     @property
     def has_limit(self) -> bool:
-        """Whether it compares something with a limit, which can be for one cell."""
+        """Whether it compares something with a limit, which can be for one of several, such as cells."""
         return False
 
 
@@ -111,14 +111,15 @@ class TrendSpec(DerivationSpec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EstimateSpec(DerivationSpec):
-    """The charge that a voltage stands for."""
+    """What a measured quantity stands for."""
 
     KEY = "estimate_from"
 
     estimate_from: str = described(
-        "The voltage of the same component from which the remaining charge is estimated, by the discharge curve of the "
-        "board's chemistry and cell count. Without it the charge is unknown until something sets it."
+        "The measured quantity of the same component from which this one is estimated: a charge from a voltage, a "
+        "content from a level. Without it the quantity is unknown until something sets it."
     )
+    curve: str | None = described("For estimate_from: the curve of board.yaml by which it is estimated.", default=None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

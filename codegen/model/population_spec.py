@@ -74,8 +74,10 @@ class FieldAnswer(Written):
     dialect: str | None = described("A fact of the dialect: version.", default=None)
     unknown: Literal[True] | None = described("The dialect's sentinel.", default=None)
     first: int = described("For each: the value that the first element takes, from 0.", "from", default=0)
-    per_cell: bool = described(
-        "For board: the fact is that of one cell, and the fact cells of the instance multiplies it.", default=False
+    per: str | None = described(
+        "For board: another fact, which counts something, such as cells: the one that is sent is that of one of them, "
+        "and the number of each instance multiplies it.",
+        default=None,
     )
     split: bool = described("Spill a value that one element cannot hold over the following ones.", default=False)
     min: str | Fraction | None = described("Smallest value sent, in the source's unit or as an amount.", default=None)

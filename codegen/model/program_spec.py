@@ -108,8 +108,8 @@ class ServicesSpec(Written):
 class CodeSpec(Written):
     """The user's code: a module on the board with a class that is derived from Vehicle."""
 
-    module: str = described("Name of the module.", default="rover")
-    class_name: str = described("Name of the class in it.", key="class", default="Rover")
+    module: str = described("Name of the module.", default="app")
+    class_name: str = described("Name of the class in it.", key="class", default="App")
     measure: Amount | None = described(
         "How often its call measure() reads sensors of its own, such as 10 Hz: before the readings of that time.",
         default=None,
@@ -133,7 +133,7 @@ class VehicleSpec(Written):
         "Parameter that sets the MAVLink component id; its default is the id of the project's component_id.",
         default=None,
     )
-    code: CodeSpec | None = described("The user's code: by default a class Rover in a module rover.", default=None)
+    code: CodeSpec | None = described("The user's code: by default a class App in a module app.", default=None)
     failsafes: Mapping[str, FailsafeSpec] = described(
         "Failsafes by a name of their own: they may watch the same component.", default_factory=dict
     )

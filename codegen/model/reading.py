@@ -12,7 +12,7 @@ class Reading:
 
     ``unit`` is that of the result, ``doc`` says for people what a quantity is, ``enum`` names the numbers that it may
     take, ``field`` is where it stands. ``uses`` are the names of functions and tables in the expression. With
-    ``is_by_cell`` there is one value for each cell.
+    ``is_by_element`` there is one value for each element.
     """
 
     name: str
@@ -22,7 +22,7 @@ class Reading:
     field: str
     enum: str = ""
     uses: tuple[str, ...] = ()
-    is_by_cell: bool = False
+    is_by_element: bool = False
 
 
 def scaled(expression: str, factor: Fraction) -> tuple[str, tuple[str, ...]]:

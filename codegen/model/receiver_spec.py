@@ -1,10 +1,33 @@
 """``receiver.yaml``: the receiver for companion computers and ground tools."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from codegen.frozen import dataclass
 from codegen.model.described import Amount, described
 from codegen.source import Written
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RolesSpec(Written):
+    """Which fields tell how long something that is drawn from lasts, by their names in whichever message has them."""
+
+    current: tuple[str, ...] = described("The current that is drawn.", default=())
+    consumed: tuple[str, ...] = described("The charge that was drawn.", default=())
+    left: tuple[str, ...] = described("The charge that is left.", default=())
+    percent: tuple[str, ...] = described("The charge that is left, in % of a full one.", default=())
+    full: tuple[str, ...] = described("The charge of a full one.", default=())
+    serial: tuple[str, ...] = described("The serial number: with another one it is another one.", default=())
+    cycles: tuple[str, ...] = described(
+        "How often it was charged: without a serial number, another one if that is not the same or one more.",
+        default=(),
+    )
+    count: tuple[str, ...] = described("How many values a list of single ones has, such as cells.", default=())
+    charging: tuple[str, ...] = described("Entries of enums that say that it is being charged.", default=())
+
+    def fields(self) -> Iterator[tuple[str, tuple[str, ...]]]:
+        """Each role and its fields."""
+        for name in ("current", "consumed", "left", "percent", "full", "serial", "cycles", "count"):
+            yield name, getattr(self, name)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,6 +40,9 @@ class ReceiverSpec(Written):
     )
     rate_over: Amount = described(
         "Time over which the current is averaged for the time that remains, such as 30 s.", default=Amount("30 s")
+    )
+    roles: RolesSpec | None = described(
+        "Fields that tell how long something lasts; without them nobody computes it.", default=None
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(

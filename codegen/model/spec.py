@@ -116,8 +116,10 @@ class ParameterSpec(Written):
         "Component of which each instance has this parameter, with its own prefix in place of the first one's.",
         default=None,
     )
-    per_cell: bool = described(
-        "Whether the default is for one cell, to be multiplied with the fact cells of the instance.", default=False
+    per: str | None = described(
+        "A fact of the component that counts something, such as cells: the default is for one of them, and the number "
+        "of each instance multiplies it.",
+        default=None,
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
 

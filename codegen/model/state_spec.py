@@ -42,10 +42,16 @@ class QuantitySpec(Written):
         default=None,
     )
     derivations: tuple[WrittenDerivation, ...] = flattened()
-    per_cell: bool = described(
-        "The limit, or warn_above, is for one cell: the fact cells of each instance multiplies it. A warn_above is "
-        "rounded to the unit that the quantity is stored in.",
-        default=False,
+    reaches: str | None = described(
+        "What it reaches in use: an amount, such as 25.2 V, or a fact of the component. An ADC that shows less at full "
+        "scale is warned about.",
+        default=None,
+    )
+    per: str | None = described(
+        "A fact of the component that counts something, such as cells: the limit, warn_above or what reaches names is "
+        "for one of them, and the number of each instance multiplies it. A warn_above is rounded to the unit that the "
+        "quantity is stored in.",
+        default=None,
     )
     restarts_with: str | None = described(
         "The quantity of the same component that counts returns: with each of them this one is 0 again, or what a "

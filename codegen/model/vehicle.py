@@ -258,11 +258,10 @@ class Instance:
     prefix: str
     facts: Mapping[str, str | Fraction]
 
-    @property
-    def cells(self) -> int | None:
-        """How many cells in series it has; None where no fact says so."""
-        cells = self.facts.get("cells")
-        return int(cells) if isinstance(cells, Fraction) and cells.denominator == 1 and cells > 0 else None
+    def count(self, fact: str) -> int | None:
+        """How many there are of what a fact counts, such as cells or tanks; None where the fact is no such number."""
+        number = self.facts.get(fact)
+        return int(number) if isinstance(number, Fraction) and number.denominator == 1 and number > 0 else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,17 +5,24 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount
-from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Uart
+from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Uart, shown_pins
 from codegen.model.unit import unit_named
 from codegen.source import Place
 
+MOST_GPIO = 127
+"""The last GPIO number that a board may have: eight ports of sixteen pins, the most of MicroPython's boards."""
+MOST_PORT = 10
+"""The last number of a UART or of a bus. Source: UART 10 of the largest boards of MicroPython's stm32 port."""
+MOST_VOLTS = 100
+
 BAD_BOARD = Rule(
     "bad-board",
-    "A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, those of the converter "
-    f"of the UARTs and of the I2C buses are among them, a count has 8 to {MOST_BITS} bits, its reference is above 0 V, "
-    "and the expression that opens an input has {gpio} in it.",
+    f"A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, up to {MOST_GPIO}; "
+    "those of the converter, of the UARTs and of the I2C buses are among them, a UART and a bus have a number from 0 "
+    f"to {MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, and the "
+    "expression that opens an input has {gpio} in it.",
 )
-_RUN = re.compile(r"(\d{1,3})(?:\.\.(\d{1,3}))?")
+_RUN = re.compile(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 
 
 def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardModel | None:
@@ -24,44 +31,60 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
         return None
     found = Report()
     pins = _pins(spec.pins, spec.at("pins"), found)
+    known = None if found.has_errors else pins  # of what is wrong itself nothing else is held to be beyond it
     taken = {number: what for key, what in spec.taken.items() for number in _pins(key, spec.at(f"taken.{key}"), found)}
     uarts = {}
     for key, uart in spec.uarts.items():
-        if not key.isdecimal():
-            found.add(BAD_BOARD, uart.place, f"{key} is not the number of a UART")
-            continue
-        uarts[int(key)] = Uart(
-            _among(pins, _pins(uart.tx, uart.at("tx"), found), uart.at("tx"), found),
-            _among(pins, _pins(uart.rx, uart.at("rx"), found), uart.at("rx"), found),
-        )
+        number = _number(key, "uarts", uart.place, found)
+        if number is not None:
+            uarts[number] = Uart(
+                _among(known, _pins(uart.tx, uart.at("tx"), found), uart.at("tx"), found),
+                _among(known, _pins(uart.rx, uart.at("rx"), found), uart.at("rx"), found),
+            )
     buses = {}
     for key, bus in spec.i2c.items():
-        if not key.isdecimal():
-            found.add(BAD_BOARD, bus.place, f"{key} is not the number of an I2C bus")
-            continue
-        buses[int(key)] = I2c(
-            _among(pins, _pins(bus.sda, bus.at("sda"), found), bus.at("sda"), found),
-            _among(pins, _pins(bus.scl, bus.at("scl"), found), bus.at("scl"), found),
-        )
-    adc = _converter(spec, pins, found)
-    _among(pins, frozenset(taken), spec.at("taken"), found)
+        number = _number(key, "i2c", bus.place, found)
+        if number is not None:
+            buses[number] = I2c(
+                _among(known, _pins(bus.sda, bus.at("sda"), found), bus.at("sda"), found),
+                _among(known, _pins(bus.scl, bus.at("scl"), found), bus.at("scl"), found),
+            )
+    adc = _converter(spec, known, found)
+    _among(known, frozenset(taken), spec.at("taken"), found)
     report.extend(found)
     return None if found.has_errors else BoardModel(spec.name, pins, taken, adc, uarts, buses, spec)
 
 
-def _converter(spec: BoardModelSpec, pins: frozenset[int], report: Report) -> Converter | None:
+def _number(key: str, section: str, place: Place, report: Report) -> int | None:
+    """The number of a UART or of a bus; None after a finding."""
+    what = {"uarts": "UART", "i2c": "I2C bus"}[section]
+    hint = f"{section}: has an entry for each, by its number in machine.{'UART' if section == 'uarts' else 'I2C'}()"
+    if not key.isdecimal() or not key.isascii() or key != str(int(key[:9])):
+        report.add(BAD_BOARD, place, f"{key} is not the number of {'a UART' if what == 'UART' else 'an I2C bus'}", hint)
+        return None
+    if int(key) > MOST_PORT:
+        report.add(BAD_BOARD, place, f"{what} {key} is beyond 0 to {MOST_PORT}", hint)
+        return None
+    return int(key)
+
+
+def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report) -> Converter | None:
     written = spec.adc
     if written is None:
         return None
-    reference = read_amount(written.reference, unit_named("V"), written.at("reference"), report) or Fraction(0)
-    if reference <= 0:
-        report.add(BAD_BOARD, written.at("reference"), f"the reference of {spec.name} is not above 0 V")
+    reference = read_amount(written.reference, unit_named("V"), written.at("reference"), report)
+    if reference is not None and not 0 < reference <= MOST_VOLTS:
+        message = f"the reference of {spec.name} is not above 0 V and {MOST_VOLTS} V at most"
+        report.add(BAD_BOARD, written.at("reference"), message, "reference: 3.3 V")
     if not 8 <= written.bits <= MOST_BITS:
-        report.add(BAD_BOARD, written.at("bits"), f"a count has {written.bits} bits, not 8 to {MOST_BITS}")
+        message = f"a count has {written.bits} bits, not 8 to {MOST_BITS}"
+        hint = f"bits: {MOST_BITS}; what read_u16() gives is shifted to so many" if written.bits > MOST_BITS else None
+        report.add(BAD_BOARD, written.at("bits"), message, hint or f"bits: {MOST_BITS}")
     if "{gpio}" not in written.opened:
-        report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same")
+        hint = "opened: machine.ADC(machine.Pin({gpio}))"
+        report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same", hint)
     inputs = _among(pins, _pins(written.pins, written.at("pins"), report), written.at("pins"), report)
-    return Converter(inputs, written.bits, reference, written.opened)
+    return Converter(inputs, written.bits, reference or Fraction(0), written.opened)
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:
@@ -72,11 +95,20 @@ def _pins(text: str, place: Place, report: Report) -> frozenset[int]:
         if match is None:
             report.add(BAD_BOARD, place, f"{part.strip()!r} is no GPIO number", "write 0..22, 26..28")
             continue
-        numbers |= set(range(int(match[1]), int(match[2] or match[1]) + 1))
+        first, last = int(match[1]), int(match[2] or match[1])
+        if last > MOST_GPIO:
+            report.add(BAD_BOARD, place, f"GPIO {last} is beyond 0 to {MOST_GPIO}", "write 0..22, 26..28")
+        elif first > last:
+            report.add(BAD_BOARD, place, f"{part.strip()} has no number", f"write {last}..{first}")
+        else:
+            numbers |= set(range(first, last + 1))
     return frozenset(numbers)
 
 
-def _among(pins: frozenset[int], found: frozenset[int], place: Place, report: Report) -> frozenset[int]:
-    for number in sorted(found - pins):
-        report.add(BAD_BOARD, place, f"GPIO {number} is none of the pins")
+def _among(pins: frozenset[int] | None, found: frozenset[int], place: Place, report: Report) -> frozenset[int]:
+    """The numbers that were found; those that are none of ``pins`` are reported, where these are known."""
+    beyond = frozenset() if pins is None else found - pins
+    if pins is not None and beyond:
+        message = f"GPIO {shown_pins(beyond)} {'is' if len(beyond) == 1 else 'are'} none of the pins"
+        report.add(BAD_BOARD, place, message, f"pins: has {shown_pins(pins)}")
     return found

@@ -14,7 +14,7 @@ from codegen.source import Place
 BAD_FAMILY = Rule(
     "bad-parameter-family",
     "A parameter that exists for each instance of a component begins with the prefix of the first instance. A default "
-    "per cell needs the fact cells of each instance.",
+    "with per needs the fact that it names of each instance.",
 )
 
 
@@ -54,8 +54,9 @@ class ParameterFamilies:
     def members(self, name: str, spec: ParameterSpec) -> Iterator[Member]:
         """The parameters that an entry of parameters.yaml stands for; none after a finding."""
         if spec.for_each is None:
-            if spec.per_cell:
-                self._report.add(BAD_FAMILY, spec.at("per_cell"), f"{name} belongs to no component, and so to no cells")
+            if spec.per is not None:
+                message = f"{name} belongs to no component, whose {spec.per} could be counted"
+                self._report.add(BAD_FAMILY, spec.at("per"), message)
             yield Member(name, spec)
             return
         parts = self._instances.get(spec.for_each)
@@ -86,14 +87,16 @@ class ParameterFamilies:
         if part.number < len(written) and own in written[part.number].defaults:
             each = written[part.number]
             return each.defaults[own], each.at(f"defaults.{own}")
-        if not spec.per_cell:
+        if spec.per is None:
             return spec.default, None
-        cells = part.cells
-        if cells is None:
-            message = f"{name} has a default per cell, and {spec.for_each} {part.number + 1} has no number of cells"
-            self._report.add(BAD_FAMILY, spec.at("per_cell"), message, "state it in board.yaml: facts: {cells: 3}")
+        count = part.count(spec.per)
+        if count is None:
+            owner = f"{spec.for_each} {part.number + 1}"
+            message = f"the default of {name} is multiplied with {spec.per}, and {owner} has no number of {spec.per}"
+            hint = did_you_mean(spec.per, part.facts) or f"state it in board.yaml: facts: {{{spec.per}: 3}}"
+            self._report.add(BAD_FAMILY, spec.at("per"), message, hint)
             return spec.default, None
-        return spec.default * cells, None
+        return spec.default * count, None
 
     def check_defaults(self) -> None:
         """Whether each default of board.yaml is for a parameter of its own instance."""

@@ -45,10 +45,11 @@ def _check_prefixes(spec: Spec, name: str, report: Report) -> None:
     written = spec.board.instances[name]
     needs_prefix = any(parameter.for_each == name for parameter in spec.parameters.parameters.values())
     owners: dict[str, Place] = {}
-    for each in written:
+    for number, each in enumerate(written, 1):
         if each.prefix is None:
             if needs_prefix:
-                report.add(BAD_INSTANCES, each.place, f"this {name} has no prefix for its parameters", "prefix: BATT2_")
+                hint = f"prefix: {name[:4].upper()}{number}_"
+                report.add(BAD_INSTANCES, each.place, f"this {name} has no prefix for its parameters", hint)
             continue
         place = each.at("prefix")
         if not _PREFIX.fullmatch(each.prefix):

@@ -36,7 +36,7 @@ UNKNOWN_COMPONENT = Rule("unknown-component", "A table names a component that st
 
 _POINTLESS = {
     "from": "says nothing without each",
-    "per_cell": "says nothing without board",
+    "per": "says nothing without board",
     **dict.fromkeys(("split", "min", "max", "rounding"), "says nothing about what is not read as a number"),
 }
 """What there is to say of a key that shapes answers of other kinds only."""

@@ -8,8 +8,11 @@ from codegen.derivations import resolve_derivation
 from codegen.derivations.counts_returns import check_restart
 from codegen.derivations.elements import resolve_elements
 from codegen.derivations.follows import BAD_FOLLOWING
-from codegen.derivations.surroundings import Kept, Surroundings
+from codegen.derivations.surroundings import BAD_QUANTITY, Kept, Surroundings
+from codegen.diagnostics import did_you_mean
+from codegen.measure import UNIT_MISMATCH
 from codegen.model.spec import Requirement
+from codegen.model.unit import Unit, read_measure
 from codegen.model.vehicle import Quantity, QuantityKind, Trust
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.kept import resolve_kept
@@ -92,8 +95,27 @@ def _check(around: Surroundings) -> None:
             around.bad("invalid_after", f"{name} has no adc and no source, so invalid_after says nothing")
         if spec.stale_after is not None:
             _check_age(around)
-    if spec.per_cell and not any(written.has_limit for written in spec.derivations):
-        around.bad("per_cell", "per_cell says nothing without follows", BAD_FOLLOWING)
+    if spec.reaches is not None:
+        _check_reach(around)
+    if spec.per is not None and spec.reaches is None and not any(written.has_limit for written in spec.derivations):
+        around.bad("per", "per says nothing without a limit, such as that of follows", BAD_FOLLOWING)
+
+
+def _check_reach(around: Surroundings) -> None:
+    """Whether what it reaches is an amount in its unit, or such a fact of each instance."""
+    written, unit = around.spec.reaches or "", Unit.parse(around.spec.unit or "")
+    names = [written] if read_measure(written) else [part.facts.get(written) for part in around.parts]
+    lacking = next((part for part, name in zip(around.parts, names, strict=False) if name is None), None)
+    if lacking is not None:
+        owner = around.component if len(around.parts) == 1 else f"{around.component} {lacking.number + 1}"
+        hint = did_you_mean(written, lacking.facts) or f"facts: {{{around.component}: {{{written}: ...}}}}"
+        around.bad("reaches", f"board.yaml does not state the fact {written} of {owner}", BAD_QUANTITY, hint)
+    elif unit is not None:
+        for name in names:
+            measure = read_measure(str(name))
+            if measure is None or measure.in_unit(unit) is None:
+                around.bad("reaches", f"{name} is no amount in {around.spec.unit}", UNIT_MISMATCH)
+                return
 
 
 def _check_age(around: Surroundings) -> None:

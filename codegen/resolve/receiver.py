@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from codegen.diagnostics import Report, Rule, did_you_mean
+from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.measure import read_time
 from codegen.model.receiver import Receiver
 from codegen.model.receiver_spec import ReceiverSpec
@@ -16,6 +16,13 @@ BAD_RECEIVER = Rule(
     "bad-receiver",
     "A receiver is for a component of the state, and turns back those messages that are sent for each instance of it "
     "and carry the number of the instance. Name such a component, or write a table with for_each and an id.",
+)
+
+UNPLAYED_ROLE = Rule(
+    "unplayed-role",
+    "receiver.yaml gives a role to fields of which the messages that are received have none: what is computed from it "
+    "stays unknown. Name a field of these messages.",
+    Severity.WARNING,
 )
 
 
@@ -47,9 +54,21 @@ def resolve_receiver(
         hint = f"write 'for_each: {component.name}' in a table, and answer a field with {component.name}.instance"
         report.add(BAD_RECEIVER, spec.at("component"), what, hint)
         return None
+    _report_roles(received, spec, report)
     if stale is None or window is None:
         return None
     return Receiver(component, tuple(received), stale, window, citation, aspects, spec)
+
+
+def _report_roles(received: Iterable[PopulatedMessage], spec: ReceiverSpec, report: Report) -> None:
+    """A role whose fields no received message has."""
+    if spec.roles is None:
+        return
+    known = {field.name for message in received for field in message.wire.fields}
+    for role, fields in spec.roles.fields():
+        if fields and known.isdisjoint(fields):
+            what = f"no message that is received has {' or '.join(fields)}"
+            report.add(UNPLAYED_ROLE, spec.roles.at(role), what, did_you_mean(fields[0], known))
 
 
 def _report_shared(

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.model.conversion import factors_by_instance
 from codegen.model.system import System
-from codegen.rules.pack_full_scale import full_voltage, largest
+from codegen.rules.reach_full_scale import largest, most_in_use
 
 RULE = Rule(
     "unreachable-threshold",
@@ -16,7 +16,7 @@ RULE = Rule(
 
 
 def check(system: System) -> Iterator[Diagnostic]:
-    """Every measured quantity with a threshold; where a full pack is beyond full scale, that is what is reported."""
+    """Every measured quantity with a threshold; what is beyond full scale in use is reported as that."""
     for name, quantity, conversion in system.measured():
         threshold = quantity.derivation.threshold
         if threshold is None or conversion.offset is not None:
@@ -26,7 +26,7 @@ def check(system: System) -> Iterator[Diagnostic]:
         found = set()
         for part, multiplier, limit in zip(component.parts, multipliers, threshold.above, strict=True):
             most = largest(conversion, multiplier, quantity)
-            full = full_voltage(system, part)
+            full = most_in_use(quantity, part)
             if most * quantity.steps > limit or (full is not None and full > most):
                 continue
             found.add((int(most * quantity.steps), limit))

@@ -1,6 +1,6 @@
 """Pins that are used twice: by inputs of the converter, by UARTs, by buses and by sensors."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.frozen import dataclass
@@ -18,7 +18,10 @@ RULE = Rule(
 
 @dataclass(frozen=True, slots=True)
 class _Use:
-    """What is connected to a pin: ``owner`` in words, where that is written, the pins that could be taken instead."""
+    """What is connected to a pin: ``owner`` in words, where that is written, the pins that could be taken instead.
+
+    What ``rests`` is switched off by default: its pin may be shared, and is no good one to move to.
+    """
 
     gpio: int
     owner: str
@@ -26,34 +29,38 @@ class _Use:
     others: frozenset[int]
     parameter: str
     named: Place | None = None
+    rests: bool = False
 
 
 def check(system: System) -> Iterator[Diagnostic]:
     """Every pin in use, with what is switched on by default."""
-    uses = [*_converter(system), *_links(system), *_sensors(system)]
+    known = [*_converter(system), *_links(system), *_sensors(system)]
+    uses = [use for use in known if not use.rests]
+    resting = {use.gpio: use.owner for use in known if use.rests}
     taken = {use.gpio for use in uses}
     owners: dict[int, _Use] = {}
     for use in uses:
         first = owners.setdefault(use.gpio, use)
         if first is use:
             continue
-        free = sorted(use.others - taken)
+        free = sorted(use.others - taken, key=lambda gpio: (gpio in resting, gpio))
         taken |= set(free[:1])  # so that no two hints name the same pin
         related = [(first.place, f"{first.owner} takes it here")]
         related += [] if use.named is None else [(use.named, "the ADC channel is named here")]
         message = f"{first.owner} and {use.owner} are both on GPIO {use.gpio}"
-        yield Diagnostic(use.place, RULE, message, _hint(use, free, system), tuple(related))
+        yield Diagnostic(use.place, RULE, message, _hint(use, free, resting, system), tuple(related))
 
 
-def _hint(use: _Use, free: list[int], system: System) -> str:
+def _hint(use: _Use, free: list[int], resting: Mapping[int, str], system: System) -> str:
     assert system.board is not None
     if not free:
         return f"no other pin of the {system.board.name} that could take its place is free"
-    return f"{use.parameter}: {free[0]}" if use.parameter else f"GPIO {free[0]} is free"
+    hint = f"{use.parameter}: {free[0]}" if use.parameter else f"GPIO {free[0]} is free"
+    return f"{hint}, as long as {resting[free[0]]} is switched off" if free[0] in resting else hint
 
 
 def _converter(system: System) -> Iterator[_Use]:
-    """The inputs of each instance that is switched on by default; one channel may serve several components."""
+    """The inputs of each instance; one channel may serve several components."""
     seen: set[tuple[str, int]] = set()
     for name, quantity, conversion in system.measured():
         component = system.components[name]
@@ -63,15 +70,17 @@ def _converter(system: System) -> Iterator[_Use]:
         inputs = system.board.adc.pins & system.board.free
         for number, gpio in enumerate(system.gpios(component, channel)):
             is_shared = not number and (channel.name, gpio) in seen
-            if is_shared or _is_off(system, component, number) or _is_unread(system, channel, number):
+            if is_shared:
                 continue
-            seen.add((channel.name, gpio))
+            rests = _is_off(system, component, number) or _is_unread(system, channel, number)
+            if not rests:
+                seen.add((channel.name, gpio))
             written = system.spec.board.instances.get(name, ())
             place = written[number].place if number < len(written) else component.spec.place
             owner = f"{name} {number + 1}" if component.instances > 1 else name
             owner = owner if quantity is component.readings[0].quantity else f"{quantity.name} of {owner}"
             parameter = _parameter(channel.pin, number)
-            yield _Use(gpio, owner, place, inputs, parameter, quantity.spec.at("adc"))
+            yield _Use(gpio, owner, place, inputs, parameter, quantity.spec.at("adc"), rests)
 
 
 def _links(system: System) -> Iterator[_Use]:

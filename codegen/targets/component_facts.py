@@ -93,7 +93,7 @@ class TrendFacts:
 
 @dataclass(frozen=True, slots=True)
 class EstimateFacts:
-    """The charge that is estimated from what is measured; ``curves`` are, by instance, (stored steps, %), rising."""
+    """What is estimated from what is measured; ``curves`` are, by instance, points of stored steps of both."""
 
     attribute: str
     curves: tuple[tuple[tuple[int, int], ...], ...]
@@ -103,6 +103,7 @@ class EstimateFacts:
 class ComponentFacts:
     """One component; ``measured`` is what its first of so many ``readings`` gives, where a parameter multiplies that.
 
+    ``not_estimated`` are attributes that criteria about estimates are about, and that nothing sets.
     ``enabled`` is the attribute that says whether it is measured, ``enabled_by`` its parameter's."""
 
     name: str
@@ -115,6 +116,7 @@ class ComponentFacts:
     readings: int
     trend: TrendFacts | None
     estimate: EstimateFacts | None
+    not_estimated: tuple[str, ...]
     returns: ReturnsFacts | None
     cited: Mapping[str, str]
 
@@ -143,6 +145,11 @@ def _component(component: Component, system: System, told: Mapping[str, Reach]) 
         readings=len(component.readings),
         trend=TrendFacts(trend.attribute, trend.derivation.kept_readings // 2) if trend else None,
         estimate=_estimate(component),
+        not_estimated=tuple(
+            quantity.attribute
+            for quantity in quantities
+            if "estimate" in quantity.aspects and quantity.spec.derivations == ()
+        ),
         returns=_returns(component),
         cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
     )

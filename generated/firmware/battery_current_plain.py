@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: fd68d344d31edd75
+# Inputs: b4ee94023eefb00c
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time

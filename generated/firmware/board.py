@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: fd68d344d31edd75
+# Inputs: b4ee94023eefb00c
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

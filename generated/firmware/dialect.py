@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 17bc2bf7436c300e
+# Inputs: e11289d2e4aa6e43
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_REQUEST_MESSAGE = 512

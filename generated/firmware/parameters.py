@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: ec477cab74ce813b
+# Inputs: 2b93f072c15ca849
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct

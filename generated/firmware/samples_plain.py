@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 06c14d3a4cf39c62
+# Inputs: a87715c0fcacb83a
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

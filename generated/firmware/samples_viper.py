@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 06c14d3a4cf39c62
+# Inputs: a87715c0fcacb83a
 """Samples of each ADC and their mean, by MicroPython's viper emitter; samples_plain is the same in Python."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: fd68d344d31edd75
+# Inputs: b4ee94023eefb00c
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -152,7 +152,7 @@ class BatteryState(Component):
     # Energy drawn since the start, or since the pack was put in [hJ]
     # hJ, or None while it is unknown; FR-00077.5
     energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1)
-    # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
+    # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
     # %, or None while it is unknown; FR-00068.5
     remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
     # Charge that is left of BATT_CAPACITY, where current is measured [mAh]

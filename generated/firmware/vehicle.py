@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 688181bdf0e16397
+# Inputs: 3eb79914951dab0e
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -134,7 +134,7 @@ class Vehicle:
         self.texts("Armed")
         return None
 
-    def disarm(self, force=False):  # noqa: ARG002  a rover can stop at any time
+    def disarm(self, force=False):  # noqa: ARG002  a vehicle can stop at any time
         """Stop the motors; nothing keeps it from that, so that it returns None."""
         if self.is_armed:
             self.state.vehicle.armed = False

@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: c99746be0ecba79b
+# Inputs: 81531594789af6f7
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -291,9 +291,9 @@ class BatteryView(View):
     }
     FLAGS = ("fault_bitmask", "status_flags")
     ROLES = {
-        "cells": (("info.cells", 1),),
         "charging": (("is_charging", 1),),
         "consumed": (("consumed", 0.001),),
+        "count": (("info.cells", 1),),
         "current": (("current", 1),),
         "cycles": (("info.cycle_count", 1),),
         "full": (("info.capacity_full", 0.001), ("info.full_charge_capacity", 0.001)),
@@ -314,7 +314,7 @@ class BatteryView(View):
     @property
     def cells(self):
         """Voltage of each cell, as a tuple. Unit: V."""
-        return self._cells("cells")
+        return self._elements("cells")
 
     @property
     def charge_state(self):

@@ -1,5 +1,5 @@
 # Generated from templates/receiver/view.py: do not edit.
-# Inputs: 4c394b59d2eeb5c3
+# Inputs: ec2191c4ef367be8
 """What is known about one instance, from all messages that report it."""
 
 from consumption import Consumption
@@ -91,7 +91,7 @@ class View:
 
         The charge left, as it is reported; the full charge times the percentage left; what was consumed, p % being
         left: consumed * p / (100 - p); the full charge less what was consumed. The last two take it that the count
-        began with a full battery.
+        began when it was full.
         """
         left = self._known("left")
         if left is not None:
@@ -201,14 +201,14 @@ class View:
                 return self._said[kind][name]
         return None
 
-    def _cells(self, name):
-        """Return one value for each cell, None for those that are unknown, or None as a whole.
+    def _elements(self, name):
+        """Return one value for each element, None for those that are unknown, or None as a whole.
 
-        A message that has room for all cells decides as long as it has them: as many as the battery has, or without
-        that knowledge more than one, for a single value is more likely the voltage of the whole battery. Otherwise the
-        pages do that have come.
+        A message that has room for all of them decides as long as it has them: as many as are known to be, or without
+        that knowledge more than one, for a single value is more likely that of the whole. Otherwise the pages do that
+        have come.
         """
-        count = self._known("cells")
+        count = self._known("count")
         pages = None
         for kind in self.CARRIERS[name]:
             said = self._said[kind][name] if self._counts(kind) else None
@@ -219,7 +219,7 @@ class View:
         return None if pages is None else joined_pages(pages, count)
 
     def _fact(self, name):
-        """Return what does not change as long as the battery is the same one, however long ago it was said."""
+        """Return what does not change as long as it is the same one, however long ago it was said."""
         for kind in self.CARRIERS[name]:
             said = self._said[kind]
             if said is not None and said[name] is not None:
@@ -228,7 +228,7 @@ class View:
 
 
 class Info:
-    """What does not change as long as the battery is the same one."""
+    """What does not change as long as it is the same one."""
 
     def __init__(self, view):
         self._fact = view._fact

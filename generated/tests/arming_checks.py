@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/arming_checks.py: do not edit.
-# Inputs: c8144be4b84b1987
+# Inputs: cba06e2ec595cf55
 """Arming: what it is refused for, in which order, and what the user's code has to do with it."""
 
 from failsafe_bench import TIMER, armed_watch, new_watch
@@ -35,10 +35,10 @@ def reasons_not_to_arm():
         if facts["minimum"]:
             setattr(watch.parameters, facts["minimum"], minimum)
         watch.readings(value)
-        assert watch.rover.state.vehicle.ready == (expected is None), (value, expected)
-        assert watch.rover.arm() == expected, (value, minimum, changed, watch.rover.arm())
-        assert watch.rover.is_armed == (expected is None)
-        assert watch.rover.arm(force=True) is None, "force passes over all"
+        assert watch.craft.state.vehicle.ready == (expected is None), (value, expected)
+        assert watch.craft.arm() == expected, (value, minimum, changed, watch.craft.arm())
+        assert watch.craft.is_armed == (expected is None)
+        assert watch.craft.arm(force=True) is None, "force passes over all"
 
 
 def latched_level_is_a_reason():
@@ -46,39 +46,39 @@ def latched_level_is_a_reason():
     for value, word in (("between", "low"), ("deep", "critical")):
         watch = armed_watch(1)
         watch.readings(getattr(watch, value), 2 * watch.per_second)
-        watch.rover.disarm()
+        watch.craft.disarm()
         watch.readings(watch.low + 100)
         title = watch.facts["title"]
-        assert watch.rover.arm() == f"PreArm: {title} {word} {watch.facts['quantity']} failsafe"
-        assert watch.rover.arm(force=True) is None
+        assert watch.craft.arm() == f"PreArm: {title} {word} {watch.facts['quantity']} failsafe"
+        assert watch.craft.arm(force=True) is None
 
 
 def users_check_comes_last():
     """check_arming() of the user's code is asked behind the failsafe's, and its text is the answer."""
     watch = new_watch()
-    watch.rover.problem = "door open"
+    watch.craft.problem = "door open"
     watch.readings(watch.low)
-    assert watch.rover.arm() == "PreArm: door open"
+    assert watch.craft.arm() == "PreArm: door open"
     watch.readings(None)
-    assert watch.rover.arm() == f"PreArm: {watch.facts['title']} unhealthy"
+    assert watch.craft.arm() == f"PreArm: {watch.facts['title']} unhealthy"
 
 
 def arming_calls_the_user():
     """on_arm() before it is armed, and an exception there keeps it disarmed; on_disarm() afterwards; each once."""
     watch = armed_watch()
     watch.arm()
-    watch.rover.disarm()
-    watch.rover.disarm()
-    assert watch.rover.calls == ["on_arm", "on_disarm"], watch.rover.calls
+    watch.craft.disarm()
+    watch.craft.disarm()
+    assert watch.craft.calls == ["on_arm", "on_disarm"], watch.craft.calls
 
     def fail():
         raise ValueError("no")
 
-    watch.rover.on_arm = fail
+    watch.craft.on_arm = fail
     try:
-        watch.rover.arm(force=True)
+        watch.craft.arm(force=True)
     except ValueError:
-        assert not watch.rover.is_armed
+        assert not watch.craft.is_armed
         return
     raise AssertionError("on_arm() raises, and arm() does not")
 
@@ -90,7 +90,7 @@ def nothing_is_watched_without_the_monitor():
     watch = new_watch(1)
     setattr(watch.component, facts["enabled"], False)
     watch.readings(None)
-    assert watch.rover.arm() is None
+    assert watch.craft.arm() is None
     assert watch.readings(1, 5 * watch.per_second) == []
 
 

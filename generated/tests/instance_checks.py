@@ -1,11 +1,11 @@
 # Generated from templates/tests/program/instance_checks.py: do not edit.
-# Inputs: badbf16213596266
+# Inputs: d20c2438cf838b30
 """Several instances of a component: each is measured, watched and reported by itself; one that is off is left out."""
 
 from program_bench import (
     IS_MICROPYTHON,
     SECOND_US,
-    Rover,
+    Craft,
     Sink,
     fitted,
     good_count,
@@ -13,7 +13,7 @@ from program_bench import (
     main,
     mock_time,
     needs,
-    new_rover,
+    new_craft,
     run,
     save,
     value_of,
@@ -51,11 +51,11 @@ def _pins(measured):
     return [26, 27, 28][: measured["instances"]]
 
 
-def rover_with(measured, on=None, **arguments):
+def craft_with(measured, on=None, **arguments):
     """Return a vehicle in which so many instances are on, or all that have pins, with a good value at each pin."""
     pins = _pins(measured)
     families = measured["families"]
-    first = new_rover()
+    first = new_craft()
     for instance in range(measured["instances"]):
         is_on = instance < (len(pins) if on is None else on)
         switch = next(each for each in PARAMETERS if each["attribute"] == families["enabled_by"][0])
@@ -65,32 +65,32 @@ def rover_with(measured, on=None, **arguments):
     machine.reset_analog()
     for instance, gpio in enumerate(pins):
         machine.analog(gpio).source = good_count(measured, instance)
-    return fitted(Rover(flash=first.flash, **arguments))
+    return fitted(Craft(flash=first.flash, **arguments))
 
 
-def _components(rover, measured):
-    return getattr(rover.state, measured["component"])
+def _components(craft, measured):
+    return getattr(craft.state, measured["component"])
 
 
-def _values(rover, measured):
-    return [getattr(component, measured["attribute"]) for component in _components(rover, measured)]
+def _values(craft, measured):
+    return [getattr(component, measured["attribute"]) for component in _components(craft, measured)]
 
 
 def each_is_read_at_its_pin():
     """Different voltages at the pins are different values, and one that changes leaves the others alone."""
     measured = _several()
     pins = _pins(measured)
-    rover = rover_with(measured)
+    craft = craft_with(measured)
     counts = [good_count(measured) * (9 - number) // 10 for number in range(len(pins))]
     for gpio, count in zip(pins, counts):  # noqa: B905  no strict there
         machine.analog(gpio).source = count
-    run(rover, SECOND_US)
-    before = _values(rover, measured)[: len(pins)]
+    run(craft, SECOND_US)
+    before = _values(craft, measured)[: len(pins)]
     assert before == [value_of(measured, count, number) for number, count in enumerate(counts)], before
     for number, gpio in enumerate(pins):
         machine.analog(gpio).source = good_count(measured) * 5 // 10
-        run(rover, SECOND_US)
-        after = _values(rover, measured)[: len(pins)]
+        run(craft, SECOND_US)
+        after = _values(craft, measured)[: len(pins)]
         assert [at for at in range(len(pins)) if after[at] != before[at]] == [number], (before, after)
         before = after
 
@@ -98,10 +98,10 @@ def each_is_read_at_its_pin():
 def each_is_told_once():
     """The first value of each is logged, with its number."""
     measured = _several()
-    rover = rover_with(measured)
-    run(rover, 5 * SECOND_US)
+    craft = craft_with(measured)
+    run(craft, 5 * SECOND_US)
     for number in range(1, len(_pins(measured)) + 1):
-        assert len(rover.said(f"{measured['component']} {number}: ")) == 1, rover.said()
+        assert len(craft.said(f"{measured['component']} {number}: ")) == 1, craft.said()
 
 
 def each_has_its_own_multiplier():
@@ -109,17 +109,17 @@ def each_has_its_own_multiplier():
     measured = _several()
     names = measured["families"]["multiplier"]
     needs(names, "a multiplier for each instance")
-    rover = rover_with(measured)
-    run(rover, SECOND_US)
-    before = [getattr(rover.parameters, name) for name in names]
-    meter = getattr(_components(rover, measured)[1], measured["name"]) * 1.1
-    assert getattr(rover.state, "calibrate_" + measured["component"])(meter, 1)
-    changed = [at for at, name in enumerate(names) if getattr(rover.parameters, name) != before[at]]
+    craft = craft_with(measured)
+    run(craft, SECOND_US)
+    before = [getattr(craft.parameters, name) for name in names]
+    meter = getattr(_components(craft, measured)[1], measured["name"]) * 1.1
+    assert getattr(craft.state, "calibrate_" + measured["component"])(meter, 1)
+    changed = [at for at, name in enumerate(names) if getattr(craft.parameters, name) != before[at]]
     assert changed == [1], changed
-    save(rover)
-    again = Rover(flash=rover.flash)
+    save(craft)
+    again = Craft(flash=craft.flash)
     run(again, SECOND_US)
-    values, former = _values(again, measured), _values(rover, measured)
+    values, former = _values(again, measured), _values(craft, measured)
     assert values[0] == former[0]
     assert abs(values[1] - former[1] * 1.1) <= former[1] // 1000, (former, values)
 
@@ -130,13 +130,13 @@ def each_fails_by_itself():
     needs(measured["invalid_after"], "a limit for failed readings")
     pins = _pins(measured)
     for number, gpio in enumerate(pins):
-        rover = rover_with(measured)
-        run(rover, SECOND_US)
+        craft = craft_with(measured)
+        run(craft, SECOND_US)
         machine.analog(gpio).source = None
-        run(rover, 5 * SECOND_US)
-        unknown = [at for at, value in enumerate(_values(rover, measured)[: len(pins)]) if value is None]
+        run(craft, 5 * SECOND_US)
+        unknown = [at for at, value in enumerate(_values(craft, measured)[: len(pins)]) if value is None]
         assert unknown == [number], unknown
-        errors = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_ERROR]
+        errors = [text for severity, text in craft.said() if severity == dialect.MAV_SEVERITY_ERROR]
         assert len(errors) == 1, errors
         assert f"{measured['component']} {number + 1}" in errors[0], errors
 
@@ -144,25 +144,25 @@ def each_fails_by_itself():
 def one_that_is_off_is_left_out():
     """Its pin is not read, its value unknown, a missing converter there no warning, and arming does not wait."""
     measured = _several()
-    rover = rover_with(measured, on=1)
+    craft = craft_with(measured, on=1)
     for gpio in _pins(measured)[1:]:
         machine.analog(gpio).absent = True
-    rover = fitted(Rover(flash=rover.flash))
+    craft = fitted(Craft(flash=craft.flash))
     reads = [machine.analog(gpio).reads for gpio in _pins(measured)[1:]]
-    run(rover, 10 * SECOND_US)
+    run(craft, 10 * SECOND_US)
     assert [machine.analog(gpio).reads for gpio in _pins(measured)[1:]] == reads
-    assert _values(rover, measured)[1:] == [None] * (measured["instances"] - 1)
-    assert not [text for severity, text in rover.said() if severity <= dialect.MAV_SEVERITY_WARNING], rover.said()
-    assert rover.arm() is None
+    assert _values(craft, measured)[1:] == [None] * (measured["instances"] - 1)
+    assert not [text for severity, text in craft.said() if severity <= dialect.MAV_SEVERITY_WARNING], craft.said()
+    assert craft.arm() is None
     machine.reset_analog()
 
 
-def _sent_in(rover, duration_us):
+def _sent_in(craft, duration_us):
     """Return how many frames of each message went out, by its id."""
-    rover.port.frames = []
-    run(rover, duration_us)
+    craft.port.frames = []
+    run(craft, duration_us)
     sent = {}
-    for frame in rover.port.frames:
+    for frame in craft.port.frames:
         number = frame[7] | frame[8] << 8 | frame[9] << 16
         sent[number] = sent.get(number, 0) + 1
     return sent
@@ -171,7 +171,7 @@ def _sent_in(rover, duration_us):
 def each_that_is_on_is_reported():
     """Messages of instances go out once for each that is on; those that follow no switch are as many as before."""
     measured = _several()
-    counts = [_sent_in(rover_with(measured, on=on), 20 * SECOND_US) for on in (1, len(_pins(measured)))]
+    counts = [_sent_in(craft_with(measured, on=on), 20 * SECOND_US) for on in (1, len(_pins(measured)))]
     of_instances = 0
     for stream in STREAMS:
         for number, _, is_switched in stream["messages"]:
@@ -185,25 +185,25 @@ def each_that_is_on_is_reported():
 def _watching(low=(), critical=()):
     """Return an armed vehicle whose readings of these instances are below a level, and what calls it makes."""
     measured, facts = _watched()
-    rover = rover_with(measured)
-    run(rover, SECOND_US)
-    assert rover.arm(force=True) is None
+    craft = craft_with(measured)
+    run(craft, SECOND_US)
+    assert craft.arm(force=True) is None
     for instance in range(measured["instances"]):
         families = facts["families"]
-        setattr(rover.parameters, families["after"][instance], 1)
-        value = _values(rover, measured)[instance]
+        setattr(craft.parameters, families["after"][instance], 1)
+        value = _values(craft, measured)[instance]
         for level, those in (("low", low), ("critical", critical)):
             steps = (value + 1000) // facts[level + "_scale"] if instance in those else 0
-            setattr(rover.parameters, families[level][instance], steps)
+            setattr(craft.parameters, families[level][instance], steps)
     for _, name, _, _ in ACTIONS:
-        setattr(rover, name, _note(rover, name))
-    rover.calls = []
-    return rover, measured, facts
+        setattr(craft, name, _note(craft, name))
+    craft.calls = []
+    return craft, measured, facts
 
 
-def _note(rover, name):
+def _note(craft, name):
     def call():
-        rover.calls.append(name)
+        craft.calls.append(name)
 
     return call
 
@@ -214,25 +214,25 @@ def _two_actions():
     return calls[0], calls[1]
 
 
-def _levels(rover, facts):
-    return [failsafe.level for failsafe in getattr(rover, facts["list"])]
+def _levels(craft, facts):
+    return [failsafe.level for failsafe in getattr(craft, facts["list"])]
 
 
 def failsafe_of_one_is_its_own():
     """One that stays too low has its level, text and action; the vehicle's status is critical, the others have none."""
     (first, _), (second, call) = _two_actions()
-    rover, measured, facts = _watching(low=(1,))
-    setattr(rover.parameters, facts["families"]["low_action"][0], first)
-    setattr(rover.parameters, facts["families"]["low_action"][1], second)
-    run(rover, 3 * SECOND_US)
+    craft, measured, facts = _watching(low=(1,))
+    setattr(craft.parameters, facts["families"]["low_action"][0], first)
+    setattr(craft.parameters, facts["families"]["low_action"][1], second)
+    run(craft, 3 * SECOND_US)
     expected = [LOW if instance == 1 else 0 for instance in range(measured["instances"])]
-    assert _levels(rover, facts) == expected, _levels(rover, facts)
-    assert rover.calls == [call], rover.calls
+    assert _levels(craft, facts) == expected, _levels(craft, facts)
+    assert craft.calls == [call], craft.calls
     title = facts["title"][:-1]
-    assert [text[1].partition(" is ")[0] for text in rover.said(title) if " is " in text[1]] == [title + "2"]
-    assert rover.state.vehicle.status == dialect.MAV_STATE_CRITICAL
+    assert [text[1].partition(" is ")[0] for text in craft.said(title) if " is " in text[1]] == [title + "2"]
+    assert craft.state.vehicle.status == dialect.MAV_STATE_CRITICAL
     if facts["level"]:
-        levels = [getattr(component, facts["level"]) for component in _components(rover, measured)]
+        levels = [getattr(component, facts["level"]) for component in _components(craft, measured)]
         assert levels == expected, levels
 
 
@@ -240,56 +240,56 @@ def highest_of_two_acts():
     """Two levels in one pass: both are told, and the higher one acts, whichever comes first; of equals the first."""
     (first, one), (second, other) = _two_actions()
     for lows, criticals, expected in (((0,), (1,), other), ((1,), (0,), one), ((0, 1), (), one)):
-        rover, _, facts = _watching(low=lows, critical=criticals)
+        craft, _, facts = _watching(low=lows, critical=criticals)
         for level in ("low_action", "critical_action"):
-            setattr(rover.parameters, facts["families"][level][0], first)
-            setattr(rover.parameters, facts["families"][level][1], second)
-        run(rover, 3 * SECOND_US)
+            setattr(craft.parameters, facts["families"][level][0], first)
+            setattr(craft.parameters, facts["families"][level][1], second)
+        run(craft, 3 * SECOND_US)
         reached = [LOW] * len(lows) + [CRITICAL] * len(criticals)
-        assert sorted(_levels(rover, facts))[-2:] == reached, _levels(rover, facts)
-        assert rover.calls == [expected], rover.calls
+        assert sorted(_levels(craft, facts))[-2:] == reached, _levels(craft, facts)
+        assert craft.calls == [expected], craft.calls
 
 
 def lower_level_does_not_act_later():
     """After one is critical, another that gets low is told, but what the first asked for goes on."""
     (first, one), (second, _) = _two_actions()
-    rover, measured, facts = _watching(critical=(0,))
-    setattr(rover.parameters, facts["families"]["critical_action"][0], first)
-    setattr(rover.parameters, facts["families"]["low_action"][1], second)
-    run(rover, 3 * SECOND_US)
-    assert rover.calls == [one], rover.calls
-    value = _values(rover, measured)[1]
-    setattr(rover.parameters, facts["families"]["low"][1], (value + 1000) // facts["low_scale"])
-    run(rover, 3 * SECOND_US)
-    assert _levels(rover, facts)[:2] == [CRITICAL, LOW], _levels(rover, facts)
-    assert rover.calls == [one], rover.calls
+    craft, measured, facts = _watching(critical=(0,))
+    setattr(craft.parameters, facts["families"]["critical_action"][0], first)
+    setattr(craft.parameters, facts["families"]["low_action"][1], second)
+    run(craft, 3 * SECOND_US)
+    assert craft.calls == [one], craft.calls
+    value = _values(craft, measured)[1]
+    setattr(craft.parameters, facts["families"]["low"][1], (value + 1000) // facts["low_scale"])
+    run(craft, 3 * SECOND_US)
+    assert _levels(craft, facts)[:2] == [CRITICAL, LOW], _levels(craft, facts)
+    assert craft.calls == [one], craft.calls
 
 
 def arming_says_which():
     """A second that cannot be read, or is too low, keeps the vehicle from being armed, by its own name."""
     measured, facts = _watched()
     title = facts["title"][:-1] + "2"
-    rover = rover_with(measured)
+    craft = craft_with(measured)
     machine.analog(_pins(measured)[1]).source = None
-    run(rover, SECOND_US)
-    assert rover.arm() == f"PreArm: {title} unhealthy", rover.arm()
-    assert not rover.state.vehicle.ready
-    rover = rover_with(measured)
-    run(rover, SECOND_US)
-    assert rover.arm() is None
-    rover.disarm()
-    value = _values(rover, measured)[1]
-    setattr(rover.parameters, facts["families"]["low"][1], (value + 1000) // facts["low_scale"])
-    assert rover.arm() == f"PreArm: {title} low {facts['quantity']} failsafe", rover.arm()
+    run(craft, SECOND_US)
+    assert craft.arm() == f"PreArm: {title} unhealthy", craft.arm()
+    assert not craft.state.vehicle.ready
+    craft = craft_with(measured)
+    run(craft, SECOND_US)
+    assert craft.arm() is None
+    craft.disarm()
+    value = _values(craft, measured)[1]
+    setattr(craft.parameters, facts["families"]["low"][1], (value + 1000) // facts["low_scale"])
+    assert craft.arm() == f"PreArm: {title} low {facts['quantity']} failsafe", craft.arm()
 
 
 def health_of_each_is_its_own():
     """Each is judged by its own thresholds."""
     measured, facts = _watched()
     needs(facts["health"], "a health")
-    rover, _, _ = _watching(low=(0,), critical=(1,))
-    run(rover, SECOND_US)
-    found = [getattr(component, facts["health"]) for component in _components(rover, measured)[:2]]
+    craft, _, _ = _watching(low=(0,), critical=(1,))
+    run(craft, SECOND_US)
+    found = [getattr(component, facts["health"]) for component in _components(craft, measured)[:2]]
     assert found == [1, 2], found
 
 
@@ -298,27 +298,27 @@ def several_allocate_nothing():
     needs(IS_MICROPYTHON, "a heap that tells")
     measured, facts = _watched()
     for level in (0, 100000):
-        rover = rover_with(measured, ports=[Sink()])
+        craft = craft_with(measured, ports=[Sink()])
         for stream in STREAMS:
             if stream["parameter"]:
-                setattr(rover.parameters, stream["parameter"], stream["maximum"])
-        run(rover, 5 * SECOND_US)
+                setattr(craft.parameters, stream["parameter"], stream["maximum"])
+        run(craft, 5 * SECOND_US)
         for name in facts["families"]["low"]:
-            setattr(rover.parameters, name, level // facts["low_scale"])
-        run(rover, 20 * SECOND_US)
+            setattr(craft.parameters, name, level // facts["low_scale"])
+        run(craft, 20 * SECOND_US)
         heap_lock()
         try:
-            _passes(rover)
+            _passes(craft)
         finally:
             heap_unlock()
         before = mem_total()
-        _passes(rover)
+        _passes(craft)
         assert mem_total() == before, mem_total() - before
 
 
-def _passes(rover):
+def _passes(craft):
     for _ in range(800):
-        rover.run_pass()
+        craft.run_pass()
         mock_time.advance_us(CONTROL_US)
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: ebedb3b30d5c3d95
+# Inputs: 09beca4ef9d864a3
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -220,7 +220,7 @@ class GroundStation:
         return [message for message in found if message.ID not in streamed]
 
 
-class Rover(Vehicle):
+class Craft(Vehicle):
     """A vehicle that notes which of the user's calls were made; `problem` is what check_arming() returns."""
 
     def __init__(self, flash=None, ports=None, texts=None, at_us=0, board=None):
@@ -293,22 +293,22 @@ def know(state):
             state.words[expires] = -0x3FFFFFFF - 1
 
 
-def new_rover(**arguments):
+def new_craft(**arguments):
     """Return a vehicle whose components read a good value, each instance its own, with working converters."""
     machine.reset_analog()
     for measured in MEASURED:
         for instance in range(measured["instances"]):
             if measured["are_on"][instance]:  # another one may have the pin of one that is off
                 analog(measured, instance).source = good_count(measured, instance)
-    return Rover(**arguments)
+    return Craft(**arguments)
 
 
-def ready_rover(**arguments):
+def ready_craft(**arguments):
     """Return the same with thresholds that the good values are above."""
-    return fitted(new_rover(**arguments))
+    return fitted(new_craft(**arguments))
 
 
-def fitted(rover):
+def fitted(craft):
     """Lower thresholds that no value of the ADC is above: a default divider may be too small for its pack."""
     for facts in FAILSAFES:
         measured = next(each for each in MEASURED if each["component"] == facts["component"])
@@ -319,11 +319,11 @@ def fitted(rover):
                 name = name_of(facts, level, instance)
                 if name:
                     limits.append((name, facts[level + "_scale"], share))
-            if max(getattr(rover.parameters, name) * scale for name, scale, _ in limits) >= value:
+            if max(getattr(craft.parameters, name) * scale for name, scale, _ in limits) >= value:
                 for name, scale, share in limits:
-                    if getattr(rover.parameters, name):
-                        setattr(rover.parameters, name, value * share // 10 // scale)
-    return rover
+                    if getattr(craft.parameters, name):
+                        setattr(craft.parameters, name, value * share // 10 // scale)
+    return craft
 
 
 def name_of(facts, key, instance):
@@ -412,19 +412,19 @@ class Watch:
     def __init__(self, low, critical, timer, at_us=0, flash=None):
         needs(FAILSAFES, "a failsafe")
         self.facts = FAILSAFES[0]
-        self.rover = ready_rover(at_us=at_us, flash=flash)
-        self.failsafe = getattr(self.rover, self.facts["list"])[0]
-        component = getattr(self.rover.state, self.facts["component"])
+        self.craft = ready_craft(at_us=at_us, flash=flash)
+        self.failsafe = getattr(self.craft, self.facts["list"])[0]
+        component = getattr(self.craft.state, self.facts["component"])
         self.component = component if self.facts["instances"] == 1 else component[0]
-        self.parameters = self.rover.parameters
+        self.parameters = self.craft.parameters
         self.period_us = next(each for each in MEASURED if each["component"] == self.facts["component"])["period_us"]
         self.value = None
         self.events = []
         self.started_us = at_us
         self.set(low, critical, timer)
         name = "update_" + self.facts["component"]
-        self._read = getattr(self.rover.state, name)
-        setattr(self.rover.state, name, self._update)
+        self._read = getattr(self.craft.state, name)
+        setattr(self.craft.state, name, self._update)
 
     def set(self, low, critical, timer):
         """Set the thresholds, in stored steps, and the time in seconds."""
@@ -441,7 +441,7 @@ class Watch:
         self.value = value
         for _ in range(count):
             before = self.failsafe.level
-            self.rover.run_pass()
+            self.craft.run_pass()
             if self.failsafe.level != before:
                 passed_us = mock_time.elapsed_us() - self.started_us
                 self.events.append((self.failsafe.level, passed_us // self.period_us))
@@ -450,7 +450,7 @@ class Watch:
 
     def arm(self):
         """Arm by force."""
-        assert self.rover.arm(force=True) is None
+        assert self.craft.arm(force=True) is None
 
     @property
     def per_second(self):

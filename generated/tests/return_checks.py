@@ -1,9 +1,9 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: e2c349947a140354
+# Inputs: 5feaaf253aafe0d9
 """What was gone and comes back, such as a pack that is exchanged: it counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
-from instance_checks import rover_with
+from instance_checks import craft_with
 from program_bench import (
     CONTROL_US,
     IS_MICROPYTHON,
@@ -15,7 +15,7 @@ from program_bench import (
     main,
     mock_time,
     needs,
-    new_rover,
+    new_craft,
     run,
 )
 from program_facts import MEASURED, MESSAGES
@@ -41,21 +41,21 @@ def _inputs(measured):
     families = measured["families"]
     if measured["instances"] > 1 and families["pin"] and families["enabled_by"]:
         pins = [26, 27, 28][: measured["instances"]]
-        return lambda **arguments: rover_with(measured, **arguments), [machine.analog(pin) for pin in pins]
-    return new_rover, [analog(measured)]
+        return lambda **arguments: craft_with(measured, **arguments), [machine.analog(pin) for pin in pins]
+    return new_craft, [analog(measured)]
 
 
-def _owner(rover, measured, instance):
-    owner = getattr(rover.state, measured["component"])
+def _owner(craft, measured, instance):
+    owner = getattr(craft.state, measured["component"])
     return owner[instance]
 
 
-def _counts(rover, measured, places):
-    return [getattr(_owner(rover, measured, place), measured["returns"]["count"]) for place in range(places)]
+def _counts(craft, measured, places):
+    return [getattr(_owner(craft, measured, place), measured["returns"]["count"]) for place in range(places)]
 
 
-def _texts(rover):
-    return [text for text in rover.said() if text[1].endswith(" connected")]
+def _texts(craft):
+    return [text for text in craft.said() if text[1].endswith(" connected")]
 
 
 def _title(measured, instance):
@@ -67,19 +67,19 @@ def gone_and_back_counts_once():
     for measured in _returning():
         start, inputs = _inputs(measured)
         for instance, wire in enumerate(inputs):
-            rover = start()
-            run(rover, SECOND_US)
+            craft = start()
+            run(craft, SECOND_US)
             expected = [0] * len(inputs)
             for turn in (1, 2):
                 wire.source = 0
-                run(rover, turn * SECOND_US)
-                assert _counts(rover, measured, len(inputs)) == expected, "gone is not back"
+                run(craft, turn * SECOND_US)
+                assert _counts(craft, measured, len(inputs)) == expected, "gone is not back"
                 wire.source = good_count(measured)
-                run(rover, 3 * SECOND_US)
+                run(craft, 3 * SECOND_US)
                 expected[instance] += 1
-                assert _counts(rover, measured, len(inputs)) == expected
+                assert _counts(craft, measured, len(inputs)) == expected
                 texts = [(dialect.MAV_SEVERITY_NOTICE, _title(measured, instance) + " connected")] * turn
-                assert _texts(rover) == texts, _texts(rover)
+                assert _texts(craft) == texts, _texts(craft)
 
 
 def only_what_is_below_the_limit_is_gone():
@@ -89,52 +89,52 @@ def only_what_is_below_the_limit_is_gone():
         needs(limits, "a limit below which it is gone")
         start, inputs = _inputs(measured)
         for instance, wire in enumerate(inputs):
-            rover = start()
-            owner = _owner(rover, measured, instance)
+            craft = start()
+            owner = _owner(craft, measured, instance)
             for value, is_gone in ((limits[instance], False), (limits[instance] - 1, True), (None, False)):
                 setattr(owner, measured["attribute"], value)
                 assert getattr(owner, measured["returns"]["gone"]) is is_gone, value
             attribute = measured["families"]["multiplier"]
-            multiplier = getattr(rover.parameters, attribute[instance] if attribute else measured["multiplier"])
+            multiplier = getattr(craft.parameters, attribute[instance] if attribute else measured["multiplier"])
             steps = (multiplier * measured["numerator"], measured["denominator"])
             least = 0
             while (least * steps[0] * 2 + steps[1]) // (steps[1] * 2) < limits[instance]:
                 least += 1
             for count, is_gone in ((least, 0), (least - 1, 1)):
                 wire.source = count << measured["spare_bits"]
-                run(rover, SECOND_US)
+                run(craft, SECOND_US)
                 wire.source = good_count(measured)
-                run(rover, SECOND_US)
-                assert _counts(rover, measured, len(inputs))[instance] == is_gone, (count, is_gone)
+                run(craft, SECOND_US)
+                assert _counts(craft, measured, len(inputs))[instance] == is_gone, (count, is_gone)
 
 
 def a_failed_reading_says_nothing():
     """A value that is unknown for a while is no absence, and an absence is not forgotten over failed readings."""
     for measured in _returning():
         start, inputs = _inputs(measured)
-        rover = start()
-        run(rover, SECOND_US)
+        craft = start()
+        run(craft, SECOND_US)
         for before, count in ((good_count(measured), 0), (0, 1)):
             for source in (before, None, good_count(measured)):
                 inputs[0].source = source
-                run(rover, 3 * SECOND_US)
-            assert _counts(rover, measured, 1) == [count], before
-            assert len(_texts(rover)) == count
+                run(craft, 3 * SECOND_US)
+            assert _counts(craft, measured, 1) == [count], before
+            assert len(_texts(craft)) == count
 
 
 def put_in_after_the_start():
     """What was not there at the start, and is put in, counts and is told; nothing is told before that is untrue."""
     for measured in _returning():
         start, inputs = _inputs(measured)
-        rover = start()
+        craft = start()
         inputs[-1].source = 0
-        run(rover, 3 * SECOND_US)
-        assert _counts(rover, measured, len(inputs)) == [0] * len(inputs)
-        assert _texts(rover) == []
+        run(craft, 3 * SECOND_US)
+        assert _counts(craft, measured, len(inputs)) == [0] * len(inputs)
+        assert _texts(craft) == []
         inputs[-1].source = good_count(measured)
-        run(rover, SECOND_US)
-        assert _counts(rover, measured, len(inputs))[-1] == 1
-        assert [text for _, text in _texts(rover)] == [_title(measured, len(inputs) - 1) + " connected"]
+        run(craft, SECOND_US)
+        assert _counts(craft, measured, len(inputs))[-1] == 1
+        assert [text for _, text in _texts(craft)] == [_title(measured, len(inputs) - 1) + " connected"]
 
 
 def counting_begins_anew():
@@ -144,21 +144,21 @@ def counting_begins_anew():
         needs(restarting, "something that begins anew")
         start, inputs = _inputs(measured)
         for is_known in (True, False):
-            rover = start()
-            run(rover, SECOND_US)
+            craft = start()
+            run(craft, SECOND_US)
             for attribute, initial in restarting:
                 if not is_known and initial is not None:
                     continue  # a boolean is never unknown
                 before = (WORTH if initial is None else not initial) if is_known else None
                 after = (0 if is_known else None) if initial is None else initial
                 for instance in range(len(inputs)):
-                    setattr(_owner(rover, measured, instance), attribute, before)
+                    setattr(_owner(craft, measured, instance), attribute, before)
                 expected = [before] * len(inputs)
                 for source in (0, good_count(measured)):
                     inputs[0].source = source
-                    run(rover, SECOND_US)
+                    run(craft, SECOND_US)
                     expected[0] = before if source == 0 else after
-                    found = [getattr(_owner(rover, measured, place), attribute) for place in range(len(inputs))]
+                    found = [getattr(_owner(craft, measured, place), attribute) for place in range(len(inputs))]
                     assert found == expected, (attribute, source, found)
 
 
@@ -169,18 +169,18 @@ def its_info_is_sent_at_once():
         numbers = [number for number, facts in MESSAGES.items() if facts["watched"] == watched]
         needs(numbers, "a message that is sent when something comes back")
         start, inputs = _inputs(measured)
-        rover = start()
-        numbers = [number for number in numbers if is_chosen(rover, number)]
-        run(rover, SECOND_US)
+        craft = start()
+        numbers = [number for number in numbers if is_chosen(craft, number)]
+        run(craft, SECOND_US)
         inputs[0].source = 0
-        run(rover, SECOND_US)
-        rover.port.frames = []
-        run(rover, SECOND_US // 2)
-        before = [_id(frame) for frame in rover.port.frames if _id(frame) in numbers]
+        run(craft, SECOND_US)
+        craft.port.frames = []
+        run(craft, SECOND_US // 2)
+        before = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
         inputs[0].source = good_count(measured)
-        rover.port.frames = []
-        run(rover, SECOND_US // 2)
-        after = [_id(frame) for frame in rover.port.frames if _id(frame) in numbers]
+        craft.port.frames = []
+        run(craft, SECOND_US // 2)
+        after = [_id(frame) for frame in craft.port.frames if _id(frame) in numbers]
         assert (before, sorted(after)) == ([], sorted(numbers)), (before, after)
 
 
@@ -193,15 +193,15 @@ def one_that_is_gone_allocates_nothing():
     needs(IS_MICROPYTHON, "a heap that tells")
     for measured in _returning():
         start, inputs = _inputs(measured)
-        rover = start(ports=[Sink()])
-        run(rover, 20 * SECOND_US)
+        craft = start(ports=[Sink()])
+        run(craft, 20 * SECOND_US)
         for source in (0, good_count(measured)):
             for wire in inputs:
                 wire.source = source
-            run(rover, 20 * SECOND_US)
+            run(craft, 20 * SECOND_US)
             before = mem_total()
             for _ in range(800):
-                rover.run_pass()
+                craft.run_pass()
                 mock_time.advance_us(CONTROL_US)
             assert mem_total() == before, (source, mem_total() - before)
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 29538ee6bdeb0112
+# Inputs: ef8ce6e50091bb58
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -13,7 +13,7 @@ from program_bench import (
     mock_time,
     needs,
     needs_arming,
-    new_rover,
+    new_craft,
     run,
     save,
 )
@@ -29,17 +29,17 @@ def _other(facts):
     return facts["maximum"] if facts["default"] != facts["maximum"] else facts["minimum"]
 
 
-def _values(rover):
-    return [getattr(rover.parameters, facts["attribute"]) for facts in PARAMETERS]
+def _values(craft):
+    return [getattr(craft.parameters, facts["attribute"]) for facts in PARAMETERS]
 
 
 def _defaults():
     return [facts["default"] for facts in PARAMETERS]
 
 
-def _set_all(rover):
+def _set_all(craft):
     for facts in PARAMETERS:
-        assert rover.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"]), facts
+        assert craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"]), facts
 
 
 def _wait(milliseconds):
@@ -53,14 +53,14 @@ def set_over_the_link_survives_a_restart():
     """A multiplier that a ground station sets is saved by itself, and after a restart readings use it."""
     for measured in MEASURED:
         facts = next(each for each in PARAMETERS if each["attribute"] == measured["multiplier"])
-        rover = new_rover()
-        station = rover.ground_station()
+        craft = new_craft()
+        station = craft.ground_station()
         steps = facts["default"] + 658 if facts["default"] + 658 <= facts["maximum"] else facts["minimum"]
         value = steps * facts["numerator"] / facts["denominator"]
         station.send(messages.ParamSet, param_id=facts["name"], param_value=value)
-        live(rover, _wait(1000))
-        assert rover.connections[0].faults == 0, rover.said()
-        again = new_rover(flash=rover.flash)
+        live(craft, _wait(1000))
+        assert craft.connections[0].faults == 0, craft.said()
+        again = new_craft(flash=craft.flash)
         assert getattr(again.parameters, facts["attribute"]) == steps
         needs(measured["first"] == measured["component"], "a single instance")
         run(again, 1000000)
@@ -71,231 +71,231 @@ def set_over_the_link_survives_a_restart():
 
 def all_values_survive():
     """Every parameter that differs from its default is in force before the first pass of the next program."""
-    rover = new_rover()
-    _set_all(rover)
-    live(rover, _wait(1000))
-    again = new_rover(flash=rover.flash)
+    craft = new_craft()
+    _set_all(craft)
+    live(craft, _wait(1000))
+    again = new_craft(flash=craft.flash)
     assert _values(again) == [_other(facts) for facts in PARAMETERS]
     assert [text for severity, text in again.said() if severity <= dialect.MAV_SEVERITY_WARNING] == []
 
 
 def absent_files_give_defaults():
     """Without files: the defaults, and nothing to say."""
-    rover = new_rover()
-    assert _values(rover) == _defaults()
-    assert rover.said() == []
+    craft = new_craft()
+    assert _values(craft) == _defaults()
+    assert craft.said() == []
 
 
 def damaged_files_give_defaults_and_a_warning():
     """Any changed byte is noticed: defaults with one warning; beside a whole slot its values, without one."""
-    rover = new_rover()
-    _set_all(rover)
-    save(rover)
-    name = next(iter(rover.flash.files))
-    whole = rover.flash.files[name]
+    craft = new_craft()
+    _set_all(craft)
+    save(craft)
+    name = next(iter(craft.flash.files))
+    whole = craft.flash.files[name]
     for at in range(len(whole)):
         damaged = whole[:at] + bytes([whole[at] ^ 0x10]) + whole[at + 1 :]
         for other in ({}, {FILES[1] if name == FILES[0] else FILES[0]: b"rubbish"}):
             flash = Flash()
             flash.files = {name: damaged}
             flash.files.update(other)
-            again = new_rover(flash=flash)
+            again = new_craft(flash=flash)
             assert _values(again) == _defaults(), at
             warnings = [text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]
             assert len(warnings) == 1, (at, warnings)
         if at % 8 == 0:
             flash.files = {FILES[0]: whole, FILES[1]: damaged}
-            again = new_rover(flash=flash)
-            assert _values(again) == _values(rover)
+            again = new_craft(flash=flash)
+            assert _values(again) == _values(craft)
             assert again.said() == [], again.said()
 
 
 def power_cut_leaves_old_or_new():
     """After a cut at each byte of a save, from either slot, the old values or the new ones are in force."""
     for saves in (0, 1, 2, 3):
-        rover = new_rover()
+        craft = new_craft()
         facts = PARAMETERS[0]
         for index in range(saves):
-            assert rover.parameters.set(
+            assert craft.parameters.set(
                 facts["name"], (facts["minimum"] + index % 2) * facts["numerator"] / facts["denominator"]
             )
-            save(rover)
-        old_files = dict(rover.flash.files)
-        old = _values(rover)
-        rover.flash.operations = []
-        _set_all(rover)
-        save(rover)
-        new = _values(rover)
-        target, image = rover.flash.operations[-1]
-        assert len({path for path, _ in rover.flash.operations}) == 1, "one slot is left alone"
+            save(craft)
+        old_files = dict(craft.flash.files)
+        old = _values(craft)
+        craft.flash.operations = []
+        _set_all(craft)
+        save(craft)
+        new = _values(craft)
+        target, image = craft.flash.operations[-1]
+        assert len({path for path, _ in craft.flash.operations}) == 1, "one slot is left alone"
         outcomes = []
         for length in range(len(image) + 1):
             flash = Flash()
             flash.files = dict(old_files)
             flash.files[target] = image[:length]
-            outcomes.append(_values(new_rover(flash=flash)))
+            outcomes.append(_values(new_craft(flash=flash)))
         assert outcomes[-1] == new
         assert [found for found in outcomes[:-1] if found != old] == [], saves
 
 
 def sequence_wraps():
     """After the largest sequence number the next save is still the newer one."""
-    rover = new_rover()
-    rover.storage._sequence = 0xFFFE
+    craft = new_craft()
+    craft.storage._sequence = 0xFFFE
     for facts in PARAMETERS[:3]:
-        rover.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
-        save(rover)
-        assert _values(new_rover(flash=rover.flash)) == _values(rover)
+        craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
+        save(craft)
+        assert _values(new_craft(flash=craft.flash)) == _values(craft)
 
 
 def save_is_done_in_steps():
     """No write is longer than a chunk, and no control slot is missed where writing takes no time."""
-    rover = new_rover()
-    _set_all(rover)
-    live(rover, _wait(2000))
-    assert 0 < rover.flash.longest <= CHUNK, rover.flash.longest
-    assert rover.scheduler.overruns == 0
-    writes = len(rover.flash.operations)
-    assert rover.said("a step of a save") == []
-    rover = new_rover()
-    rover.flash.delay_us = STEP_LIMIT_US + 1
-    _set_all(rover)
-    live(rover, _wait(3000))
-    assert len(rover.said("a step of a save")) == 1, rover.said()
-    assert _values(new_rover(flash=rover.flash)) == _values(rover)
-    assert (rover.scheduler.overruns > 0) == (STEP_LIMIT_US >= 2 * CONTROL_US), rover.scheduler.overruns
-    assert rover.scheduler.overruns <= writes * -(-rover.flash.delay_us // CONTROL_US), rover.scheduler.overruns
-    assert rover.port.polls > 2900000 // LINKS_US - writes * -(-rover.flash.delay_us // LINKS_US)
+    craft = new_craft()
+    _set_all(craft)
+    live(craft, _wait(2000))
+    assert 0 < craft.flash.longest <= CHUNK, craft.flash.longest
+    assert craft.scheduler.overruns == 0
+    writes = len(craft.flash.operations)
+    assert craft.said("a step of a save") == []
+    craft = new_craft()
+    craft.flash.delay_us = STEP_LIMIT_US + 1
+    _set_all(craft)
+    live(craft, _wait(3000))
+    assert len(craft.said("a step of a save")) == 1, craft.said()
+    assert _values(new_craft(flash=craft.flash)) == _values(craft)
+    assert (craft.scheduler.overruns > 0) == (STEP_LIMIT_US >= 2 * CONTROL_US), craft.scheduler.overruns
+    assert craft.scheduler.overruns <= writes * -(-craft.flash.delay_us // CONTROL_US), craft.scheduler.overruns
+    assert craft.port.polls > 2900000 // LINKS_US - writes * -(-craft.flash.delay_us // LINKS_US)
 
 
 def failed_write_keeps_the_old_values():
     """A flash that cannot be written is an error text; the values stay in force, and the saved ones as they were."""
     for works in range(3):
-        rover = new_rover()
-        save(rover)
-        before = dict(rover.flash.files)
-        rover.flash.fail_after = works
-        _set_all(rover)
-        live(rover, _wait(1000))
-        needs(len(rover.parameters.dump()) > 2 * CHUNK, "a save of several chunks")
-        errors = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_ERROR]
+        craft = new_craft()
+        save(craft)
+        before = dict(craft.flash.files)
+        craft.flash.fail_after = works
+        _set_all(craft)
+        live(craft, _wait(1000))
+        needs(len(craft.parameters.dump()) > 2 * CHUNK, "a save of several chunks")
+        errors = [text for severity, text in craft.said() if severity == dialect.MAV_SEVERITY_ERROR]
         assert len(errors) == 1, errors
-        assert _values(rover) == [_other(facts) for facts in PARAMETERS]
-        assert _values(new_rover(flash=rover.flash)) == _defaults()
+        assert _values(craft) == [_other(facts) for facts in PARAMETERS]
+        assert _values(new_craft(flash=craft.flash)) == _defaults()
         for path, content in before.items():
-            assert rover.flash.files[path] == content
+            assert craft.flash.files[path] == content
 
 
 def saving_waits_while_armed():
     """While armed nothing is written, which is told once; after disarming it is saved."""
     needs_arming()
-    rover = new_rover()
+    craft = new_craft()
 
     async def story():
-        rover.arm(force=True)
-        _set_all(rover)
+        craft.arm(force=True)
+        _set_all(craft)
         await asyncio.sleep_ms(2000)
-        assert rover.flash.operations == []
-        assert len(rover.said("parameters are saved after disarming")) == 1
-        rover.disarm()
+        assert craft.flash.operations == []
+        assert len(craft.said("parameters are saved after disarming")) == 1
+        craft.disarm()
         await asyncio.sleep_ms(1000)
 
-    live(rover, story)
-    assert rover.flash.operations != []
-    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+    live(craft, story)
+    assert craft.flash.operations != []
+    assert _values(new_craft(flash=craft.flash)) == _values(craft)
 
 
 def what_is_not_understood_is_skipped():
     """Names that this firmware does not have are skipped with a warning each, and the rest is kept."""
-    rover = new_rover()
+    craft = new_craft()
     facts = PARAMETERS[0]
-    rover.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
-    rover.storage.begin(b"\x07NO_SUCH\x00\x00\x80\x3f" + rover.parameters.dump())
-    while rover.storage.step():
+    craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
+    craft.storage.begin(b"\x07NO_SUCH\x00\x00\x80\x3f" + craft.parameters.dump())
+    while craft.storage.step():
         pass
-    again = new_rover(flash=rover.flash)
-    assert _values(again) == _values(rover)
+    again = new_craft(flash=craft.flash)
+    assert _values(again) == _values(craft)
     assert len([text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]) == 1
 
 
 def save_waits_while_armed():
     """What is set while armed is used, and saved after disarming; a save that has begun goes on only then, too."""
     needs_arming()
-    rover = new_rover()
+    craft = new_craft()
     steps = []
-    step = rover.storage.step
+    step = craft.storage.step
 
     def noted():
-        steps.append(rover.is_armed)
+        steps.append(craft.is_armed)
         return step()
 
-    rover.storage.step = noted
+    craft.storage.step = noted
 
     async def story():
-        _set_all(rover)
+        _set_all(craft)
         while len(steps) < 2:
             await asyncio.sleep_ms(1)
-        rover.arm(force=True)
+        craft.arm(force=True)
         await asyncio.sleep_ms(3000)
-        assert rover.storage.is_saving
-        rover.disarm()
+        assert craft.storage.is_saving
+        craft.disarm()
         await asyncio.sleep_ms(1000)
 
-    live(rover, story)
+    live(craft, story)
     assert len(steps) > 2
     assert True not in steps, steps
-    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+    assert _values(new_craft(flash=craft.flash)) == _values(craft)
 
 
 def failed_save_is_tried_again():
     """A flash that works again gets what could not be saved, without anybody setting it again."""
-    rover = new_rover()
-    rover.flash.fail_after = 0
+    craft = new_craft()
+    craft.flash.fail_after = 0
 
     async def story():
-        _set_all(rover)
+        _set_all(craft)
         await asyncio.sleep_ms(1000)
-        assert len(rover.said("parameters are not saved")) == 1, rover.said()
-        rover.flash.fail_after = None
+        assert len(craft.said("parameters are not saved")) == 1, craft.said()
+        craft.flash.fail_after = None
         await asyncio.sleep_ms(REPORT_MS + 1000)
 
-    live(rover, story)
-    assert _values(new_rover(flash=rover.flash)) == _values(rover)
+    live(craft, story)
+    assert _values(new_craft(flash=craft.flash)) == _values(craft)
 
 
 def lack_of_memory_does_not_end_the_program():
     """Whatever a save raises is told, and everything goes on."""
-    rover = new_rover()
+    craft = new_craft()
 
     def fail():
         raise MemoryError("no room")
 
-    rover.parameters.dump = fail
-    _set_all(rover)
-    live(rover, _wait(1000))
-    assert len(rover.said("parameters are not saved")) == 1, rover.said()
-    polls = rover.port.polls
-    run(rover, 1000000)
-    assert rover.port.polls > polls
+    craft.parameters.dump = fail
+    _set_all(craft)
+    live(craft, _wait(1000))
+    assert len(craft.said("parameters are not saved")) == 1, craft.said()
+    polls = craft.port.polls
+    run(craft, 1000000)
+    assert craft.port.polls > polls
 
 
 def no_arming_before_a_restart():
     """Between the answer to a restart and the restart itself, nobody arms; a forced restart disarms."""
     needs_arming()
-    rover = new_rover()
-    rover.arm(force=True)
-    assert rover.reboot() is not None
-    assert rover.is_armed
-    assert rover.reboot(force=True) is None
-    assert not rover.is_armed
-    assert rover.arm(force=True) is not None
-    assert not rover.is_armed
+    craft = new_craft()
+    craft.arm(force=True)
+    assert craft.reboot() is not None
+    assert craft.is_armed
+    assert craft.reboot(force=True) is None
+    assert not craft.is_armed
+    assert craft.arm(force=True) is not None
+    assert not craft.is_armed
 
 
 def restart_saves_first():
     """A restart over the link is acknowledged, waits for the save, and then resets the board, once."""
-    rover = new_rover()
-    station = rover.ground_station()
+    craft = new_craft()
+    station = craft.ground_station()
     facts = PARAMETERS[-1]
 
     async def story():
@@ -305,11 +305,11 @@ def restart_saves_first():
         station.command(dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, dialect.REBOOT_SHUTDOWN_ACTION_REBOOT)
         await asyncio.sleep_ms(10000)
 
-    assert live(rover, story), "no reset"
+    assert live(craft, story), "no reset"
     assert mock_time.elapsed_us() < 3000000
     acks = station.received(messages.CommandAck)
     assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], acks
-    assert getattr(new_rover(flash=rover.flash).parameters, facts["attribute"]) == _other(facts)
+    assert getattr(new_craft(flash=craft.flash).parameters, facts["attribute"]) == _other(facts)
 
 
 CHECKS = (

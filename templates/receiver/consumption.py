@@ -35,7 +35,7 @@ class _Rise:
 
 
 class Consumption:
-    """The mean current of a battery over the last `window_ms`.
+    """The mean current over the last `window_ms`.
 
     Where the current is known it is what was drawn, the currents times their durations, over the time that it took.
     Where it is not, it is the rise of the charge that was consumed, once that was watched for half of the window.
@@ -46,11 +46,11 @@ class Consumption:
         self._half_ms = max(window_ms // 2, 1)
         self._gap_ms = gap_ms
         self._drawn = _Rise(window_ms)  # A ms, from the currents
-        self._counted = _Rise(window_ms)  # Ah, as the battery counts them
+        self._counted = _Rise(window_ms)  # Ah, as they are told
         self.forget()
 
     def forget(self):
-        """Begin anew: the battery is another one."""
+        """Begin anew: it is another one."""
         self._drawn.forget()
         self._counted.forget()
         self._total = 0
@@ -73,7 +73,7 @@ class Consumption:
         else:
             if self._current_a is not None:
                 self._total += (self._current_a + current_a) / 2 * elapsed(now_ms, self._last_ms)
-            if self._total - self._total != 0:  # a current that no battery has: the floats of a board are small
+            if self._total - self._total != 0:  # a current that nothing has: the floats of a board are small
                 self._drawn.forget()
                 self._total = 0
             self._drawn.note(now_ms, self._total)
@@ -81,7 +81,7 @@ class Consumption:
 
     def _note_consumed(self, now_ms, consumed_ah):
         if consumed_ah is None or (self._consumed_ah is not None and consumed_ah < self._consumed_ah):
-            self._counted.forget()  # less than before: it counts anew, or the battery is being charged
+            self._counted.forget()  # less than before: it counts anew, or it is being charged
         if consumed_ah is not None:
             self._counted.note(now_ms, consumed_ah)
         self._consumed_ah = consumed_ah

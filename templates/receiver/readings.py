@@ -1,7 +1,7 @@
 """What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
-MOST_CELLS = 256  # messages count the cells of a battery in a byte
+MOST_ELEMENTS = 256  # messages count them in a byte
 _HALF = TURN >> 1
 
 
@@ -55,13 +55,13 @@ def values_of(values, first, count, unused, numerator, denominator, keep=False):
 
 
 def single(values, full):
-    """Return the values of cells; None if there is none, or if one goes on in the next: then they are one value."""
+    """Return single values; None if there is none, or if one goes on in the next: then they are one value."""
     return None if not values or full in values[:-1] else values
 
 
 def page(first, values):
-    """Return the values of a page by the number of the first one; none where no battery has so many cells."""
-    return {first: values} if first < MOST_CELLS else {}
+    """Return the values of a page by the number of the first one; none where nothing has so many."""
+    return {first: values} if first < MOST_ELEMENTS else {}
 
 
 def finite(said):

@@ -70,7 +70,7 @@ class Views:
         return self._views.get((system, number))
 
     def total_time_left_s(self, system, numbers=None, now_ms=None):
-        """Return the seconds that a system's batteries last together: the sum of charges over the sum of currents.
+        """Return the seconds that what a system has lasts together: the sum of charges over the sum of currents.
 
         `numbers` are those that feed the same consumers; without it all of the system do that are not stale. None if
         nothing is drawn, if there is none of them, or if the charge or the current of one is unknown.

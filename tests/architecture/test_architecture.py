@@ -75,6 +75,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "codec": {*READING, "targets", "model", *GROUND},
     "depfile": set(),
     "start": {"decode", "load", "template_files", "model", *GROUND},
+    "start_kinds": {"template_files"},
     "stamp": {"emit", "output_files", "tool"},
     "sim": {"render", "model", *GROUND},
     "explained_corrections": {"load", "model", *GROUND},
@@ -87,7 +88,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     },
     "cli": {
         *("pipeline", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
-        *("project_files", "trace", "findings", "waivers", "start", "schemas"),
+        *("project_files", "trace", "findings", "waivers", "start", "start_kinds", "schemas"),
         *("documents", "claims", "importing", "decode", "resolve", "load", "model", "diff", "sides", *GROUND),
     },
     "pytest_plugin": set(),

@@ -20,6 +20,7 @@ from codegen.targets.mocks import render_mocks
 
 PROJECTS = Path(__file__).resolve().parents[1] / "projects"
 BOARDS = sorted(name.removesuffix(".yaml") for name in os.listdir(FOLDER) if name.endswith(".yaml"))
+ADC = 'pins: 1, reference: 3 V, opened: "machine.ADC({gpio})"}'
 OWN = (PROJECTS / "minimal" / "specs" / "boards" / "odd.yaml").read_text()
 
 READ = """
@@ -178,6 +179,47 @@ def test_a_description_that_contradicts_itself(old, new, wanted, tmp_path):
     found = [each for each in findings(project) if each.startswith("own.yaml:") and " bad-board: " in each]
     assert found
     assert any(word in each for each in found for word in wanted.split("|")), found
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message", "hint"),
+    [
+        ("pins: 0..3", "pins: 0..200", "GPIO 200 is beyond 0 to 127", "write 0..22, 26..28"),
+        ("pins: 0..3", "pins: -1..3", "'-1..3' is no GPIO number", "write 0..22, 26..28"),
+        ("pins: 0..3", "pins: 3..0", "3..0 has no number", "write 0..3"),
+        ("usb: false", "usb: false\ntaken: {9: x, 8: y}", "GPIO 8 and 9 are none of the pins", "pins: has 0 to 3"),
+        ("usb: false", "usb: false\nuarts: {11: {tx: 0, rx: 1}}", "UART 11 is beyond 0 to 10", "machine.UART()"),
+        ("usb: false", "usb: false\nuarts: {-1: {tx: 0, rx: 1}}", "-1 is not the number of a UART", "machine.UART()"),
+        ("usb: false", "usb: false\nuarts: {00: {tx: 0, rx: 1}}", "00 is not the number of a UART", "machine.UART()"),
+        (
+            "usb: false",
+            "usb: false\ni2c: {-2: {sda: 0, scl: 1}}",
+            "-2 is not the number of an I2C bus",
+            "machine.I2C()",
+        ),
+        ("usb: false", f"usb: false\nadc: {{bits: 40, {ADC}", "a count has 40 bits, not 8 to 12", "bits: 12"),
+        ("usb: false", f"usb: false\nadc: {{bits: -1, {ADC}", "a count has -1 bits, not 8 to 12", "bits: 12"),
+        (
+            "usb: false",
+            f"usb: false\nadc: {{bits: 12, {ADC.replace('3 V', '1e9 V')}",
+            "100 V at most",
+            "reference: 3.3 V",
+        ),
+    ],
+)
+def test_numbers_out_of_range(old, new, message, hint, tmp_path):
+    """One finding at the number, in the words of the file's keys, with what to write; nothing follows from it."""
+    (tmp_path / "specs" / "boards").mkdir(parents=True)
+    path = tmp_path / "specs" / "boards" / "own.yaml"
+    path.write_text(OWN.replace(old, new))
+    report = Report()
+    assert resolve_board_model(decode_record_file(str(path), BoardModelSpec, report), report) is None
+    [found] = report
+    assert found.rule.id == "bad-board"
+    assert found.place.line >= 4
+    assert message in found.message
+    assert found.hint is not None
+    assert hint in found.hint
 
 
 def test_a_file_that_nothing_names(tmp_path):

@@ -38,7 +38,7 @@ CASES = [
     # families
     Case("bad-parameter-family", "parameters.yaml", FAMILY, "  §CAPACITY:\n", "BATT_", is_alone=False),
     Case("bad-parameter-family", "parameters.yaml", EACH, EACH.replace("battery", "§bat"), "battery", is_alone=False),
-    Case("bad-parameter-family", "parameters.yaml", LAST, f"{LAST}    per_cell: §true\n", "no component"),
+    Case("bad-parameter-family", "parameters.yaml", LAST, f"{LAST}    per: §cells\n", "no component"),
     Case("bad-parameter", "parameters.yaml", FAMILY, "  §BATT_CAPACITY_ALL:\n", "BATT_CAPACITY_ALL", is_alone=False),
     Case(
         "bad-parameter",
@@ -82,3 +82,27 @@ def test_two_instances_with_one_id(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["check"]) == 1
     assert " error same-instance: " in capsys.readouterr().out
+
+
+SECOND_OFF = "      defaults: {BATT2_MONITOR: 0, BATT2_VOLT_PIN: 27}\n"
+MORE = "    - {{prefix: BATT{0}_, doc: More., defaults: {{BATT{0}_VOLT_PIN: {1}}}}}\n"
+
+
+def test_the_hint_names_a_pin_that_is_free(tmp_path, monkeypatch, capsys):
+    """A third on GPIO 26 gets the pin that nobody has, not that of the second, which is off; what it says is enough."""
+    folders = iter("abcd")
+
+    def out(*pins: int) -> tuple[int, str]:
+        folder = tmp_path / next(folders)
+        folder.mkdir()
+        more = "".join(MORE.format(number, pin) for number, pin in enumerate(pins, 3))
+        changed_copy(Case("", "board.yaml", SECOND_OFF, SECOND_OFF + more), folder)
+        monkeypatch.chdir(folder)
+        return main(["check"]), capsys.readouterr().out
+
+    code, found = out(26)
+    assert (code, found.count("shared-pin"), "hint: BATT3_VOLT_PIN: 28\n" in found) == (1, 1, True), found
+    assert out(28) == (0, "")
+    code, found = out(28, 26)
+    assert "hint: BATT4_VOLT_PIN: 27, as long as battery 2 is switched off\n" in found, found
+    assert "no other pin of the Raspberry Pi Pico 2 W that could take its place is free" in out(28, 27, 26)[1]

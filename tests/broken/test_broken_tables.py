@@ -35,6 +35,8 @@ LINK = "  wifi:\n    udp: 14550\n"
 PROGRAM = "vehicle.yaml:3:1"
 SHARE = '        unit: "%"\n        stored: "%"\n        min: 0\n        max: 100\n'
 CHARGE = SHARE + "        left_of: BATT_CAPACITY\n        after: consumed\n"
+ESTIMATED = "        estimate_from: voltage\n        curve: discharge\n"
+"""An estimate of the charge that is left, in state.yaml."""
 
 MILDER = "hold, return_to_launch, smart_return, smart_return_or_hold"
 
@@ -570,52 +572,43 @@ CASES = [
     Case("scenario-event", "scenarios.yaml", "fault: fail, of", "fault: §fial, of", "did you mean fail"),
     # an estimate
     Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §volts\n", "did you mean voltage"),
-    Case("unit-mismatch", "state.yaml", CHARGE, SHARE + "        estimate_from: §current\n"),
-    Case("unit-mismatch", "state.yaml", "stored: cdegC\n", "stored: cdegC\n        estimate_from: §voltage\n", "in %"),
+    Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §current\n", "not measured"),
+    Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §voltage\n", "curve: and its name: dis"),
+    Case("bad-estimate", "state.yaml", CHARGE, SHARE + ESTIMATED.replace(": dis", ": §dus"), "did you mean discharge"),
+    Case("bad-quantity", "state.yaml", "reaches: charging_m", "reaches: §chargin_m", "did you mean charging_maximum_v"),
+    Case(
+        "unit-mismatch",
+        "state.yaml",
+        "reaches: charging_maximum_voltage",
+        "reaches: §weight",
+        "250 g is no amount in V",
+    ),
+    Case(
+        "unit-mismatch", "state.yaml", "reaches: charging_maximum_voltage", "reaches: §12 A", "12 A is no amount in V"
+    ),
 ]
 
-ESTIMATE = "state.yaml:73:24"
+ESTIMATE = "state.yaml:67:16"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
+POINTS = "        {4.20 V: 100, 4.15 V: 95"
 ESTIMATES = [
-    Case(
-        "bad-estimate",
-        "board.yaml",
-        "\n    {4.20 V: 100, 4.15 V: 95",
-        "\n    §{4.20 V: 100, 4.15 V: 85",
-        "100 down to 0",
-    ),
-    Case(
-        "bad-estimate",
-        "board.yaml",
-        "\n    {4.20 V: 100, 4.15 V: 95",
-        "\n    §{4.20 V: 99, 4.15 V: 95",
-        "100 down to 0",
-    ),
+    Case("bad-estimate", "board.yaml", POINTS, "        §{4.20 V: 100, 4.15 V: 85", "rise or fall throughout"),
+    Case("bad-estimate", "board.yaml", POINTS, "        {4.20 V: §101, 4.15 V: 95", "101 is not within 0 to 100"),
     Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 V: §95.5", "whole number of %"),
-    Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 A: §95", "not a voltage of a cell"),
-    Case("bad-estimate", "board.yaml", "4.15 V: 95", "much: §95", "not a voltage of a cell"),
-    Case(
-        "bad-estimate", "board.yaml", "    cells: 3\n", "", "the chemistry and the cells", at=ESTIMATE, is_alone=False
-    ),
-    Case(
-        "bad-estimate", "board.yaml", "cells: 3", "cells: 0", "the chemistry and the cells", at=ESTIMATE, is_alone=False
-    ),
-    Case(
-        "bad-estimate",
-        "board.yaml",
-        "cells: 3",
-        "cells: 2.5",
-        "the chemistry and the cells",
-        at=ESTIMATE,
-        is_alone=False,
-    ),
+    Case("bad-estimate", "board.yaml", "4.15 V: 95", "4.15 A: §95", "no amount of voltage, which is in mV"),
+    Case("bad-estimate", "board.yaml", "4.15 V: 95", "much: §95", "no amount of voltage, which is in mV"),
+    Case("bad-estimate", "board.yaml", "    by:\n", "    points: {4 V: 1}\n    by:\n", "has points and points by"),
+    Case("bad-estimate", "board.yaml", "choice: chemistry", "choice: §chemistri", "did you mean chemistry"),
+    Case("bad-estimate", "board.yaml", "    choice: chemistry\n", "", "neither points, nor a choice"),
+    Case("bad-estimate", "board.yaml", "    per: cells\n", "    per: cell\n", "did you mean cells", at=ESTIMATE),
+    Case("bad-estimate", "board.yaml", "cells: 3", "cells: 0", "not a whole number", at=ESTIMATE, is_alone=False),
     Case(
         "bad-estimate",
         "board.yaml",
-        "  MAV_BATTERY_TYPE_LIPO:\n",
-        "  MAV_BATTERY_TYPE_LIP:\n",
-        "MAV_BATTERY_TYPE_LIP or",
-        at=ESTIMATE,
+        "      MAV_BATTERY_TYPE_LIPO:\n",
+        "      MAV_BATTERY_TYPE_LIP:\n",
+        "did you mean MAV_BATTERY_TYPE_LIP",
+        at="board.yaml:37:16",
     ),
     Case(
         "unknown-enum-entry",
@@ -626,7 +619,7 @@ ESTIMATES = [
         is_alone=False,
     ),
 ]
-"""With ``estimate_from: voltage`` in state.yaml."""
+"""With ``ESTIMATED`` in state.yaml."""
 
 
 def changed_copy(case: Case, folder: Path) -> tuple[Path, str | None]:
@@ -680,7 +673,7 @@ def test_an_estimate_is_reported_at_its_place(case, tmp_path, monkeypatch, capsy
     shutil.copytree(ROOT / "specs", tmp_path / "specs")
     state = tmp_path / "specs" / "state.yaml"
     assert CHARGE in state.read_text()
-    state.write_text(state.read_text().replace(CHARGE, SHARE + "        estimate_from: voltage\n"))
+    state.write_text(state.read_text().replace(CHARGE, SHARE + ESTIMATED))
     check_place(case, tmp_path, monkeypatch, capsys)
 
 

@@ -92,7 +92,10 @@ def estimating(tmp_path_factory: pytest.TempPathFactory) -> Path:
     state = project / "specs" / "state.yaml"
     written = state.read_text()
     changed = re.sub(
-        r"(remaining:\n(?:.*\n)*?)( +)left_of: .*\n +after: .*\n", r"\1\2estimate_from: voltage\n", written, count=1
+        r"(remaining:\n(?:.*\n)*?)( +)left_of: .*\n +after: .*\n",
+        r"\1\2estimate_from: voltage\n\2curve: discharge\n",
+        written,
+        count=1,
     )
     assert changed != written
     state.write_text(changed)

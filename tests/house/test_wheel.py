@@ -54,7 +54,7 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("templates", "codegen/templates"),
         ("generated/schemas", "codegen/schema_files"),
         ("codegen/corrections", "codegen/corrections"),
-        ("specs", "codegen/rover_specs"),
+        ("specs", "codegen/own_specs"),
     ],
 )
 def test_wheel_holds_every_template_schema_and_correction(

@@ -14,7 +14,7 @@ from program_bench import (  # noqa: E402
     live,
     main,
     messages,
-    new_rover,
+    new_craft,
     run,
     run_passes,
     save,
@@ -27,11 +27,11 @@ RELATIVE_TO_FULL = 1 << 18  # MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL
 
 def _started(**values):
     """Return a battery that starts with these parameters, as saved by the run before."""
-    before = new_rover()
+    before = new_craft()
     for name, value in values.items():
         assert before.parameters.set(name, value), name
     save(before)
-    return new_rover(flash=before.flash)
+    return new_craft(flash=before.flash)
 
 
 def _sources(rover):
@@ -40,7 +40,7 @@ def _sources(rover):
 
 def heartbeat_is_that_of_a_battery():
     """Once a second, a battery and no autopilot, active."""
-    battery = new_rover()
+    battery = new_craft()
     station = battery.ground_station()
     run(battery, 60 * SECOND_US)
     beats = station.received(messages.Heartbeat)
@@ -51,7 +51,7 @@ def heartbeat_is_that_of_a_battery():
 
 def component_id_counts_from_the_next_start():
     """180 by default, and still after it is set; 181 after the restart; and it is then called by that."""
-    battery = new_rover()
+    battery = new_craft()
     assert battery.parameters.set("COMPID_BATT", 181)
     run(battery, 2 * SECOND_US)
     assert _sources(battery) == {(1, 180)}, _sources(battery)
@@ -68,7 +68,7 @@ def component_id_counts_from_the_next_start():
 
 def _measuring(measure):
     """Return a battery whose user code reads the gauge chip by a call with the battery's state."""
-    battery = new_rover()
+    battery = new_craft()
     slot = next(job for job in battery.scheduler._jobs if job.name == "measure")
     slot.call = lambda: measure(battery.state.battery)
     return battery
@@ -77,7 +77,7 @@ def _measuring(measure):
 def status_comes_every_two_seconds():
     """0.5 Hz by default, in the generation that is chosen; the parameter changes it at once, and 0 switches it off."""
     for choice, kinds in ((0, (1, 0)), (1, (0, 1)), (2, (1, 1))):
-        battery = new_rover()
+        battery = new_craft()
         station = battery.ground_station()
         if choice:
             assert battery.parameters.set("BATT_REPORT", choice)
@@ -104,7 +104,7 @@ ABOUT_THE_BATTERY = (
 
 def battery_has_an_id_of_its_own():
     """2 by default, so that the autopilot's own batteries, 0 and 1, are others; the same in each of its messages."""
-    for battery, expected in ((new_rover(), 2), (_started(BATT_ID=5), 5)):
+    for battery, expected in ((new_craft(), 2), (_started(BATT_ID=5), 5)):
         station = battery.ground_station()
         for kind in ABOUT_THE_BATTERY:
             station.received()
@@ -150,7 +150,7 @@ def serial_number_is_that_of_the_chip():
 
 def nothing_can_be_armed():
     """The command is unknown to a battery, whatever it asks for, and there is nothing that code could call."""
-    battery = new_rover()
+    battery = new_craft()
     station = battery.ground_station()
     for params in ((1,), (1, 21196), (0,), (2,)):
         station.command(dialect.MAV_CMD_COMPONENT_ARM_DISARM, *params)
@@ -163,7 +163,7 @@ def nothing_can_be_armed():
 
 def parameters_are_saved_within_a_second():
     """What a ground station sets is in the flash without anything else being done."""
-    battery = new_rover()
+    battery = new_craft()
     station = battery.ground_station()
 
     async def story():
@@ -172,12 +172,12 @@ def parameters_are_saved_within_a_second():
 
     live(battery, story)
     assert battery.flash.files
-    assert new_rover(flash=battery.flash).parameters.batt_capacity == 5200
+    assert new_craft(flash=battery.flash).parameters.batt_capacity == 5200
 
 
 def measure_comes_before_the_reading():
     """measure() of the user's code runs in each pass of a reading, before it."""
-    battery = new_rover()
+    battery = new_craft()
     order = []
     slot = next(job for job in battery.scheduler._jobs if job.name == "measure")
     slot.call = lambda: order.append("measure")
@@ -194,7 +194,7 @@ def measure_comes_before_the_reading():
 
 def measure_that_raises_stops_nothing():
     """A gauge chip that does not answer is logged once, and all the rest goes on."""
-    battery = new_rover()
+    battery = new_craft()
     slot = next(job for job in battery.scheduler._jobs if job.name == "measure")
 
     def fail():
@@ -241,7 +241,7 @@ NEW_GAUGE = ("current", "capacity_consumed", "capacity_remaining", "state_of_cha
 
 def what_no_gauge_says_is_unknown():
     """Without code that reads a gauge chip the voltage is all that is known; nothing is guessed."""
-    battery = new_rover()
+    battery = new_craft()
     assert battery.parameters.set("BATT_REPORT", 2)
     station = battery.ground_station()
     run(battery, 5 * SECOND_US)
@@ -258,7 +258,7 @@ def what_no_gauge_says_is_unknown():
 
 def two_batteries_share_a_vehicle():
     """Asked as everybody, each answers with its own component; asked by its component, it alone answers."""
-    first, second = new_rover(), _started(COMPID_BATT=181, BATT_ID=3)
+    first, second = new_craft(), _started(COMPID_BATT=181, BATT_ID=3)
     stations = [first.ground_station(), second.ground_station()]
     for component, answers in ((180, [1, 0]), (181, [0, 1]), (0, [1, 1])):
         found = []

@@ -10,9 +10,9 @@ import machine
 
 machine.set_unique_id(sys.argv[1].encode())  # before the firmware looks at it, which is once
 
-from program_bench import SECOND_US, new_rover, run  # noqa: E402
+from program_bench import SECOND_US, new_craft, run  # noqa: E402
 
-battery = new_rover()
+battery = new_craft()
 battery.state.battery.consumed_mah = int(sys.argv[2])
 battery.state.battery.current_ca = 500
 assert battery.parameters.set("BATT_REPORT", int(sys.argv[3]))

@@ -6,7 +6,7 @@ The number of cells of a battery is the argument. Prints what went wrong in each
 import sys
 
 import dialect
-from program_bench import SECOND_US, main, messages, new_rover, run, run_passes, save
+from program_bench import SECOND_US, main, messages, new_craft, run, run_passes, save
 
 CELLS = int(sys.argv[1])
 PAGE = 12  # cells that one BATTERY_CELL_VOLTAGES has
@@ -17,11 +17,11 @@ OVERHEAD = 12  # bytes of a MAVLink 2 frame around its payload
 
 def _rover(**values):
     """Return a rover that starts with these parameters, as saved by the run before, and its ground station."""
-    before = new_rover()
+    before = new_craft()
     for name, value in values.items():
         assert before.parameters.set(name, value), name
     save(before)
-    rover = new_rover(flash=before.flash)
+    rover = new_craft(flash=before.flash)
     return rover, rover.ground_station()
 
 

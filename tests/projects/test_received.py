@@ -28,12 +28,12 @@ PATHS = (
 SCRIPT = """
 import json, sys
 sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
-from program_bench import Port, Rover, mock_time, run, run_passes
+from program_bench import Port, Craft, mock_time, run, run_passes
 
 results = {}
 paths, cases = json.loads(open("frames.json").read())
 for name in cases:
-    rover = Rover(ports=[Port(), Port()])
+    rover = Craft(ports=[Port(), Port()])
     state, calls, said = rover.state, [], []
     for path in paths:  # a vehicle of the bench knows some value of everything
         owner, _, quantity = path.partition(".")
@@ -400,11 +400,11 @@ STEADY = """
 import sys
 sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
 import gc, json, micropython
-from program_bench import Rover, run_passes
+from program_bench import Craft, run_passes
 if sys.argv[1] == "plain":
     sys.modules["receiving_viper"] = None
 
-rover = Rover()
+rover = Craft()
 connection = rover.connections[0]
 frames = [bytes.fromhex(frame) for frame in json.load(open("steady.json"))]
 link, handle = connection.link, connection.services.handle

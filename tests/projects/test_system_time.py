@@ -17,11 +17,11 @@ NOW_US = 1790000000123456
 SCRIPT = """
 import json, sys
 sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
-from program_bench import Port, Rover, mock_time, run, run_passes
+from program_bench import Port, Craft, mock_time, run, run_passes
 
 results = []
 for frames in json.loads(open("frames.json").read()):
-    rover = Rover(ports=[Port(), Port()])
+    rover = Craft(ports=[Port(), Port()])
     rover.state.clock.unix_us = None
     told = []
     for link, frame in frames:

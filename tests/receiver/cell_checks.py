@@ -22,7 +22,7 @@ class CellView(View):
     SILENT_MS = 1000
     WINDOW_MS = 1000
     CARRIERS = {"cells": (1, 0), "info.cells": (0,)}  # noqa: RUF012
-    ROLES = {"cells": (("info.cells", 1),)}  # noqa: RUF012
+    ROLES = {"count": (("info.cells", 1),)}  # noqa: RUF012
 
 
 def at_once(*volts):
@@ -40,7 +40,7 @@ def view_of(values, count=None, pages=()):
     for first, found in pages:
         view.take(1, {"cells": page(first, values_of(found, 0, 4, 0, 1, 1000, keep=True))}, 1, 0)
     view.take(0, {"cells": values, "info.cells": count}, 1, 0)
-    return view._cells("cells")
+    return view._elements("cells")
 
 
 assert at_once() == (None, None)

@@ -12,8 +12,10 @@ from codegen.importing.document import find_fields
 from codegen.importing.of_system import answers_of, sources_of
 from codegen.importing.proposal import propose
 from codegen.model.answer import Answer
+from codegen.model.receiver_spec import RolesSpec
 from codegen.model.system import System
 from codegen.pipeline import read_system
+from codegen.source import Place
 from codegen.targets.expected import expected_fields
 from codegen.targets.receiver.readings import readings_of
 
@@ -45,7 +47,12 @@ def test_it_is_told_in_words_and_read_back(system: System) -> None:
     answer = count_of(system)
     assert (answer.words().source, answer.words().conversion) == ("how many of camera there are", "= 3")
     assert answer.used_bytes(1, 200) == (1, 1)
-    readings = {one.name: one for one in readings_of(system.messages[0], system.components["camera"], system.dialect)}
+    readings = {
+        one.name: one
+        for one in readings_of(
+            system.messages[0], system.components["camera"], RolesSpec(place=Place("")), system.dialect
+        )
+    }
     assert readings["count"].expression == 'get("count")'
 
 

@@ -40,7 +40,6 @@ def test_the_scenarios_are_listed(run: Any) -> None:
         (["low", "--out", "udp:[::1]:14550"], "IPv4"),
         (["low", "--out", "udp:no.such.host.invalid:14550"], "not known"),
         (["low", "--code", "absent.py"], "--code: there is no file absent.py"),
-        (["low", "--rover", "absent.py"], "--code: there is no file absent.py"),
         (["low", "--flash", "specs/state.yaml"], "--flash"),
         (["low", "--report", "absent/r.html"], "--report"),
         (["low", "--record", "absent/r.csv"], "--record: "),

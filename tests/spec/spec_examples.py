@@ -12,7 +12,7 @@ GOOD = {
         "facts:\n  battery: {cells: 3, kind: LIPO}\n"
         "links:\n  a: {uart: 0, tx: 0, rx: 1, baud: 57600}\n  b: {usb: true}\n"
         "  c: {udp: 14550, to: 10.0.0.1, credentials: w.json, retry: 5 s, local_port: 1, buffer: 512}\n"
-        "discharge_curves:\n  LIPO: {4.2 V: 100, 3.27 V: 0}\n"
+        "curves:\n  c: {choice: kind, per: cells, by: {LIPO: {4.2 V: 100, 3.27 V: 0}}}\n  d: {points: {1 V: 2}}\n"
         "sources:\n  sonar: {driver: user, class: a.B, unit: m, stored: mm, rate: 5 Hz, outputs: {}}\n"
         "  own: {driver: mine, address: 0x40, gain: 2, on: true, limit: 2 ms}\n"
     ),
@@ -175,7 +175,7 @@ BROKEN: list[tuple[str, str, list[tuple[str, int, int]], bool]] = [
     ("board", "board: b\nlinks: {a: {usb: false}}\n", [("wrong-type", 2, 18)], True),
     ("board", "board: b\nlinks: {a: {usb: true, udp: 1}}\n", [("one-of-keys", 2, 24)], True),
     ("board", "board: b\nlinks: {a: {tx: 1}}\n", [("one-of-keys", 2, 9)], True),
-    ("board", "board: b\ndischarge_curves: {L: {4 V: full}}\n", [("wrong-type", 2, 29)], True),
+    ("board", "board: b\ncurves: {L: {points: {4 V: full}}}\n", [("wrong-type", 2, 28)], True),
     (
         "parameters",
         "parameters:\n  A: {doc: d, default: 1, min: 0, max: 2, step: 1, type: int64, values: {1: 2}}\n",

@@ -2,16 +2,19 @@
 
 import hashlib
 import os
+import shutil
 from pathlib import Path
 
 import pytest
 from spec_examples import GOOD
 
+from codegen.cli import main
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report, Severity
 from codegen.model.spec import Spec
 from codegen.source import Place
 
+RECEIVED = "receive: HEARTBEAT\nrequirement: FR-1.1\nfields:\n  custom_mode: {state: tank.level}\n"
 REQUIREMENT = "# FR-{} | Title\n\n## Metadata\n\n- Status: Draft\n\n## Acceptance Criteria\n\n1. a\n"
 
 
@@ -110,6 +113,32 @@ def test_a_project_without_tables_is_an_error(folder: Path) -> None:
     assert findings == [("no-messages", "codegen.yaml", 1, 1)]
     (folder / "messages").rmdir()
     assert read(folder)[1] == findings
+
+
+@pytest.mark.parametrize("others", [(), ("commands.yaml",), ("commands.yaml", "receives/a.yaml")])
+def test_a_project_that_sends_nothing_is_told_what_is_missing(
+    others: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """With commands and tables of received messages as without: one error at codegen.yaml, and nothing is written."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["init", "p"]) == 0
+    monkeypatch.chdir(tmp_path / "p")
+    shutil.rmtree("specs/messages")
+    Path("specs/receives").mkdir()
+    for name in others:
+        text = RECEIVED if "/" in name else "commands: {MAV_CMD_USER_1: {doc: d, method: pump}}\n"
+        Path("specs", name).write_text(text)
+    if len(others) < 2:
+        Path("specs/receives").rmdir()
+    capsys.readouterr()
+    assert main(["build"]) == 1
+    out = capsys.readouterr().out
+    errors = [line for line in out.splitlines() if ": error " in line]
+    assert len(errors) == 1, out
+    assert errors[0].startswith("specs/codegen.yaml:1:1: error no-messages: "), out
+    assert "write messages/heartbeat.yaml" in out
+    assert all(name.partition("/")[0] in errors[0] for name in others)
+    assert not Path("generated/firmware").exists()
 
 
 def test_two_tables_for_one_message_cite_each_other(folder: Path) -> None:

@@ -5,10 +5,13 @@ from pathlib import Path
 import pytest
 
 from codegen import pipeline
-from codegen.cli import init, main
+from codegen.cli import main
 from codegen.diagnostics import Report
-from codegen.start import KINDS, boards
+from codegen.start import boards
+from codegen.start_kinds import start_kinds
+from codegen.template_files import templates_folder
 
+KINDS = start_kinds()
 BOARDS = [name for name, _ in boards()]
 
 
@@ -126,6 +129,11 @@ def test_a_codec_has_no_board(capsys: pytest.CaptureFixture[str]) -> None:
     assert "--board says nothing" in capsys.readouterr().err
 
 
-def test_kinds_are_those_of_the_command_line() -> None:
-    """The command line states them itself: its help does not wait for this module."""
-    assert init.KINDS == KINDS
+def test_each_kind_is_offered(capsys: pytest.CaptureFixture[str]) -> None:
+    """Each folder of a start is a kind, and so is codegen's own specification; the help names them all."""
+    folders = {path.name for path in (Path(templates_folder()) / "start").iterdir() if path.is_dir()}
+    assert folders - {"common"} < set(KINDS)
+    assert len(KINDS) == len(folders)
+    assert main(["init", "--help"]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert all(f"{name}, {text}" in told for name, text in KINDS.items())

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from codegen.answers.each.elements import BAD_EACH, can_take, has_all, room_of, unknown_of
-from codegen.answers.each.reading import cell_readings
+from codegen.answers.each.reading import element_readings
 from codegen.answers.filling import comment, fitted, origin
 from codegen.answers.fitting import WITHHELD
 from codegen.answers.kind import POINTLESS_KEY, KindOfAnswer
@@ -159,7 +159,7 @@ class EachAnswer(KindOfAnswer):
         words = origin(covers, self.source) + (f", from {self.first}" if self.first else "")
         words += ", a page of them" if self.is_paged else ""
         words += " while all are known" if self.room is not None else ""
-        words += f", else {origin(covers, fallback.source)}, spilling above {fallback.cell_high}" if fallback else ""
+        words += f", else {origin(covers, fallback.source)}, spilling above {fallback.element_high}" if fallback else ""
         head = [comment(covers, words)]
         most = max(self.source.elements or (0,))
         if not self.is_paged and self.first >= most:
@@ -211,7 +211,7 @@ class EachAnswer(KindOfAnswer):
         conversion = conversion_words(self.covers, self.source, self.scaling)
         if self.fallback is not None:
             source += f", else {self.fallback.source.path}"
-            conversion += f"; else spills above {self.fallback.cell_high}"
+            conversion += f"; else spills above {self.fallback.element_high}"
         elif self.room is not None:
             source += ", while all are known"
         return Words(source, conversion, limit_words(self.scaling))
@@ -230,8 +230,8 @@ class EachAnswer(KindOfAnswer):
             details = (*all_known, *(step.text for step in source), *state.details)
             criteria = tuple(dict.fromkeys((*own, *state.criteria)))
             yield Step("instead", f"each of {self.source.path}, if there are such", details, criteria)
-        cell_high = self.fallback.cell_high if self.fallback else None
-        yield from fitting(self.covers, self.scaling, words.conversion, self.unknown, cell_high)
+        element_high = self.fallback.element_high if self.fallback else None
+        yield from fitting(self.covers, self.scaling, words.conversion, self.unknown, element_high)
         if self.withholds:
             yield WITHHELD
 
@@ -252,7 +252,7 @@ class EachAnswer(KindOfAnswer):
         """The values of all fields of the message that take some of them, and their sum."""
         takers = [other for other in answers if isinstance(other, EachAnswer) and other.source.path == self.source.path]
         if takers[0] is self:
-            yield from cell_readings(takers, answers)
+            yield from element_readings(takers, answers)
 
     @property
     def told_quantities(self) -> tuple[Quantity, ...]:

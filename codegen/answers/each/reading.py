@@ -1,4 +1,4 @@
-"""Readings of quantities with one value for each cell: from the fields of one message, or from its pages."""
+"""Readings of quantities with one value for each element: from the fields of one message, or from its pages."""
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from codegen.answers.each.answer import EachAnswer
 
 
-def cell_readings(parts: Sequence["EachAnswer"], answers: Sequence[Answer]) -> Iterator[Reading]:
+def element_readings(parts: Sequence["EachAnswer"], answers: Sequence[Answer]) -> Iterator[Reading]:
     """The quantity of which a message carries single values, and the sum that goes out in their place.
 
     ``parts`` are the answers of the message that take some of the values, ``answers`` all of it. The values of several
@@ -29,10 +29,10 @@ def cell_readings(parts: Sequence["EachAnswer"], answers: Sequence[Answer]) -> I
         field = pages[0].covers.field.name
         expression, uses = f'page(get("{field}"), {values})', (*uses, "page")
     else:
-        full = [part.fallback.cell_high for part in parts if part.fallback]
+        full = [part.fallback.element_high for part in parts if part.fallback]
         expression, uses = f"single({values}, {_full(parts[0], full)})", (*uses, "single")
     label = parts[0].covers.label
-    yield Reading(source.name, expression, source.unit.name, source.spec.doc, label, uses=uses, is_by_cell=True)
+    yield Reading(source.name, expression, source.unit.name, source.spec.doc, label, uses=uses, is_by_element=True)
     yield from _sum(parts)
 
 
@@ -50,7 +50,7 @@ def _full(part: "EachAnswer", full: list[int]) -> str:
 
 
 def _sum(parts: Sequence["EachAnswer"]) -> Iterator[Reading]:
-    """The quantity that is spread over the elements while a cell is unknown: it is their sum in either case."""
+    """The quantity that is spread over the elements while one is unknown: it is their sum in either case."""
     for part in parts:
         if part.fallback is None:
             continue

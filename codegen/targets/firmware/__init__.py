@@ -67,7 +67,7 @@ def render_firmware(system: System) -> dict[str, str]:
     files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
     listens = any(source.silence_ms is not None for source in system.polled)
     optional = {
-        "discharge": view.has_estimate,
+        "curve": view.has_estimate,
         "adc_faults": view.is_measured,
         "adc_inputs": view.is_measured,
         "reading_turns": view.is_measured,

@@ -34,7 +34,7 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 
 @dataclass(frozen=True, slots=True)
 class EstimateView:
-    """The charge that is estimated from what is measured: its word, and the curve of each instance."""
+    """What is estimated from what is measured: its word, and the curve of each instance."""
 
     word: str
     constant: str
@@ -108,7 +108,7 @@ def state_view(system: System, layout: Layout) -> StateView:
     names |= {(VIEWS.get(word, "words"), word) for word in words}
     modules = {VIEWS[word] for word in words & VIEWS.keys()}
     names.add(("frames", "address"))
-    names |= {("discharge", "percent")} if has_estimate else set()
+    names |= {("curve", "value_at")} if has_estimate else set()
     constants = [
         constant
         for block in layout.blocks.values()

@@ -4,13 +4,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.model.answer import Answer, Elements
-from codegen.model.dialect import Dialect, EnumDefinition, Kind, WireField
+from codegen.model.dialect import Dialect, EnumDefinition, EnumEntry, Kind, WireField
 from codegen.model.reading import Reading, flag_names, scaled
+from codegen.model.receiver_spec import RolesSpec
 from codegen.model.system import PopulatedMessage
 from codegen.model.unit import NUMBER, Unit, ratio, shown_units
 from codegen.model.vehicle import Component
 from codegen.model.wire_unit import wire_unit
-from codegen.targets.receiver.roles import charging_entry, describes_a_battery
+from codegen.targets.receiver.roles import charging_entry, describes
 
 FACT = "info."
 """How the names of facts begin among those of quantities."""
@@ -18,11 +19,13 @@ CHARGING = "is_charging"
 """The name of what a message says about being charged; no attribute of its own."""
 
 
-def readings_of(message: PopulatedMessage, component: Component, dialect: Dialect) -> tuple[Reading, ...]:
+def readings_of(
+    message: PopulatedMessage, component: Component, roles: RolesSpec, dialect: Dialect
+) -> tuple[Reading, ...]:
     """Everything that a message says about an instance of the component, each name once."""
     found: dict[str, Reading] = {}
     for answer in message.answers:
-        for reading in _inverse(answer, message, component, dialect):
+        for reading in _inverse(answer, message, component, roles, dialect):
             found.setdefault(reading.name, reading)
     for answer in message.answers:
         for reading in answer.joint_readings(message.answers):
@@ -30,19 +33,20 @@ def readings_of(message: PopulatedMessage, component: Component, dialect: Dialec
     return tuple(found.values())
 
 
-def _inverse(answer: Answer, message: PopulatedMessage, component: Component, dialect: Dialect) -> Iterator[Reading]:
+def _inverse(
+    answer: Answer, message: PopulatedMessage, component: Component, roles: RolesSpec, dialect: Dialect
+) -> Iterator[Reading]:
     yield from answer.readings(component, dialect)
     if answer.is_fact(component):
-        yield from _fact(answer.covers, message, component, dialect)
+        yield from _fact(answer.covers, message, component, roles, dialect)
     field = answer.covers.field
     enum = dialect.enums.get(field.definition.enum or "")
-    if enum is not None and not field.is_array and charging_entry(enum) is not None:
-        yield _charging(field, enum)
+    entry = None if enum is None or field.is_array else charging_entry(enum, roles)
+    if enum is not None and entry is not None:
+        yield _charging(field, enum, entry)
 
 
-def _charging(field: WireField, enum: EnumDefinition) -> Reading:
-    entry = charging_entry(enum)
-    assert entry is not None
+def _charging(field: WireField, enum: EnumDefinition, entry: EnumEntry) -> Reading:
     function, number = ("is_set", f"{entry.value:#x}") if _is_bitmask(field, enum) else ("is_entry", str(entry.value))
     expression = f'{function}(get("{field.name}"), {number})'
     return Reading(CHARGING, expression, "", "", field.name, uses=(function,))
@@ -52,11 +56,13 @@ def _is_bitmask(field: WireField, enum: EnumDefinition) -> bool:
     return field.definition.is_bitmask or enum.is_bitmask
 
 
-def _fact(covers: Elements, message: PopulatedMessage, component: Component, dialect: Dialect) -> Iterator[Reading]:
+def _fact(
+    covers: Elements, message: PopulatedMessage, component: Component, roles: RolesSpec, dialect: Dialect
+) -> Iterator[Reading]:
     """What the table states, or takes from elsewhere, under the name of the board's fact or of the field.
 
-    Facts of the board, and all that a message about the battery itself says, stay as they are as long as the battery
-    does. What else the table states may be different in a message of another vehicle, and age.
+    Facts of the board, and all that a message says about what an instance is, stay as they are as long as it is the
+    same one. What else the table states may be different in a message of another vehicle, and age.
     """
     field = covers.field
     if field.is_array and field.type.kind is not Kind.CHAR:
@@ -64,7 +70,7 @@ def _fact(covers: Elements, message: PopulatedMessage, component: Component, dia
     owner, _, fact = (covers.written.board or "").partition(".")
     if fact and owner == component.name:
         name = FACT + fact
-    elif describes_a_battery(other.name for other in message.wire.fields):
+    elif describes((other.name for other in message.wire.fields), roles):
         name = FACT + field.name
     elif field.name in component.quantities:
         return  # the quantity itself, which this message leaves out

@@ -1,46 +1,26 @@
-"""What fields of battery messages mean for the time that remains: words of the dialects, whichever message has them."""
+"""What fields mean for the time that something which is drawn from still lasts: receiver.yaml says it, by names."""
 
 from collections.abc import Iterable, Mapping
 
-from codegen.frozen import dataclass
 from codegen.model.dialect import EnumDefinition, EnumEntry
+from codegen.model.receiver_spec import RolesSpec
+
+UNITS: Mapping[str, str] = {"current": "A", "consumed": "Ah", "left": "Ah", "percent": "%", "full": "Ah"}
+"""The units in which roles are computed; what is not among them is only compared."""
+LASTING = ("full", "serial", "cycles", "count")
+"""Roles of what stays as it is as long as what is reported is the same one."""
 
 
-@dataclass(frozen=True, slots=True)
-class Role:
-    """The fields that play a role, and the unit that it is computed in; None for what is only compared."""
-
-    fields: tuple[str, ...]
-    unit: str | None = None
-
-
-ROLES: Mapping[str, Role] = {
-    "current": Role(("current", "current_battery"), "A"),
-    "consumed": Role(("capacity_consumed", "current_consumed"), "Ah"),
-    "left": Role(("capacity_remaining",), "Ah"),
-    "percent": Role(("state_of_charge", "percent_remaining", "battery_remaining"), "%"),
-    "full": Role(("full_charge_capacity", "capacity_full"), "Ah"),
-    "serial": Role(("serial_number",)),
-    "cycles": Role(("cycle_count",)),
-    "cells": Role(("cells_in_series",)),
-}
-"""Source: BATTERY_STATUS, SMART_BATTERY_INFO and BATTERY_INFO of common.xml, BATTERY_STATUS_V2 in both its
-forms.
-
-A message of another name that has one of these fields counts as well.
-"""
-
-
-def role_of(field: str) -> str | None:
+def role_of(field: str, roles: RolesSpec) -> str | None:
     """The role that a field of this name plays, or None."""
-    return next((name for name, role in ROLES.items() if field in role.fields), None)
+    return next((name for name, fields in roles.fields() if field in fields), None)
 
 
-def describes_a_battery(fields: Iterable[str]) -> bool:
-    """Whether a message with these fields is about what a battery is, not about what it does."""
-    return any(role_of(field) in ("full", "serial", "cycles", "cells") for field in fields)
+def describes(fields: Iterable[str], roles: RolesSpec) -> bool:
+    """Whether a message with these fields is about what something is, not about what it does."""
+    return any(role_of(field, roles) in LASTING for field in fields)
 
 
-def charging_entry(enum: EnumDefinition) -> EnumEntry | None:
-    """The entry of an enum that says that a battery is charging, or None."""
-    return next((entry for entry in enum.entries if entry.name.endswith("_CHARGING")), None)
+def charging_entry(enum: EnumDefinition, roles: RolesSpec) -> EnumEntry | None:
+    """The entry of an enum that says that it is being charged, or None."""
+    return next((entry for entry in enum.entries if entry.name in roles.charging), None)

@@ -8,12 +8,13 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.reading import Reading
 from codegen.model.receiver import Receiver
+from codegen.model.receiver_spec import RolesSpec
 from codegen.model.system import PopulatedMessage, System
 from codegen.model.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Component
 from codegen.targets.naming import class_name, class_names, prose, quoted
 from codegen.targets.receiver.readings import CHARGING, FACT, readings_of
-from codegen.targets.receiver.roles import ROLES, role_of
+from codegen.targets.receiver.roles import UNITS, role_of
 
 TAKEN = frozenset(
     (
@@ -123,7 +124,7 @@ class ReceiverView:
 
 
 def plural(name: str) -> str:
-    """battery -> batteries, pack -> packs."""
+    """boat -> boats, battery -> batteries."""
     if name.endswith("y") and name[-2:-1] not in "aeiou":
         return f"{name[:-1]}ies"
     return f"{name}es" if name.endswith(("s", "x", "ch", "sh")) else f"{name}s"
@@ -132,7 +133,8 @@ def plural(name: str) -> str:
 def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
     """The view of the module and of its page."""
     component = receiver.component
-    said = {message.wire.name: readings_of(message, component, system.dialect) for message in receiver.messages}
+    spoken = receiver.spec.roles or RolesSpec(place=receiver.spec.place)
+    said = {message.wire.name: readings_of(message, component, spoken, system.dialect) for message in receiver.messages}
     classes = class_names(message.wire.name for message in receiver.messages)
     readings = [reading for found in said.values() for reading in found]
     ranked = _ranked(system, receiver, said)
@@ -175,7 +177,7 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
         facts=_attributes(ranked, frozenset(), is_fact=True),
         carriers=_carriers(receiver, ranked),
         flags=_tuple(sorted({quoted(reading.name) for reading in readings if "flags" in reading.uses})),
-        roles=_roles(readings),
+        roles=_roles(readings, spoken),
         names=_tuple(quoted(message.wire.name) for message in receiver.messages),
         stale_by_kind=_tuple(str(stale_after_ms(message, receiver)) for message in receiver.messages),
         functions=tuple(sorted(uses - enums)),
@@ -251,7 +253,7 @@ def _attributes(
         while name in taken or keyword.iskeyword(name):
             name += "_"
         reading = next(iter(by_message.values()))
-        method = "_fact" if is_fact else "_cells" if reading.is_by_cell else "_quantity"
+        method = "_fact" if is_fact else "_elements" if reading.is_by_element else "_quantity"
         found.append(AttributeView(name, key, _doc(by_message), reading.enum, method))
     return tuple(found)
 
@@ -261,7 +263,7 @@ def _doc(by_message: Mapping[str, Reading]) -> str:
     reading = next(iter(by_message.values()))
     if reading.doc:
         doc = prose(reading.doc).partition(". ")[0].rstrip(".")  # the rest is about the sender
-        doc += ", as a tuple" if reading.is_by_cell else ""
+        doc += ", as a tuple" if reading.is_by_element else ""
     elif "flags" in reading.uses:
         doc = f"The flags of `{reading.field}` that are set, by their names, as a tuple"
     else:
@@ -289,13 +291,13 @@ def _preference(message: PopulatedMessage, system: System) -> tuple[int, int]:
     return rank, -message.wire.id
 
 
-def _roles(readings: Iterable[Reading]) -> tuple[RoleView, ...]:
+def _roles(readings: Iterable[Reading], spoken: RolesSpec) -> tuple[RoleView, ...]:
     players: dict[str, dict[str, float | int]] = {}
     for reading in readings:
-        role = "charging" if reading.name == CHARGING else role_of(reading.field)
+        role = "charging" if reading.name == CHARGING else role_of(reading.field, spoken)
         if role is None:
             continue
-        wanted = ROLES[role].unit if role in ROLES else None
+        wanted = UNITS.get(role)
         factor: Fraction | None = Fraction(1)
         if wanted is not None:
             unit = Unit.parse(reading.unit)

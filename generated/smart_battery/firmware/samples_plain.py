@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: d8707e7863a09e80
+# Inputs: 6de3fc562f904af4
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

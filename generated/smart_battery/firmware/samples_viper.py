@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: d8707e7863a09e80
+# Inputs: 6de3fc562f904af4
 """Samples of each ADC and their mean, by MicroPython's viper emitter; samples_plain is the same in Python."""
 
 import time

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: bd5df83e0d808369
+# Inputs: cfe9057e856565af
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -88,7 +88,7 @@ class BatteryState(Component):
     energy_hj = integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy")
     # hJ, or None while it is unknown; FR-00074.9
     energy = shown_integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy", 1)
-    # Charge that is left, of a full pack. With estimate_from, voltage, it follows the discharge curve [%]
+    # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
     # %, or None while it is unknown; FR-00074.9
     remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
     # Charge that is left [mAh]

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: bd5df83e0d808369
+# Inputs: cfe9057e856565af
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: bd5df83e0d808369
+# Inputs: cfe9057e856565af
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: b4261cba6e1c45d9
+# Inputs: 3efb5dbc8e4f4169
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

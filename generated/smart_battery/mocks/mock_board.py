@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: d8707e7863a09e80
+# Inputs: 6de3fc562f904af4
 """Raspberry Pi Pico on a host: the firmware's own Board on a scripted ADC and a clock that is moved by hand."""
 
 import mock_time

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: ff25fa86c1065e6b
+# Inputs: 6a10ffd075dd2cb2
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -12,7 +12,7 @@ from program_bench import (
     messages,
     mock_time,
     needs,
-    new_rover,
+    new_craft,
     run,
     run_passes,
 )
@@ -28,12 +28,12 @@ def _id(frame):
     return frame[7] | frame[8] << 8 | frame[9] << 16
 
 
-def _expected(rover):
+def _expected(craft):
     """Return the ids that a link is told when somebody appears, once for each frame."""
     found = []
     for number in sorted(MESSAGES):
-        if MESSAGES[number]["on_connection"] and is_chosen(rover, number):
-            found += [number] * (len(reporting(rover, number)) * MESSAGES[number]["pages"])
+        if MESSAGES[number]["on_connection"] and is_chosen(craft, number):
+            found += [number] * (len(reporting(craft, number)) * MESSAGES[number]["pages"])
     return found
 
 
@@ -43,21 +43,21 @@ def _announced(port, since=0):
     return sorted(_id(frame) for frame in port.frames[since:] if _id(frame) in known)
 
 
-def _rover(**arguments):
+def _craft(**arguments):
     """Return a vehicle whose announced messages have no other reason to be sent: their streams are at rest."""
     needs([facts for facts in MESSAGES.values() if facts["on_connection"]], "a message that is sent on connection")
-    rover = new_rover(**arguments)
-    needs(_expected(rover), "a message that is sent on connection by default")
-    return rover
+    craft = new_craft(**arguments)
+    needs(_expected(craft), "a message that is sent on connection by default")
+    return craft
 
 
 def _beat(station, kind=dialect.MAV_TYPE_GCS):
     station.send(messages.Heartbeat, type=kind)
 
 
-def _quiet(rover, ports):
+def _quiet(craft, ports):
     """Let all announcements and the first turn of all streams pass."""
-    run(rover, LONG_US)
+    run(craft, LONG_US)
     for port in ports:
         port.frames = []
 
@@ -65,13 +65,13 @@ def _quiet(rover, ports):
 def told_at_the_start():
     """Each message once about each instance, though its stream is due then, too; at most one in a pass."""
     port = Port()
-    rover = _rover(ports=[port])
+    craft = _craft(ports=[port])
     most = 0
     for _ in range(100):
         count = len(_announced(port))
-        run_passes(rover, 1)
+        run_passes(craft, 1)
         most = max(most, len(_announced(port)) - count)
-    assert _announced(port) == _expected(rover)
+    assert _announced(port) == _expected(craft)
     assert most == 1, most
 
 
@@ -79,8 +79,8 @@ def told_to_who_appears():
     """The first HEARTBEAT of a ground station, not the next ones; a second ground station; never other vehicles."""
     for at_us in (0, TURN_MS_US - 3 * SECOND_US):
         ports = [Port(), Port()]
-        rover = _rover(ports=ports, at_us=at_us)
-        _quiet(rover, ports)
+        craft = _craft(ports=ports, at_us=at_us)
+        _quiet(craft, ports)
         station, other = GroundStation(ports[0]), GroundStation(ports[0], system_id=254)
         for who, kind, is_told in (
             (station, dialect.MAV_TYPE_GCS + 1, False),
@@ -92,8 +92,8 @@ def told_to_who_appears():
         ):
             _beat(who, kind)
             ports[0].frames = []
-            run(rover, LONG_US)
-            assert _announced(ports[0]) == (_expected(rover) if is_told else []), (kind, is_told)
+            run(craft, LONG_US)
+            assert _announced(ports[0]) == (_expected(craft) if is_told else []), (kind, is_told)
         assert _announced(ports[1]) == [], "the other link was told"
 
 
@@ -101,33 +101,33 @@ def told_again_after_a_silence():
     """A HEARTBEAT just before the silence is long enough tells nothing, one after it tells everything again."""
     for missing_ms, is_told in ((200, False), (-200, True)):
         port = Port()
-        rover = _rover(ports=[port])
-        _quiet(rover, [port])
+        craft = _craft(ports=[port])
+        _quiet(craft, [port])
         station = GroundStation(port)
         _beat(station)
-        run(rover, (SILENCE_MS - missing_ms) * 1000, STEP_US // 4)
+        run(craft, (SILENCE_MS - missing_ms) * 1000, STEP_US // 4)
         _beat(station)
         port.frames = []
-        run_passes(rover, 60)
-        assert _announced(port) == (_expected(rover) if is_told else []), missing_ms
+        run_passes(craft, 60)
+        assert _announced(port) == (_expected(craft) if is_told else []), missing_ms
 
 
 def told_after_days_of_silence():
     """Six to twelve days, in which ticks_ms() are hard to compare, are a silence like any other."""
     port = Port()
-    rover = _rover(ports=[port])
-    _quiet(rover, [port])
+    craft = _craft(ports=[port])
+    _quiet(craft, [port])
     station = GroundStation(port)
     _beat(station)
-    run(rover, LONG_US)
+    run(craft, LONG_US)
     for _ in range(9):
         mock_time.advance_us(86400 * SECOND_US)
-        run(rover, LONG_US)
+        run(craft, LONG_US)
     port.frames = []
     streamed = len(_announced(port))
     _beat(station)
-    run_passes(rover, 60)
-    assert _announced(port, streamed) == _expected(rover)
+    run_passes(craft, 60)
+    assert _announced(port, streamed) == _expected(craft)
 
 
 def a_port_that_takes_nothing_loses_none():
@@ -136,18 +136,18 @@ def a_port_that_takes_nothing_loses_none():
         port = Port()
         port.is_up = is_up
         port.room = 0
-        rover = _rover(ports=[port])
-        run(rover, 5 * SECOND_US)
+        craft = _craft(ports=[port])
+        run(craft, 5 * SECOND_US)
         assert port.frames == []
-        assert rover.connections[0].faults == 0
-        link = rover.connections[0].link
+        assert craft.connections[0].faults == 0
+        link = craft.connections[0].link
         assert link.sequence == link.tx_errors & 0xFF, "a frame that waits has a number already"
         port.is_up = True
         port.room = None
-        run_passes(rover, 1)
+        run_passes(craft, 1)
         assert len(_announced(port)) <= 1
-        run_passes(rover, 60)
-        assert _announced(port) == _expected(rover), is_up
+        run_passes(craft, 60)
+        assert _announced(port) == _expected(craft), is_up
         numbers = [frame[4] for frame in port.frames]
         for place in range(1, len(numbers)):
             assert numbers[place] == (numbers[place - 1] + 1) & 0xFF, "a frame counts as lost"
@@ -159,8 +159,8 @@ def _watched():
     return found
 
 
-def _owners(rover, component):
-    owner = getattr(rover.state, component)
+def _owners(craft, component):
+    owner = getattr(craft.state, component)
     return list(owner)
 
 
@@ -170,15 +170,15 @@ def told_of_a_change():
         facts = MESSAGES[number]
         component, attribute = facts["watched"]
         ports = [Port(), Port()]
-        rover = new_rover(ports=ports)
-        _quiet(rover, ports)
-        for place, owner in enumerate(_owners(rover, component)):
+        craft = new_craft(ports=ports)
+        _quiet(craft, ports)
+        for place, owner in enumerate(_owners(craft, component)):
             for value in (5, 6, None):
                 setattr(owner, attribute, value)
-                is_told = is_chosen(rover, number) and place in reporting(rover, number)
+                is_told = is_chosen(craft, number) and place in reporting(craft, number)
                 for port in ports:
                     port.frames = []
-                run_passes(rover, 20)
+                run_passes(craft, 20)
                 for port in ports:
                     found = [_id(frame) for frame in port.frames].count(number)
                     assert found == (facts["pages"] if is_told else 0), (number, place, value, found)
@@ -191,58 +191,58 @@ def told_of_all_when_their_turn_comes():
         facts = MESSAGES[number]
         component, attribute = facts["watched"]
         port = Port()
-        rover = new_rover(ports=[port])
-        owners = _owners(rover, component)
+        craft = new_craft(ports=[port])
+        owners = _owners(craft, component)
         for owner in owners:
             if facts["enabled"] and facts["component"] == component:
                 setattr(owner, facts["enabled"], True)
-        if not facts["rate"] or not is_chosen(rover, number):
+        if not facts["rate"] or not is_chosen(craft, number):
             continue
-        several = max(several, len(reporting(rover, number)))
-        _quiet(rover, [port])
+        several = max(several, len(reporting(craft, number)))
+        _quiet(craft, [port])
         port.room = 0
         setattr(owners[-1], attribute, 5)
-        run(rover, int(SECOND_US / facts["rate"]) + SECOND_US, STEP_US)
+        run(craft, int(SECOND_US / facts["rate"]) + SECOND_US, STEP_US)
         port.room = None
-        run_passes(rover, 60)
+        run_passes(craft, 60)
         found = [_id(frame) for frame in port.frames].count(number)
-        assert found == len(reporting(rover, number)) * facts["pages"], (number, found)
+        assert found == len(reporting(craft, number)) * facts["pages"], (number, found)
     needs(several > 1, "several instances that are announced")
 
 
 def only_what_is_on_is_told():
     """An instance that is switched off is not announced; one that is on is, whatever the others do."""
     port = Port()
-    rover = _rover(ports=[port])
-    _quiet(rover, [port])
+    craft = _craft(ports=[port])
+    _quiet(craft, [port])
     station = GroundStation(port)
     names = {(facts["component"], facts["enabled"]) for facts in MESSAGES.values() if facts["enabled"]}
     needs(names, "a component that can be off")
     for component, enabled in sorted(names):
-        for owner in _owners(rover, component):
+        for owner in _owners(craft, component):
             setattr(owner, enabled, not getattr(owner, enabled))
     station.received()
     _beat(station)
     port.frames = []
-    run_passes(rover, 60)
-    assert _announced(port) == _expected(rover)
+    run_passes(craft, 60)
+    assert _announced(port) == _expected(craft)
 
 
 def not_told_what_was_switched_off():
     """An interval of -1 on a link is respected there."""
     ports = [Port(), Port()]
-    rover = _rover(ports=ports)
-    _quiet(rover, ports)
+    craft = _craft(ports=ports)
+    _quiet(craft, ports)
     stations = [GroundStation(port) for port in ports]
-    for number in set(_expected(rover)):
+    for number in set(_expected(craft)):
         stations[0].command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, -1)
-        run_passes(rover, 4)
+        run_passes(craft, 4)
     for station in stations:
         _beat(station)
         station.port.frames = []
-    run_passes(rover, 60)
+    run_passes(craft, 60)
     assert _announced(ports[0]) == []
-    assert _announced(ports[1]) == _expected(rover)
+    assert _announced(ports[1]) == _expected(craft)
 
 
 def told_of_the_generation_that_is_chosen():
@@ -251,14 +251,14 @@ def told_of_the_generation_that_is_chosen():
     needs(choosing, "a parameter that chooses a generation")
     for choice in (0, 1, 2):
         port = Port()
-        rover = _rover(ports=[port])
+        craft = _craft(ports=[port])
         for each in choosing:
-            rover.parameters.set(each["parameter"], choice)
-        _quiet(rover, [port])
+            craft.parameters.set(each["parameter"], choice)
+        _quiet(craft, [port])
         station = GroundStation(port)
         _beat(station)
-        run_passes(rover, 60)
-        assert _announced(port) == _expected(rover), choice
+        run_passes(craft, 60)
+        assert _announced(port) == _expected(craft), choice
 
 
 def told_besides():
@@ -266,11 +266,11 @@ def told_besides():
     found = [number for number, facts in MESSAGES.items() if facts["on_connection"] and facts["rate"]]
     needs(found, "a message that is announced and has a rate")
     port = Port()
-    rover = new_rover(ports=[port])
-    _quiet(rover, [port])
-    run(rover, 120 * SECOND_US, STEP_US)
+    craft = new_craft(ports=[port])
+    _quiet(craft, [port])
+    run(craft, 120 * SECOND_US, STEP_US)
     for number in found:
-        turn = len(reporting(rover, number)) * MESSAGES[number]["pages"] if is_chosen(rover, number) else 0
+        turn = len(reporting(craft, number)) * MESSAGES[number]["pages"] if is_chosen(craft, number) else 0
         count = [_id(frame) for frame in port.frames].count(number)
         assert abs(count - 120 * MESSAGES[number]["rate"] * turn) <= turn, (number, count)
 

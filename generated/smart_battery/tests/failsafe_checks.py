@@ -1,9 +1,9 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: 0c7f052bf6d0b17e
+# Inputs: 65b366c8ee8bc466
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
-from program_bench import TURN_MS_US, NotHereError, analog, main, mock_time, needs, new_rover
+from program_bench import TURN_MS_US, NotHereError, analog, main, mock_time, needs, new_craft
 from program_facts import ACTIONS, FAILSAFES, MEASURED
 
 import dialect
@@ -95,7 +95,7 @@ def disarmed_it_rests():
     assert watch.readings(watch.deep, 600 * second) == []
     watch = armed_watch()
     watch.readings(watch.between, 6 * second)
-    watch.rover.disarm()
+    watch.craft.disarm()
     watch.readings(watch.between, 2 * second)
     watch.arm()
     assert watch.readings(watch.between, 12 * second) == [(LOW, 18 * second)], watch.events
@@ -108,7 +108,7 @@ def nothing_clears_it():
         watch.readings(getattr(watch, value), 2 * watch.per_second)
         assert watch.failsafe.level == level
         watch.readings(watch.low + 1000, 30 * watch.per_second)
-        watch.rover.disarm()
+        watch.craft.disarm()
         watch.readings(watch.low + 1000, 2 * watch.per_second)
         watch.arm()
         watch.set(0, 0, 0)
@@ -132,7 +132,7 @@ def text_of_each_escalation():
     facts = watch.facts
     watch.readings(watch.between, 3 * watch.per_second)
     watch.readings(watch.deep, 3 * watch.per_second)
-    texts = watch.rover.said(facts["title"] + " is ")
+    texts = watch.craft.said(facts["title"] + " is ")
     tail = facts["tails"][0]
     expected = [
         (
@@ -151,12 +151,12 @@ def text_counts_the_charge_used():
     needs(watch.facts["used"], "another quantity in the text")
     setattr(watch.component, watch.facts["used"], 1234)
     watch.readings(watch.between, 2 * watch.per_second)
-    assert watch.rover.said(watch.facts["title"] + " is ")[0][1].endswith(watch.facts["tails"][1])
+    assert watch.craft.said(watch.facts["title"] + " is ")[0][1].endswith(watch.facts["tails"][1])
 
 
-def _note(rover, name):
+def _note(craft, name):
     def call():
-        rover.calls.append(name)
+        craft.calls.append(name)
 
     return call
 
@@ -166,25 +166,25 @@ def each_action_is_its_call():
     for level, value in (("low", "between"), ("critical", "deep")):
         for number, call, mode, disarms in ((0, None, None, False),) + ACTIONS:  # noqa: RUF005  MicroPython cannot
             watch = armed_watch(1)
-            rover = watch.rover
+            craft = watch.craft
             facts = watch.facts
             choices = parameter_of(facts[level + "_action"])
             if not choices["minimum"] <= number <= choices["maximum"]:
                 continue
             for _, name, _, _ in ACTIONS:
-                setattr(rover, name, _note(rover, name))
+                setattr(craft, name, _note(craft, name))
             setattr(watch.parameters, facts["low_action"], 0)
             setattr(watch.parameters, facts["critical_action"], 0)
             setattr(watch.parameters, facts[level + "_action"], number)
-            mode_before = rover.state.vehicle.mode_number
-            rover.calls = []
+            mode_before = craft.state.vehicle.mode_number
+            craft.calls = []
             watch.readings(getattr(watch, value), 5 * watch.per_second)
             expected = [call] if call else []
             if disarms:
                 expected.append("on_disarm")
-            assert rover.calls == expected, (level, number, rover.calls)
-            assert rover.state.vehicle.mode_number == (mode_before if mode is None else mode), (level, number)
-            assert rover.is_armed != disarms, (level, number)
+            assert craft.calls == expected, (level, number, craft.calls)
+            assert craft.state.vehicle.mode_number == (mode_before if mode is None else mode), (level, number)
+            assert craft.is_armed != disarms, (level, number)
 
 
 def action_that_raises_does_no_harm():
@@ -195,22 +195,22 @@ def action_that_raises_does_no_harm():
         def fail():
             raise ValueError("broken")
 
-        setattr(watch.rover, call, fail)
+        setattr(watch.craft, call, fail)
         setattr(watch.parameters, watch.facts["low_action"], number)
         watch.readings(watch.between, 3 * watch.per_second)
         assert watch.failsafe.level == LOW
-        assert watch.rover.is_armed != disarms, call
-        assert len(watch.rover.said(watch.facts["component"] + " failed")) == 1
-        passes = watch.rover.port.polls
+        assert watch.craft.is_armed != disarms, call
+        assert len(watch.craft.said(watch.facts["component"] + " failed")) == 1
+        passes = watch.craft.port.polls
         watch.readings(watch.deep, 3 * watch.per_second)
-        assert watch.rover.port.polls == passes + 3 * watch.per_second
+        assert watch.craft.port.polls == passes + 3 * watch.per_second
         assert watch.failsafe.level == (LOW if disarms else CRITICAL)
 
 
 def heartbeat_says_critical():
     """MAV_STATE_CRITICAL from the pass of the trigger on, also when disarmed; standby and active before."""
     watch = new_watch(1)
-    vehicle = watch.rover.state.vehicle
+    vehicle = watch.craft.state.vehicle
     assert vehicle.status == dialect.MAV_STATE_STANDBY
     watch.arm()
     assert vehicle.status == dialect.MAV_STATE_ACTIVE
@@ -218,7 +218,7 @@ def heartbeat_says_critical():
     assert vehicle.status == dialect.MAV_STATE_ACTIVE
     watch.readings(watch.between)
     assert vehicle.status == dialect.MAV_STATE_CRITICAL
-    watch.rover.disarm()
+    watch.craft.disarm()
     assert vehicle.status == dialect.MAV_STATE_CRITICAL
 
 
@@ -234,23 +234,23 @@ def counts_lead_to_both_levels():
     low, critical = low * facts["low_scale"], critical * facts["critical_scale"]
     if not (0 < critical < low < full and 0 < timer <= 120):
         raise NotHereError("defaults that both levels can be reached with")
-    rover = new_rover()
-    failsafe = getattr(rover, facts["list"])[0]
-    _let_run(rover, measured, full - 1, 1)
-    assert rover.arm(force=True) is None
-    _let_run(rover, measured, (low + critical) // 2, timer + 1)
+    craft = new_craft()
+    failsafe = getattr(craft, facts["list"])[0]
+    _let_run(craft, measured, full - 1, 1)
+    assert craft.arm(force=True) is None
+    _let_run(craft, measured, (low + critical) // 2, timer + 1)
     assert failsafe.level == LOW
-    _let_run(rover, measured, critical * 9 // 10, timer + 1)
+    _let_run(craft, measured, critical * 9 // 10, timer + 1)
     assert failsafe.level == CRITICAL
 
 
-def _let_run(rover, measured, value, seconds):
-    multiplier = getattr(rover.parameters, measured["multiplier"])
+def _let_run(craft, measured, value, seconds):
+    multiplier = getattr(craft.parameters, measured["multiplier"])
     count = value * measured["denominator"] // (measured["numerator"] * multiplier)
     new = min(count, measured["full_scale"]) << measured["spare_bits"]
     analog(measured).source = new
     for _ in range(seconds * 1000000 // measured["period_us"]):
-        rover.run_pass()
+        craft.run_pass()
         mock_time.advance_us(measured["period_us"])
 
 

@@ -1,10 +1,10 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: f551ad4c886b1054
+# Inputs: 8cd3b0c9ee00717c
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
 
-from program_bench import GroundStation, Port, main, messages, needs, new_rover, run_passes, save
+from program_bench import GroundStation, Port, main, messages, needs, new_craft, run_passes, save
 from program_facts import MEASURED, PARAMETERS, SYSTEM_ID
 
 import dialect
@@ -22,9 +22,9 @@ def _worth(facts, steps):
     return _sent(steps * facts["numerator"] / facts["denominator"])
 
 
-def _set(rover, station, name, value):
+def _set(craft, station, name, value):
     station.send(messages.ParamSet, param_id=name, param_value=value)
-    run_passes(rover, 4)
+    run_passes(craft, 4)
     return station.received(*KINDS)
 
 
@@ -36,24 +36,24 @@ def _accepted(facts):
 
 def set_answers_with_the_value():
     """What is accepted comes back as it is in force, with its type and without an index."""
-    rover = new_rover()
-    station = rover.ground_station()
+    craft = new_craft()
+    station = craft.ground_station()
     for facts in PARAMETERS:
         for steps in _accepted(facts):
-            answers = _set(rover, station, facts["name"], _worth(facts, steps))
+            answers = _set(craft, station, facts["name"], _worth(facts, steps))
             assert len(answers) == 1, (facts["name"], steps, answers)
             answer = answers[0]
             assert (answer.param_id, answer.param_value) == (facts["name"], _worth(facts, steps)), (answer, steps)
             assert (answer.param_index, answer.param_count) == (NO_INDEX, len(PARAMETERS)), answer
             assert answer.param_type == facts["type"]
-            assert getattr(rover.parameters, facts["attribute"]) == steps
-    assert rover.connections[0].faults == 0, rover.said()
+            assert getattr(craft.parameters, facts["attribute"]) == steps
+    assert craft.connections[0].faults == 0, craft.said()
 
 
 def refused_values_change_nothing():
     """Outside the limits, NaN, infinite, none of the choices: an error, and then the value in force."""
-    rover = new_rover()
-    station = rover.ground_station()
+    craft = new_craft()
+    station = craft.ground_station()
     for facts in PARAMETERS:
         outside = [_worth(facts, facts["minimum"] - 1), _worth(facts, facts["maximum"] + 1)]
         outside += [float("nan"), float("inf"), -float("inf"), 3e38]
@@ -61,36 +61,36 @@ def refused_values_change_nothing():
             gaps = [steps for steps in range(facts["minimum"], facts["maximum"]) if steps not in facts["choices"]]
             outside += [_worth(facts, steps) for steps in gaps]
         for value in outside:
-            answers = _set(rover, station, facts["name"], value)
+            answers = _set(craft, station, facts["name"], value)
             assert [type(each) for each in answers] == [messages.ParamError, messages.ParamValue], answers
             assert answers[0].error == dialect.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE
             assert answers[1].param_value == _worth(facts, facts["default"]), (facts["name"], value, answers[1])
             assert answers[1].param_index == NO_INDEX
-            assert getattr(rover.parameters, facts["attribute"]) == facts["default"]
-    assert rover.parameters.changes == 0
+            assert getattr(craft.parameters, facts["attribute"]) == facts["default"]
+    assert craft.parameters.changes == 0
 
 
 def values_are_rounded_to_steps():
     """A value between two steps becomes the nearest, and that is the answer."""
-    rover = new_rover()
-    station = rover.ground_station()
+    craft = new_craft()
+    station = craft.ground_station()
     for facts in PARAMETERS:
         if facts["choices"] or facts["maximum"] - facts["minimum"] < 2:
             continue
         steps = facts["minimum"] + 1
         value = (steps + 0.3) * facts["numerator"] / facts["denominator"]
-        assert _set(rover, station, facts["name"], value)[0].param_value == _worth(facts, steps), facts["name"]
+        assert _set(craft, station, facts["name"], value)[0].param_value == _worth(facts, steps), facts["name"]
 
 
 def unknown_names_are_refused():
     """A name that is no parameter: an error only, on setting and on reading."""
-    rover = new_rover()
-    station = rover.ground_station()
-    answers = _set(rover, station, "NO_SUCH_NAME", 1)
+    craft = new_craft()
+    station = craft.ground_station()
+    answers = _set(craft, station, "NO_SUCH_NAME", 1)
     station.send(messages.ParamRequestRead, param_id="NO_SUCH_NAME", param_index=-1)
     for index in (len(PARAMETERS), -2, 32767):
         station.send(messages.ParamRequestRead, param_index=index)
-    run_passes(rover, 8)
+    run_passes(craft, 8)
     answers += station.received(*KINDS)
     assert [each.error for each in answers] == [dialect.MAV_PARAM_ERROR_DOES_NOT_EXIST] * 5, answers
 
@@ -98,12 +98,12 @@ def unknown_names_are_refused():
 def list_is_complete():
     """Each parameter once, in the order of the indices, with count and type; also over a port that is often full."""
     for every in (1, 2, 5):
-        rover = new_rover()
-        station = rover.ground_station()
+        craft = new_craft()
+        station = craft.ground_station()
         station.send(messages.ParamRequestList)
         for index in range((len(PARAMETERS) + 14) * every):
-            rover.port.room = None if index % every == 0 else 0
-            run_passes(rover, 1)
+            craft.port.room = None if index % every == 0 else 0
+            run_passes(craft, 1)
         values = station.received(messages.ParamValue)
         assert [value.param_index for value in values] == list(range(len(PARAMETERS))), every
         for facts, value in zip(PARAMETERS, values):  # noqa: B905  MicroPython has no strict
@@ -114,12 +114,12 @@ def list_is_complete():
 
 def read_by_name_and_by_index():
     """Both ways give the value with its index."""
-    rover = new_rover()
-    station = rover.ground_station()
+    craft = new_craft()
+    station = craft.ground_station()
     for index, facts in enumerate(PARAMETERS):
         station.send(messages.ParamRequestRead, param_id=facts["name"], param_index=-1)
         station.send(messages.ParamRequestRead, param_index=index)
-        run_passes(rover, 4)
+        run_passes(craft, 4)
         found = [(value.param_id, value.param_index) for value in station.received(*KINDS)]
         assert found == [(facts["name"], index)] * 2, found
 
@@ -127,17 +127,17 @@ def read_by_name_and_by_index():
 def change_is_announced_on_other_links():
     """What is set over one link is told on the others, with the value."""
     ports = [Port(), Port()]
-    rover = new_rover(ports=ports)
+    craft = new_craft(ports=ports)
     one, other = [GroundStation(port) for port in ports]
     for facts in PARAMETERS:
         steps = next(each for each in _accepted(facts) if each != facts["default"])
         one.send(messages.ParamSet, param_id=facts["name"], param_value=_worth(facts, steps))
-        run_passes(rover, 4)
+        run_passes(craft, 4)
         assert len(one.received(messages.ParamValue)) == 1
         told = other.received(messages.ParamValue)
         assert [(value.param_id, value.param_value) for value in told] == [(facts["name"], _worth(facts, steps))], told
-    assert [connection.faults for connection in rover.connections] == [0, 0], rover.said()
-    late = [text for _, text in rover.said() if text.endswith("counts from the next start")]
+    assert [connection.faults for connection in craft.connections] == [0, 0], craft.said()
+    late = [text for _, text in craft.said() if text.endswith("counts from the next start")]
     assert len(late) == len([facts for facts in PARAMETERS if facts["after_restart"]]), late
 
 
@@ -146,17 +146,17 @@ def multiplier_counts_from_the_next_start():
     for measured in MEASURED:
         needs(measured["latched"], "a multiplier that waits for the next start")
         facts = next(each for each in PARAMETERS if each["attribute"] == measured["multiplier"])
-        rover = new_rover()
+        craft = new_craft()
         read = "update_" + measured["component"]
-        getattr(rover.state, read)(rover.board)
-        component = getattr(rover.state, measured["component"])
+        getattr(craft.state, read)(craft.board)
+        component = getattr(craft.state, measured["component"])
         needs(measured["first"] == measured["component"], "a single instance")
         before = getattr(component, measured["attribute"])
-        setattr(rover.parameters, facts["attribute"], facts["maximum"])
-        getattr(rover.state, read)(rover.board)
+        setattr(craft.parameters, facts["attribute"], facts["maximum"])
+        getattr(craft.state, read)(craft.board)
         assert getattr(component, measured["attribute"]) == before
-        save(rover)
-        again = new_rover(flash=rover.flash)
+        save(craft)
+        again = new_craft(flash=craft.flash)
         getattr(again.state, read)(again.board)
         assert getattr(getattr(again.state, measured["component"]), measured["attribute"]) > before
 
@@ -165,14 +165,14 @@ def system_id_counts_from_the_next_start():
     """Frames carry the old system id until the next start, and then the new one."""
     ids = [facts for facts in PARAMETERS if facts["after_restart"] and "SYSID" in facts["name"]]
     needs(ids, "a parameter with the system id")
-    rover = new_rover()
-    assert rover.parameters.set(ids[0]["name"], 42)
-    run_passes(rover, 10)
-    assert {frame[5] for frame in rover.port.frames} == {SYSTEM_ID}
-    save(rover)
-    rover = new_rover(flash=rover.flash)
-    run_passes(rover, 10)
-    assert {frame[5] for frame in rover.port.frames} == {42}
+    craft = new_craft()
+    assert craft.parameters.set(ids[0]["name"], 42)
+    run_passes(craft, 10)
+    assert {frame[5] for frame in craft.port.frames} == {SYSTEM_ID}
+    save(craft)
+    craft = new_craft(flash=craft.flash)
+    run_passes(craft, 10)
+    assert {frame[5] for frame in craft.port.frames} == {42}
 
 
 CHECKS = (

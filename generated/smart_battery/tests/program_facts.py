@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 6a604a7a710576ec
+# Inputs: cfb1911a1920451b
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -124,6 +124,7 @@ MEASURED = (
         "trend": None,
         "trend_half": 0,
         "estimate": None,
+        "not_estimated": [],
         "estimate_points": [],
     },
 )

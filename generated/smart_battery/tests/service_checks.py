@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: cf6404ec9aa7aa9e
+# Inputs: 46569238a8f3dff5
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -10,8 +10,8 @@ from program_bench import (
     main,
     messages,
     needs_arming,
-    new_rover,
-    ready_rover,
+    new_craft,
+    ready_craft,
     run,
     run_passes,
 )
@@ -42,16 +42,16 @@ else:
 
 def _met():
     """Return a vehicle that has run for a second, and its ground station."""
-    rover = ready_rover()
-    run(rover, SECOND_US)
-    station = rover.ground_station()
+    craft = ready_craft()
+    run(craft, SECOND_US)
+    station = craft.ground_station()
     station.received()
-    return rover, station
+    return craft, station
 
 
-def _result(rover, station, number, *params, **values):
+def _result(craft, station, number, *params, **values):
     station.command(number, *params, **values)
-    run_passes(rover, 4)
+    run_passes(craft, 4)
     acks = station.received(messages.CommandAck)
     assert len(acks) == 1, (number, params, acks)
     assert acks[0].command == number
@@ -60,27 +60,27 @@ def _result(rover, station, number, *params, **values):
 
 def every_command_is_answered():
     """Known, unknown, as COMMAND_LONG and COMMAND_INT, whatever its parameters are: one COMMAND_ACK to who asked."""
-    rover, station = _met()
+    craft, station = _met()
     odd = (0.0, -1.0, 0.5, 3e38, float("nan"), float("inf"), -float("inf"))
     for number in KNOWN + UNKNOWN:
         for value in odd if number in KNOWN else (0.0, float("nan")):
             params = {f"param{index}": value for index in range(1, 5)}
             for kind in (messages.CommandLong, messages.CommandInt):
                 station.send(kind, command=number, **params)
-                run_passes(rover, 3)
+                run_passes(craft, 3)
                 acks = station.received(messages.CommandAck)
                 assert [ack.command for ack in acks] == [number], (number, value, acks)
                 assert (acks[0].raw("target_system"), acks[0].raw("target_component")) == (255, 190), acks
                 assert (acks[0].result == UNSUPPORTED) == (number not in KNOWN) or number == KNOWN[-1], acks
                 if FORCE_ARM is not None:
-                    rover.disarm()
-                rover._restart_ms = None
-    assert rover.connections[0].faults == 0, rover.said()
+                    craft.disarm()
+                craft._restart_ms = None
+    assert craft.connections[0].faults == 0, craft.said()
 
 
 def others_are_left_alone():
     """What is for another system or component is not answered; 0 is everybody."""
-    rover, station = _met()
+    craft, station = _met()
     for system, component, answers in (
         (SYSTEM_ID + 1, COMPONENT_ID, 0),
         (SYSTEM_ID, COMPONENT_ID + 1, 0),
@@ -90,140 +90,140 @@ def others_are_left_alone():
     ):
         station.command(410, target_system=system, target_component=component)
         station.send(messages.ParamRequestRead, param_index=0, target_system=system, target_component=component)
-        run_passes(rover, 4)
+        run_passes(craft, 4)
         assert len(station.received()) == 2 * answers, (system, component)
 
 
 def message_follows_the_acknowledgement():
     """COMMAND_ACK first, then the message that was asked for; of unknown ones nothing."""
-    rover, station = _met()
+    craft, station = _met()
     for number in SENT + (messages.MessageInterval.ID,):  # noqa: RUF005  MicroPython cannot
         station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
-        run_passes(rover, 1)
+        run_passes(craft, 1)
         found = station.received(*messages.ALL)
         kinds = [message.ID for message in found if message.ID in (messages.CommandAck.ID, number)]
         assert kinds[:2] == [messages.CommandAck.ID, number], (number, kinds)
     for number in (9999, 76, 0.5, -1, 1e9):
-        assert _result(rover, station, dialect.MAV_CMD_REQUEST_MESSAGE, number) == DENIED, number
+        assert _result(craft, station, dialect.MAV_CMD_REQUEST_MESSAGE, number) == DENIED, number
     for command, name in (
         (dialect.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, "AutopilotVersion"),
         (dialect.MAV_CMD_REQUEST_PROTOCOL_VERSION, "ProtocolVersion"),
     ):
         number = getattr(getattr(messages, name, None), "ID", None)
         if number not in ON_REQUEST:
-            assert _result(rover, station, command, 1) == DENIED
+            assert _result(craft, station, command, 1) == DENIED
             continue
         station.command(command, 1)
-        run_passes(rover, 3)
+        run_passes(craft, 3)
         assert [message.ID for message in station.received()] == [messages.CommandAck.ID, number]
         station.command(command, 0)
-        run_passes(rover, 3)
+        run_passes(craft, 3)
         assert [message.ID for message in station.received()] == [messages.CommandAck.ID]
-        assert _result(rover, station, command, 2) == DENIED
+        assert _result(craft, station, command, 2) == DENIED
 
 
 def full_port_delays_but_does_not_reorder():
     """While the port takes nothing the answers wait; then they come in their order."""
-    rover, station = _met()
-    rover.port.room = 0
+    craft, station = _met()
+    craft.port.room = 0
     asked = [410, 411, 412]
     for number in asked:
         station.command(number)
-    run_passes(rover, 40)
+    run_passes(craft, 40)
     assert station.received() == []
-    rover.port.room = 1
-    run_passes(rover, 20)
+    craft.port.room = 1
+    run_passes(craft, 20)
     assert [ack.command for ack in station.received(messages.CommandAck)] == asked
 
 
-def _flag(rover, station):
-    run(rover, SECOND_US)
+def _flag(craft, station):
+    run(craft, SECOND_US)
     return station.received(messages.Heartbeat)[-1].base_mode & ARMED
 
 
 def arming_by_command():
     """Armed, disarmed, refused with a text, forced; anything but 0 and 1 is denied; HEARTBEAT follows."""
     needs_arming()
-    rover, station = _met()
+    craft, station = _met()
     command = dialect.MAV_CMD_COMPONENT_ARM_DISARM
-    assert not _flag(rover, station)
-    assert _result(rover, station, command, 1) == ACCEPTED
-    assert rover.is_armed
-    assert _flag(rover, station)
-    assert _result(rover, station, command, 0) == ACCEPTED
-    assert not rover.is_armed
-    assert not _flag(rover, station)
-    rover.problem = "door open"
+    assert not _flag(craft, station)
+    assert _result(craft, station, command, 1) == ACCEPTED
+    assert craft.is_armed
+    assert _flag(craft, station)
+    assert _result(craft, station, command, 0) == ACCEPTED
+    assert not craft.is_armed
+    assert not _flag(craft, station)
+    craft.problem = "door open"
     station.received()
     station.command(command, 1)
-    run_passes(rover, 4)
+    run_passes(craft, 4)
     found = station.received(messages.CommandAck, messages.Statustext)
     assert [each.result for each in found if each.ID == messages.CommandAck.ID] == [FAILED]
     texts = [each for each in found if each.ID == messages.Statustext.ID]
     assert [each.text for each in texts] == ["PreArm: door open"], texts
     assert texts[0].severity == dialect.MAV_SEVERITY_ERROR
     for number in (FORCE_ARM + 1, 0, 1, float("nan")):
-        assert _result(rover, station, command, 1, number) == FAILED, number
-    assert _result(rover, station, command, 1, FORCE_ARM) == ACCEPTED
-    assert rover.is_armed
+        assert _result(craft, station, command, 1, number) == FAILED, number
+    assert _result(craft, station, command, 1, FORCE_ARM) == ACCEPTED
+    assert craft.is_armed
     for value in (0.5, 2, -1, float("nan"), float("inf")):
-        assert _result(rover, station, command, value) == DENIED, value
-    assert rover.is_armed
-    assert _result(rover, station, command, 0, FORCE_ARM) == ACCEPTED
-    assert not rover.is_armed
+        assert _result(craft, station, command, value) == DENIED, value
+    assert craft.is_armed
+    assert _result(craft, station, command, 0, FORCE_ARM) == ACCEPTED
+    assert not craft.is_armed
 
 
 def restart_by_command():
     """Accepted while disarmed; failed while armed unless forced; 0 does nothing, 2 and more are unsupported."""
     command = dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN
-    rover, station = _met()
-    assert _result(rover, station, command, dialect.REBOOT_SHUTDOWN_ACTION_NONE) == ACCEPTED
-    assert _result(rover, station, command, 2) == UNSUPPORTED
-    assert _result(rover, station, command, 3) == UNSUPPORTED
-    assert _result(rover, station, command, 0.5) == DENIED
-    assert rover._restart_ms is None
+    craft, station = _met()
+    assert _result(craft, station, command, dialect.REBOOT_SHUTDOWN_ACTION_NONE) == ACCEPTED
+    assert _result(craft, station, command, 2) == UNSUPPORTED
+    assert _result(craft, station, command, 3) == UNSUPPORTED
+    assert _result(craft, station, command, 0.5) == DENIED
+    assert craft._restart_ms is None
     if FORCE_ARM is not None:
-        rover.arm(force=True)
-        assert _result(rover, station, command, 1) == FAILED
-        assert _result(rover, station, command, 1, param6=1) == FAILED
-        assert rover._restart_ms is None
-        assert rover.is_armed
-        assert _result(rover, station, command, 1, param6=dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE) == ACCEPTED
-        assert rover._restart_ms is not None
-        assert not rover.is_armed
-        rover, station = _met()
-    assert _result(rover, station, command, 1) == ACCEPTED
-    assert rover._restart_ms is not None
+        craft.arm(force=True)
+        assert _result(craft, station, command, 1) == FAILED
+        assert _result(craft, station, command, 1, param6=1) == FAILED
+        assert craft._restart_ms is None
+        assert craft.is_armed
+        assert _result(craft, station, command, 1, param6=dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE) == ACCEPTED
+        assert craft._restart_ms is not None
+        assert not craft.is_armed
+        craft, station = _met()
+    assert _result(craft, station, command, 1) == ACCEPTED
+    assert craft._restart_ms is not None
 
 
 def pings_are_answered():
     """The same time and number, addressed to who asked; an answer is not answered."""
-    rover, station = _met()
+    craft, station = _met()
     time_usec = 1 << 52 | 12345
     station.send(messages.Ping, time_usec=time_usec, seq=77, target_system=0, target_component=0)
-    run_passes(rover, 3)
+    run_passes(craft, 3)
     pongs = station.received(messages.Ping)
     assert [(pong.time_usec, pong.seq) for pong in pongs] == [(time_usec, 77)], pongs
     assert (pongs[0].target_system, pongs[0].target_component) == (255, 190)
     station.send(messages.Ping, time_usec=1, seq=1)
-    run_passes(rover, 3)
+    run_passes(craft, 3)
     assert station.received(messages.Ping) == []
 
 
-def _chunks(rover, station):
-    run_passes(rover, 6)
+def _chunks(craft, station):
+    run_passes(craft, 6)
     return station.received(messages.Statustext)
 
 
 def texts_in_chunks():
     """Texts of every length arrive whole: up to 50 characters alone, longer ones in chunks, the last with a NUL."""
-    rover, station = _met()
+    craft, station = _met()
     station.received(messages.Statustext)
     numbers = []
     for length in (1, 49, 50, 51, 99, 100, 101, 120):
         text = "".join([chr(ord("a") + index % 26) for index in range(length)])
-        rover.texts.say(dialect.MAV_SEVERITY_NOTICE, text)
-        chunks = _chunks(rover, station)
+        craft.texts.say(dialect.MAV_SEVERITY_NOTICE, text)
+        chunks = _chunks(craft, station)
         assert "".join([chunk.text for chunk in chunks]) == text, (length, chunks)
         assert len(chunks) == (1 if length <= 50 else length // 50 + 1), length
         assert [chunk.chunk_seq for chunk in chunks] == list(range(len(chunks)))
@@ -238,17 +238,17 @@ def texts_in_chunks():
 def texts_reach_every_link():
     """A text goes out on each link once; one that is down does not hold up the others."""
     ports = [Port(), Port()]
-    rover = new_rover(ports=ports)
+    craft = new_craft(ports=ports)
     stations = [GroundStation(port) for port in ports]
-    run(rover, SECOND_US)
+    run(craft, SECOND_US)
     for station in stations:
         station.received()
     ports[0].is_up = False
-    rover.texts("warning: one")
-    run_passes(rover, 6)
+    craft.texts("warning: one")
+    run_passes(craft, 6)
     assert [text.text for text in stations[1].received(messages.Statustext)] == ["one"]
     ports[0].is_up = True
-    run_passes(rover, 6)
+    run_passes(craft, 6)
     assert [text.text for text in stations[0].received(messages.Statustext)] == ["one"]
 
 
@@ -257,7 +257,7 @@ def garbage_is_survived():
 
     One in 256 false frames of a message that the link does not know passes for one, and hides what is within it.
     """
-    rover, station = _met()
+    craft, station = _met()
     state = 1
     answered = asked = 0
 
@@ -271,45 +271,45 @@ def garbage_is_survived():
 
     frame = bytearray(station.link.encode(messages.CommandLong(unknown=False).update(command=410)))
     for round_ in range(60):
-        rover.port.arrives(noise(round_))
-        rover.port.arrives(frame[: round_ % len(frame)])
+        craft.port.arrives(noise(round_))
+        craft.port.arrives(frame[: round_ % len(frame)])
         altered = bytearray(frame)
         altered[round_ % (len(frame) - 1) + 1] ^= 0x55
-        rover.port.arrives(altered)
-        rover.port.arrives(bytes(300))  # what looks like a long frame is over after these
-        rover.port.arrives(b"\xfd\xc0\x00\x00")  # a false start: the true frame is within the false one
+        craft.port.arrives(altered)
+        craft.port.arrives(bytes(300))  # what looks like a long frame is over after these
+        craft.port.arrives(b"\xfd\xc0\x00\x00")  # a false start: the true frame is within the false one
         station.command(1000 + round_)
-        rover.port.arrives(bytes(300))
+        craft.port.arrives(bytes(300))
         asked += 1
-        run_passes(rover, 20)
+        run_passes(craft, 20)
         answered += len([ack for ack in station.received(messages.CommandAck) if ack.command == 1000 + round_])
     assert answered >= asked - 1, (answered, asked)
-    link = rover.connections[0].link
+    link = craft.connections[0].link
     assert link.crc_errors > 0
     assert link.received >= answered
-    assert rover.connections[0].faults == 0
+    assert craft.connections[0].faults == 0
 
 
 def ground_stations_are_noted():
     """The HEARTBEAT of a ground station is remembered, that of another vehicle is not."""
-    rover, station = _met()
-    services = rover.connections[0].services
+    craft, station = _met()
+    services = craft.connections[0].services
     station.send(messages.Heartbeat, type=2)
-    run_passes(rover, 3)
+    run_passes(craft, 3)
     assert services.ground_station is None
     station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
-    run_passes(rover, 3)
+    run_passes(craft, 3)
     assert services.ground_station == (255, 190)
     assert station.received() == []
 
 
 def answers_across_the_wrap():
     """Nothing gets stuck where ticks_us() starts again."""
-    rover = new_rover(at_us=TURN_US - SECOND_US // 2)
-    station = rover.ground_station()
+    craft = new_craft(at_us=TURN_US - SECOND_US // 2)
+    station = craft.ground_station()
     for number in range(400, 500):
         station.command(number + 1000)
-        run(rover, SECOND_US // 100)
+        run(craft, SECOND_US // 100)
     found = [ack.command for ack in station.received(messages.CommandAck)]
     assert found == list(range(1400, 1500)), found
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: 64bebe5f68b20a8d
+# Inputs: aaba55aeb87f00ca
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -8,7 +8,7 @@ from program_bench import (
     main,
     messages,
     needs,
-    new_rover,
+    new_craft,
     run,
     run_passes,
 )
@@ -74,11 +74,11 @@ class End:
 
 
 class Scene:
-    """A rover on the air, and stations by the number of their address."""
+    """A vehicle on the air, and stations by the number of their address."""
 
     def __init__(self, home=HOME):
         self.air = Air(home)
-        self.rover = new_rover(ports=[self.air])
+        self.craft = new_craft(ports=[self.air])
         self.stations = {}
 
     def station(self, number, system_id=255):
@@ -92,7 +92,7 @@ class Scene:
         for _ in range(count):
             for number in present:
                 self.beat(number)
-            run(self.rover, SECOND_US)
+            run(self.craft, SECOND_US)
 
     def beat(self, number):
         """Let a station send a HEARTBEAT."""
@@ -163,8 +163,8 @@ def lists_of_parameters_go_side_by_side():
     scene.air.taken = {}
     for number in (1, 2, 3):
         scene.station(number).send(messages.ParamRequestList)
-        run_passes(scene.rover, 3)
-    run(scene.rover, 5 * SECOND_US)
+        run_passes(scene.craft, 3)
+    run(scene.craft, 5 * SECOND_US)
     for number in (1, 2, 3):
         found = [value.param_index for value in scene.station(number).received(messages.ParamValue)]
         assert found == list(range(len(PARAMETERS))), (number, found)
@@ -176,11 +176,11 @@ def a_new_value_is_told_to_all():
     scene = Scene()
     scene.seconds(1, 1, 2, 3)
     scene.air.taken = {}
-    limits = scene.rover.parameters.limits(PARAMETERS[0]["name"])
-    now = scene.rover.parameters.get(PARAMETERS[0]["name"])
+    limits = scene.craft.parameters.limits(PARAMETERS[0]["name"])
+    now = scene.craft.parameters.get(PARAMETERS[0]["name"])
     value = limits[0] if now != limits[0] else limits[1]
     scene.station(2).send(messages.ParamSet, param_id=PARAMETERS[0]["name"], param_value=value)
-    run_passes(scene.rover, 4)
+    run_passes(scene.craft, 4)
     for number in (1, 2, 3):
         found = [each.param_id for each in scene.station(number).received(messages.ParamValue)]
         assert found == [PARAMETERS[0]["name"]], (number, found)
@@ -193,7 +193,7 @@ def who_asks_is_answered():
     scene.air.taken = {}
     scene.station(1).command(410)
     scene.station(2).command(411)
-    run_passes(scene.rover, 4)
+    run_passes(scene.craft, 4)
     for number, expected in ((1, 410), (2, 411)):
         assert [ack.command for ack in scene.station(number).received(messages.CommandAck)] == [expected]
 
@@ -208,7 +208,7 @@ def bytes_that_are_no_frame_change_nothing():
         for stray in strays + (own,):  # noqa: RUF005  MicroPython has no stars there
             scene.air.arrived.append((address(9), stray))
             scene.air.taken = {}
-            run_passes(scene.rover, 8)
+            run_passes(scene.craft, 8)
         found = scene.heard(5, *present)
         assert min(found) >= 4, found
         assert address(9) not in scene.air.taken
@@ -224,11 +224,11 @@ def datagrams_stand_for_themselves():
     for _ in range(5):
         scene.air.arrived.append((address(2), announced))
         scene.station(1).command(410)
-        run_passes(scene.rover, 2)
+        run_passes(scene.craft, 2)
     assert len(scene.station(1).received(messages.CommandAck)) == 5
     frame = bytes(scene.station(1).link.encode(messages.CommandLong(unknown=False).update(command=410)))
     scene.air.arrived += [(address(1), frame[:20]), (address(2), frame[20:])]
-    run_passes(scene.rover, 4)
+    run_passes(scene.craft, 4)
     assert not scene.station(1).received(messages.CommandAck) + scene.station(2).received(messages.CommandAck)
 
 
@@ -266,14 +266,14 @@ def the_declared_address_keeps_its_rates():
     scene.station(1).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, messages.Heartbeat.ID, -1)
     scene.seconds(SILENCE_MS // 1000 + 2)
     scene.air.taken = {}
-    run(scene.rover, 5 * SECOND_US)
+    run(scene.craft, 5 * SECOND_US)
     assert scene.beats(home) == 0
     scene.seconds(1, 2)
     assert scene.heard(5, 2)[0] >= 4
     assert home not in scene.air.taken
     scene.seconds(SILENCE_MS // 1000 + 2)
     scene.air.taken = {}
-    run(scene.rover, 5 * SECOND_US)
+    run(scene.craft, 5 * SECOND_US)
     assert scene.beats(home) == 0
     assert address(2) not in scene.air.taken
 
@@ -328,8 +328,8 @@ def there_is_no_place_for_a_fifth():
         scene.beat(5)
     scene.seconds(12, 1, 2, 3, 4)
     assert address(5) not in scene.air.taken
-    assert scene.rover.said("air has no place for another station")
-    assert scene.rover.connections[0].faults == 0
+    assert scene.craft.said("air has no place for another station")
+    assert scene.craft.connections[0].faults == 0
     scene.seconds(6, 1, 2, 3, 5)
     assert min(scene.heard(5, 1, 2, 3, 5)) >= 4
 
@@ -341,8 +341,8 @@ def too_much_is_left_out_from_the_end():
     for number in (1, 2, 3, 4):
         for message in SENT:
             scene.station(number).command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, message, 1)
-            run_passes(scene.rover, 2)
-    streams = [station.streams for station in scene.rover.connections[0].stations]
+            run_passes(scene.craft, 2)
+    streams = [station.streams for station in scene.craft.connections[0].stations]
     intervals_us = [each.interval_us(message) for each in streams for message in SENT]
     per_pass = sum([LINKS_US / interval_us for interval_us in intervals_us if interval_us > 0])
     needs(per_pass > 9, "enough messages")
@@ -355,11 +355,11 @@ def too_much_is_left_out_from_the_end():
     for _ in range(11):
         scene.air.taken = {}
         scene.seconds(1, 1, 2, 3, 4)
-    assert scene.rover.said("air is full, messages left out")
+    assert scene.craft.said("air is full, messages left out")
     for number in (1, 2, 3, 4):
         scene.air.taken = {}
         scene.station(number).command(410)
-        run_passes(scene.rover, 4)
+        run_passes(scene.craft, 4)
         assert len(scene.station(number).received(messages.CommandAck)) == 1
 
 

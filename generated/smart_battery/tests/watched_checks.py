@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 85405f3778f2686e
+# Inputs: 22b3323afed420d7
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -9,7 +9,7 @@ from program_bench import (
     mock_time,
     needs,
     needs_arming,
-    new_rover,
+    new_craft,
 )
 from program_facts import ACTIONS, CHECKS_US, MEASURED, PARAMETERS, PRIORITY, WATCHED
 
@@ -25,23 +25,23 @@ class Bench:
 
     def __init__(self, facts, is_armed=True):
         self.facts = facts
-        self.rover = new_rover()
-        self.failsafe = getattr(self.rover, facts["list"])[0]
-        check, own = self.rover._check, getattr(self.rover, facts["list"])
-        self.rover._check = lambda failsafes: check(failsafes) if failsafes is own else None  # the others rest
+        self.craft = new_craft()
+        self.failsafe = getattr(self.craft, facts["list"])[0]
+        check, own = self.craft._check, getattr(self.craft, facts["list"])
+        self.craft._check = lambda failsafes: check(failsafes) if failsafes is own else None  # the others rest
         self.period_us = CHECKS_US
         self.component = None
         self.values = {}
-        self.rover.disarm = lambda **_forced: None  # else an action hides what else there is
+        self.craft.disarm = lambda **_forced: None  # else an action hides what else there is
         if facts["component"]:
-            self.component = getattr(self.rover.state, facts["component"])[0]
+            self.component = getattr(self.craft.state, facts["component"])[0]
         if facts["measured"]:
             self.period_us = next(each for each in MEASURED if each["component"] == facts["component"])["period_us"]
             name = "update_" + facts["component"]
-            self._read = getattr(self.rover.state, name)
-            setattr(self.rover.state, name, self._update)
+            self._read = getattr(self.craft.state, name)
+            setattr(self.craft.state, name, self._update)
         if is_armed:
-            assert self.rover.arm(force=True) is None
+            assert self.craft.arm(force=True) is None
 
     def _update(self, board):
         self._read(board)
@@ -56,7 +56,7 @@ class Bench:
         for other in self.facts["conditions"]:
             if other[ATTRIBUTE] and other is not condition:
                 if other[LIMIT] and other[IS_OFF_AT_ZERO]:
-                    setattr(self.rover.parameters, other[LIMIT], 0)
+                    setattr(self.craft.parameters, other[LIMIT], 0)
                 good = other[HIGH] if other[SENSE] == "below" else other[LOW]
                 self.values.setdefault(other[ATTRIBUTE], good)
 
@@ -68,7 +68,7 @@ class Bench:
             before = self.failsafe.level
             if not self.facts["measured"]:
                 self._set()
-            self.rover.run_pass()
+            self.craft.run_pass()
             if self.failsafe.level != before:
                 found.append((number, self.failsafe.level))
             mock_time.advance_us(self.period_us)
@@ -80,7 +80,7 @@ class Bench:
         if condition[AFTER]:
             parameter = next(each for each in PARAMETERS if each["attribute"] == condition[AFTER])
             steps = max(1, parameter["minimum"])
-            setattr(self.rover.parameters, condition[AFTER], steps)
+            setattr(self.craft.parameters, condition[AFTER], steps)
             after_ms *= steps
         return -(-after_ms * 1000 // self.period_us)
 
@@ -91,7 +91,7 @@ class Bench:
         parameter = next(each for each in PARAMETERS if each["attribute"] == condition[LIMIT])
         high = min(parameter["maximum"], condition[HIGH] // condition[FACTOR])
         steps = (max(parameter["minimum"], -(-condition[LOW] // condition[FACTOR])) + high) // 2
-        setattr(self.rover.parameters, condition[LIMIT], steps)
+        setattr(self.craft.parameters, condition[LIMIT], steps)
         return steps * condition[FACTOR]
 
 
@@ -202,20 +202,20 @@ def a_level_stays_or_is_over():
         bench.values[condition[ATTRIBUTE]] = None
         assert bench.run(passes=5) == [], condition
         bench.values[condition[ATTRIBUTE]] = min(max(better, condition[LOW]), condition[HIGH])
-        said = bench.rover.texts.last
+        said = bench.craft.texts.last
         found = bench.run(passes=5)
         if facts["is_latched"]:
             assert found == [], condition
-            assert bench.rover.state.vehicle.status == dialect.MAV_STATE_CRITICAL
+            assert bench.craft.state.vehicle.status == dialect.MAV_STATE_CRITICAL
             continue
         assert found, condition
         assert found[0][0] == 0, (condition, found)
         assert bench.failsafe.level < condition[LEVEL], (condition, found)
-        assert bench.rover.texts.last == said + 1
+        assert bench.craft.texts.last == said + 1
         if not bench.failsafe.level:
-            severity, _ = bench.rover.texts.get(said + 1)
+            severity, _ = bench.craft.texts.get(said + 1)
             assert severity == dialect.MAV_SEVERITY_NOTICE
-            assert bench.rover.state.vehicle.status == dialect.MAV_STATE_ACTIVE
+            assert bench.craft.state.vehicle.status == dialect.MAV_STATE_ACTIVE
 
 
 def each_level_does_what_it_says():
@@ -230,11 +230,11 @@ def each_level_does_what_it_says():
             due = bench.delay(condition)
             bench.rests(condition)
             if chosen:
-                setattr(bench.rover.parameters, chosen, number)
+                setattr(bench.craft.parameters, chosen, number)
             calls = []
             for name in [name for _, name, _, _ in ACTIONS] + ["disarm"]:
-                setattr(bench.rover, name, _note(calls, name))
-            vehicle = bench.rover.state.vehicle
+                setattr(bench.craft, name, _note(calls, name))
+            vehicle = bench.craft.state.vehicle
             before = vehicle.mode_number
             bench.values[condition[ATTRIBUTE]] = beyond
             bench.run(passes=due + 5)
@@ -267,7 +267,7 @@ def a_parameter_of_0_switches_off():
             bench, _, beyond = _on(facts, condition)
             due = bench.delay(condition)
             bench.values[condition[ATTRIBUTE]] = beyond
-            setattr(bench.rover.parameters, switch, 0)
+            setattr(bench.craft.parameters, switch, 0)
             bench.run(passes=due + 5)
             assert bench.failsafe.level < condition[LEVEL], (condition, switch)
 
@@ -286,7 +286,7 @@ def arming_asks_for_every_condition():
                 bench._set()
                 problem = bench.failsafe.problem()
                 assert (problem is None) == is_free, (condition, value, problem)
-                refused = bench.rover.arming_problem()
+                refused = bench.craft.arming_problem()
                 if facts["forbids_arming"] and not is_free:
                     assert refused is not None
 
@@ -295,24 +295,24 @@ def the_most_severe_action_holds():
     """Whichever comes first; once it is over the next one does, and what holds already is not done again."""
     needs(len(PRIORITY) > 1, "actions by their severity")
     needs(len(WATCHED) > 1, "several failsafes")
-    rover = new_rover()
-    one, other = (getattr(rover, facts["list"])[0] for facts in WATCHED[:2])
+    craft = new_craft()
+    one, other = (getattr(craft, facts["list"])[0] for facts in WATCHED[:2])
     for at in range(1, len(PRIORITY)):
         severe, mild = PRIORITY[at - 1], PRIORITY[at]
         for first, second, told in ((mild, severe, [mild, severe]), (severe, mild, [severe]), (mild, mild, [mild])):
             done = []
-            rover._act = done.append
+            craft._act = done.append
             one.action, other.action = (lambda: first), (lambda: second)  # noqa: B023  called in this turn
             for each in (one, other):
                 each.level = 1
-                rover._check([])
-                rover._check([])
+                craft._check([])
+                craft._check([])
             assert done == told, (first, second, done)
             one.level = 0
-            rover._check([])
+            craft._check([])
             assert done[-1] == second, (first, second, done)
             other.level = 0
-            rover._check([])
+            craft._check([])
             assert done[-1] == 0, (first, second, done)
 
 
@@ -322,9 +322,9 @@ def each_text_fits_one_frame():
         bench, _, beyond = _on(facts, condition)
         due = bench.delay(condition)
         bench.values[condition[ATTRIBUTE]] = beyond
-        before = bench.rover.texts.last
+        before = bench.craft.texts.last
         bench.run(passes=due + 2)
-        texts = [bench.rover.texts.get(number) for number in range(before + 1, bench.rover.texts.last + 1)]
+        texts = [bench.craft.texts.get(number) for number in range(before + 1, bench.craft.texts.last + 1)]
         texts = [text for severity, text in texts if severity == dialect.MAV_SEVERITY_WARNING]
         assert texts, condition
         assert max(len(text) for text in texts) <= 50, texts
@@ -337,10 +337,10 @@ def silence_is_counted_from_the_last_heartbeat():
         levels = [each for each in facts["conditions"] if each[SENSE] == "silent"]
         bench = Bench(facts)
         if facts["enabled_by"]:
-            setattr(bench.rover.parameters, facts["enabled_by"], 1)
+            setattr(bench.craft.parameters, facts["enabled_by"], 1)
         delays = [bench.delay(each) for each in levels]
         assert bench.run(passes=max(delays) + 10) == [], "nobody was heard yet"
-        station = GroundStation(bench.rover.port)
+        station = GroundStation(bench.craft.port)
         for times in range(2):
             station.send(messages.Heartbeat, type=GCS)
             changes = bench.run(passes=1 + max(delays) + 3)
@@ -360,9 +360,9 @@ def silence_begins_anew_with_each_heartbeat():
     for facts, condition in found:
         bench = Bench(facts)
         if facts["enabled_by"]:
-            setattr(bench.rover.parameters, facts["enabled_by"], 1)
+            setattr(bench.craft.parameters, facts["enabled_by"], 1)
         delay = min(bench.delay(each) for each in facts["conditions"])
-        station = GroundStation(bench.rover.port)
+        station = GroundStation(bench.craft.port)
         for _ in range(5):
             station.send(messages.Heartbeat, type=GCS)
             assert bench.run(passes=delay - 1) == [], condition

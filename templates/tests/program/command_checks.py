@@ -1,7 +1,7 @@
 """The commands and the modes of this vehicle: what they are given, when they are done, and what is answered."""
 
 from command_facts import COMMANDS, MODE_FLAGS, MODES
-from program_bench import SECOND_US, main, messages, needs, new_rover, run, run_passes
+from program_bench import SECOND_US, main, messages, needs, new_craft, run, run_passes
 from program_facts import COMPONENT_ID, SYSTEM_ID
 
 import dialect
@@ -19,10 +19,10 @@ LONG = tuple(facts for facts in COMMANDS if facts["long"])
 class Method:
     """A method of the vehicle that notes what it is given; it returns or raises what `says` has."""
 
-    def __init__(self, rover, name, says=None):
+    def __init__(self, craft, name, says=None):
         self.given = []
         self.says = says
-        setattr(rover, name, self.do)
+        setattr(craft, name, self.do)
 
     def do(self, *given):
         """Stand in for the method."""
@@ -37,15 +37,15 @@ class Scene:
 
     def __init__(self, facts, *, is_armed=None):
         self.facts = facts
-        self.rover = new_rover()
-        self.station = self.rover.ground_station()
+        self.craft = new_craft()
+        self.station = self.craft.ground_station()
         if facts["armed"] if is_armed is None else is_armed:
-            assert self.rover.arm(force=True) is None
-        self.method = Method(self.rover, facts["method"])
-        self.progress = Method(self.rover, facts["method"] + "_progress")
-        self.cancel = Method(self.rover, facts["method"] + "_cancel")
+            assert self.craft.arm(force=True) is None
+        self.method = Method(self.craft, facts["method"])
+        self.progress = Method(self.craft, facts["method"] + "_progress")
+        self.cancel = Method(self.craft, facts["method"] + "_cancel")
         self.station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
-        run_passes(self.rover, 4)
+        run_passes(self.craft, 4)
         self.station.received()
 
     def asked(self, params=None, passes=4, **values):
@@ -55,7 +55,7 @@ class Scene:
 
     def answers(self, passes=4):
         """Return what comes in some passes: the acknowledgements, and the texts."""
-        run_passes(self.rover, passes)
+        run_passes(self.craft, passes)
         found = self.station.received(messages.CommandAck, messages.Statustext)
         acks = [each for each in found if each.ID == messages.CommandAck.ID and each.command == self.facts["number"]]
         texts = [each.text for each in found if each.ID == messages.Statustext.ID]
@@ -76,7 +76,7 @@ class Scene:
     def settle(self):
         """Let what takes long come to its end."""
         if self.facts["long"]:
-            run(self.rover, SECOND_US // 2)
+            run(self.craft, SECOND_US // 2)
             self.station.received()
 
 
@@ -100,7 +100,7 @@ def ends_are_done():
             assert scene.result(params) == scene.done, (facts["name"], params)
             assert _is_near(scene.method.given[-1], expected), (facts["name"], params, scene.method.given[-1])
             scene.settle()
-        assert scene.rover.connections[0].faults == 0
+        assert scene.craft.connections[0].faults == 0
 
 
 def command_int_is_the_same():
@@ -123,7 +123,7 @@ def beyond_is_denied():
         for params in facts["beyond"]:
             assert scene.result(params) == DENIED, (facts["name"], params)
         assert scene.method.given == [], (facts["name"], scene.method.given)
-        assert scene.rover.connections[0].faults == 0
+        assert scene.craft.connections[0].faults == 0
 
 
 def others_are_left_alone():
@@ -165,7 +165,7 @@ def exceptions_have_failed():
         assert texts == [facts["title"] + ": ValueError: broken"], texts
         scene.method.says = None
         assert scene.result() == scene.done
-        assert scene.rover.connections[0].faults == 0
+        assert scene.craft.connections[0].faults == 0
 
 
 def unwritten_is_unsupported():
@@ -173,7 +173,7 @@ def unwritten_is_unsupported():
     for facts in COMMANDS:
         if facts["unwritten"]:
             scene = Scene(facts)
-            delattr(scene.rover, facts["method"])
+            delattr(scene.craft, facts["method"])
             assert scene.result() == UNSUPPORTED, facts["name"]
 
 
@@ -184,7 +184,7 @@ def each_of_a_flood_is_answered():
         for _ in range(8):
             scene.station.command(facts["number"], *facts["beyond"][0] if facts["beyond"] else facts["good"][0])
             scene.station.command(65535)
-        run_passes(scene.rover, 40)
+        run_passes(scene.craft, 40)
         acks = [ack.command for ack in scene.station.received(messages.CommandAck)]
         assert acks[:16] == [facts["number"], 65535] * 8, (facts["name"], acks)
 
@@ -199,7 +199,7 @@ def only_when_it_is_allowed():
         assert [ack.result for ack in acks] == [REJECTED], (facts["name"], acks)
         assert texts == [facts["title"] + (": arm first" if facts["armed"] else ": disarm first")], texts
         assert scene.method.given == []
-        assert (scene.rover.arm(force=True) if facts["armed"] else scene.rover.disarm()) is None
+        assert (scene.craft.arm(force=True) if facts["armed"] else scene.craft.disarm()) is None
         assert scene.result() == scene.done
 
 
@@ -209,7 +209,7 @@ def only_who_is_heard():
     needs(restricted, "a command for ground stations only")
     for facts in restricted:
         scene = Scene(facts)
-        stranger = scene.rover.ground_station()
+        stranger = scene.craft.ground_station()
         stranger.link = type(stranger.link)(stranger, 7, 190, 2, messages.ALL)
         stranger.command(facts["number"], *facts["good"][0])
         acks, _ = scene.answers()
@@ -226,15 +226,15 @@ def progress_is_told():
             scene = Scene(facts)
             scene.progress.says = 30
             acks, _ = scene.asked()
-            run(scene.rover, 3 * SECOND_US + SECOND_US // 2)
+            run(scene.craft, 3 * SECOND_US + SECOND_US // 2)
             acks += scene.station.received(messages.CommandAck)
             told = [(ack.result, ack.raw("progress")) for ack in acks]
             assert told == [(IN_PROGRESS, 0)] + [(IN_PROGRESS, 30)] * 3, (facts["name"], told)
             scene.progress.says = end
-            run(scene.rover, SECOND_US // 2)
+            run(scene.craft, SECOND_US // 2)
             assert [ack.result for ack in scene.station.received(messages.CommandAck)] == [result], (facts["name"], end)
             asked = len(scene.progress.given)
-            run(scene.rover, 2 * SECOND_US)
+            run(scene.craft, 2 * SECOND_US)
             assert len(scene.progress.given) == asked, "what is over is asked for its progress"
             assert scene.station.received(messages.CommandAck) == []
 
@@ -246,7 +246,7 @@ def repeated_is_begun_once():
         scene = Scene(facts)
         scene.progress.says = 55
         assert scene.result() == IN_PROGRESS
-        run(scene.rover, SECOND_US // 2)
+        run(scene.craft, SECOND_US // 2)
         acks, _ = scene.asked(confirmation=1)
         assert [(ack.result, ack.raw("progress")) for ack in acks] == [(IN_PROGRESS, 55)], (facts["name"], acks)
         assert scene.result() == REJECTED
@@ -272,7 +272,7 @@ def cancelled_ends():
         acks, _ = scene.answers()
         assert [ack.result for ack in acks] == [CANCELLED], (facts["name"], acks)
         assert len(scene.cancel.given) == 2
-        run(scene.rover, 2 * SECOND_US)
+        run(scene.craft, 2 * SECOND_US)
         assert scene.station.received(messages.CommandAck) == []
 
 
@@ -280,41 +280,41 @@ def modes_are_entered():
     """MAV_CMD_DO_SET_MODE and SET_MODE change to each mode, and what is true in it follows; to no other number."""
     needs(MODES, "modes")
     custom = dialect.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-    rover = new_rover()
-    station = rover.ground_station()
-    vehicle = rover.state.vehicle
+    craft = new_craft()
+    station = craft.ground_station()
+    vehicle = craft.state.vehicle
     for by_command in (True, False):
         for number, flags in MODES:
-            _ask_for_mode(rover, station, by_command, custom, number)
+            _ask_for_mode(craft, station, by_command, custom, number)
             assert vehicle.mode_number == number, (by_command, number, vehicle.mode_number)
             for name in MODE_FLAGS:
                 assert bool(getattr(vehicle, name)) == (name in flags), (number, name)
         before = vehicle.mode_number
         unknown = max([number for number, _ in MODES]) + 1
         for flags, number in ((custom, unknown), (custom ^ 0xFF, MODES[0][0])):
-            _ask_for_mode(rover, station, by_command, flags, number, DENIED)
+            _ask_for_mode(craft, station, by_command, flags, number, DENIED)
             assert vehicle.mode_number == before, (by_command, number)
-        rover.check_mode = _refused
-        _ask_for_mode(rover, station, by_command, custom, MODES[0][0], FAILED)
+        craft.check_mode = _refused
+        _ask_for_mode(craft, station, by_command, custom, MODES[0][0], FAILED)
         assert vehicle.mode_number == before
-        rover.check_mode = lambda _mode: None
+        craft.check_mode = lambda _mode: None
 
 
 def _refused(_mode):
     return "not now"
 
 
-def _ask_for_mode(rover, station, by_command, flags, number, result=ACCEPTED):
+def _ask_for_mode(craft, station, by_command, flags, number, result=ACCEPTED):
     if not by_command:
         if hasattr(messages, "SetMode"):
             station.send(messages.SetMode, target_system=SYSTEM_ID, base_mode=flags, custom_mode=number)
-            run_passes(rover, 4)
+            run_passes(craft, 4)
         elif result == ACCEPTED:
-            rover.set_mode(number)
+            craft.set_mode(number)
         assert station.received(messages.CommandAck) == []
         return
     station.command(dialect.MAV_CMD_DO_SET_MODE, flags, number)
-    run_passes(rover, 4)
+    run_passes(craft, 4)
     assert [ack.result for ack in station.received(messages.CommandAck)] == [result], (flags, number)
 
 

@@ -10,7 +10,7 @@ from program_bench import (
     Sink,
     main,
     mock_time,
-    ready_rover,
+    ready_craft,
     run,
 )
 from program_facts import CONTROL_US, FORCE_ARM, MEASURED, STREAMS
@@ -32,24 +32,24 @@ def day_across_the_wrap():
     """A day that begins half a day before ticks_ms() starts again: readings, streams, grid, all as at its start."""
     sink = Sink()
     start_us = TURN_MS_US - HALF_DAY_US
-    rover = ready_rover(ports=[sink], at_us=start_us)
+    craft = ready_craft(ports=[sink], at_us=start_us)
     times = []
-    rover.scheduler._control.call = lambda: times.append(mock_time.elapsed_us()) if not times else None
-    run(rover, DAY_US, STEP_US)
+    craft.scheduler._control.call = lambda: times.append(mock_time.elapsed_us()) if not times else None
+    run(craft, DAY_US, STEP_US)
     assert sink.count >= _streamed(), sink.count
-    late_us = mock_time.ticks_diff(rover.scheduler._control.due_us, mock_time.ticks_us())
+    late_us = mock_time.ticks_diff(craft.scheduler._control.due_us, mock_time.ticks_us())
     assert -STEP_US <= late_us <= CONTROL_US
     assert (mock_time.elapsed_us() + late_us - start_us) % CONTROL_US == 0, "the grid has moved"
     slots = DAY_US // CONTROL_US
     passes = DAY_US // STEP_US
-    assert abs(rover.scheduler.overruns - (slots - passes)) <= STEP_US // CONTROL_US, rover.scheduler.overruns
+    assert abs(craft.scheduler.overruns - (slots - passes)) <= STEP_US // CONTROL_US, craft.scheduler.overruns
     for measured in MEASURED:
-        component = getattr(rover.state, measured["component"])
+        component = getattr(craft.state, measured["component"])
         component = component[0] if measured["first"] != measured["component"] else component
         assert getattr(component, measured["attribute"]) is not None
-    assert FORCE_ARM is None or rover.arm() is None
+    assert FORCE_ARM is None or craft.arm() is None
     before = sink.count
-    run(rover, 10 * SECOND_US)
+    run(craft, 10 * SECOND_US)
     assert sink.count > before
 
 

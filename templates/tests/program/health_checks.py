@@ -2,7 +2,7 @@
 
 from program_bench import (
     SECOND_US,
-    Rover,
+    Craft,
     Watch,
     analog,
     good_count,
@@ -10,8 +10,8 @@ from program_bench import (
     main,
     mock_time,
     needs,
-    new_rover,
-    ready_rover,
+    new_craft,
+    ready_craft,
     run,
     save,
 )
@@ -20,8 +20,8 @@ from program_facts import FAILSAFES, FORCE_ARM, HEALTH_MS, MEASURED, PARAMETERS
 import dialect
 
 
-def _state_of(rover, measured):
-    state = getattr(rover.state, measured["component"])
+def _state_of(craft, measured):
+    state = getattr(craft.state, measured["component"])
     return state[0] if measured["first"] != measured["component"] else state
 
 
@@ -34,7 +34,7 @@ def _trending():
 def _trend_after(values):
     """Return the trend after readings of these values, None for unknown, through the component itself."""
     measured = _trending()
-    component = _state_of(new_rover(), measured)
+    component = _state_of(new_craft(), measured)
     for value in values:
         if value is None:
             component.forget()
@@ -79,18 +79,18 @@ def unknown_until_the_window_is_full():
 def failed_reading_keeps_the_window():
     """A failed reading that leaves the value known counts with the last good one; the window does not start anew."""
     measured = _trending()
-    rover = new_rover()
-    component = _state_of(rover, measured)
-    run(rover, 2 * measured["trend_half"] * measured["period_us"], measured["period_us"])
+    craft = new_craft()
+    component = _state_of(craft, measured)
+    run(craft, 2 * measured["trend_half"] * measured["period_us"], measured["period_us"])
     assert getattr(component, measured["trend"]) == 0
     analog(measured).failures = 1
-    run(rover, measured["period_us"], measured["period_us"])
+    run(craft, measured["period_us"], measured["period_us"])
     assert getattr(component, measured["trend"]) == 0
     needs(measured["invalid_after"], "a limit for failed readings")
     analog(measured).failures = measured["invalid_after"]
-    run(rover, measured["invalid_after"] * measured["period_us"], measured["period_us"])
+    run(craft, measured["invalid_after"] * measured["period_us"], measured["period_us"])
     assert getattr(component, measured["trend"]) is None
-    run(rover, measured["period_us"], measured["period_us"])
+    run(craft, measured["period_us"], measured["period_us"])
     assert getattr(component, measured["attribute"]) is not None
     assert getattr(component, measured["trend"]) is None
 
@@ -140,12 +140,12 @@ def change_of_health_is_logged_once():
     severities = (dialect.MAV_SEVERITY_WARNING, dialect.MAV_SEVERITY_WARNING, dialect.MAV_SEVERITY_INFO)
     words = ("warning", "unhealthy", "healthy")
     expected = [(severity, title + word) for severity, word in zip(severities, words)]  # noqa: B905  no strict there
-    assert watch.rover.said(title) == expected, watch.rover.said(title)
+    assert watch.craft.said(title) == expected, watch.craft.said(title)
     watch, unit = _judging()
     for _ in range(3 * lasting // 2):
         watch.readings(10500 * unit)
         watch.readings(10500 * unit - 1)
-    assert 6 <= len(watch.rover.said(title)) <= 7, watch.rover.said(title)
+    assert 6 <= len(watch.craft.said(title)) <= 7, watch.craft.said(title)
 
 
 def health_is_told_after_days():
@@ -155,35 +155,33 @@ def health_is_told_after_days():
     lasting = (2 * HEALTH_MS * 1000) // watch.period_us
     for value in (12000, 10400, 12000):
         watch.readings(value * unit, lasting)
-    told = len(watch.rover.said(title))
+    told = len(watch.craft.said(title))
     for _ in range(160):
         mock_time.advance_us(3600000000)
         watch.readings(12000 * unit)
     watch.readings(10400 * unit)
-    assert len(watch.rover.said(title)) == told + 1, watch.rover.said(title)
+    assert len(watch.craft.said(title)) == told + 1, watch.craft.said(title)
 
 
-def remaining_charge():
-    """Unknown without an estimate; with one it follows the curve, from 0 to 100, and is unknown with the value."""
+def estimated():
+    """What is estimated follows its curve and is unknown with the value; what could be and is not stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         points = measured["estimate_points"]
-        component = _state_of(new_rover(), measured)
-        if not points:
+        component = _state_of(new_craft(), measured)
+        for name in measured["not_estimated"]:
             component.set_count(measured["full_scale"], 1)
-            assert getattr(component, "remaining_pct", None) is None
+            assert getattr(component, name) is None
+        if not points:
             continue
-        before = 0
         multiplier = next(each["default"] for each in PARAMETERS if each["attribute"] == measured["multiplier"])
         for count in range(0, measured["full_scale"] + 1, 5):
             component.set_count(count, multiplier)
-            value, percent = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
-            assert before <= percent <= 100, (count, percent)
-            assert value > points[0][0] or percent == points[0][1], (value, percent)
-            assert value < points[-1][0] or percent == points[-1][1], (value, percent)
-            for (low, least), (high, most) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
-                assert not low <= value <= high or least <= percent <= most, (value, percent)
-            before = percent
+            value, found = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
+            assert value > points[0][0] or found == points[0][1], (value, found)
+            assert value < points[-1][0] or found == points[-1][1], (value, found)
+            for (low, one), (high, other) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither
+                assert not low <= value <= high or min(one, other) <= found <= max(one, other), (value, found)
         component.forget()
         assert getattr(component, measured["estimate"]) is None
 
@@ -193,25 +191,25 @@ def monitor_off_measures_nothing():
     for measured in MEASURED:
         needs(measured["enabled_by"], "a parameter that switches the component off")
         name = next(each["name"] for each in PARAMETERS if each["attribute"] == measured["enabled_by"])
-        before = new_rover()
+        before = new_craft()
         assert before.parameters.set(name, 0)
         flash = before.flash
         flash.files = {}
         save(before)
-        rover = ready_rover(flash=flash)
+        craft = ready_craft(flash=flash)
         reads = analog(measured).reads
-        run(rover, 5 * SECOND_US)
+        run(craft, 5 * SECOND_US)
         assert analog(measured).reads == reads
-        assert getattr(_state_of(rover, measured), measured["attribute"]) is None
-        assert FORCE_ARM is None or rover.arm() is None
+        assert getattr(_state_of(craft, measured), measured["attribute"]) is None
+        assert FORCE_ARM is None or craft.arm() is None
 
 
 def read_often_enough():
     """In a minute at least as many readings as the period asks for, each of the specified samples, on its GPIO."""
     for measured in MEASURED:
-        rover = new_rover()
+        craft = new_craft()
         reads = analog(measured).reads
-        run(rover, 60 * SECOND_US)
+        run(craft, 60 * SECOND_US)
         readings = 60 * SECOND_US // measured["period_us"]
         done = analog(measured).reads - reads
         assert readings <= done // measured["samples"] <= readings + 1, done
@@ -223,34 +221,34 @@ def pin_counts_from_the_next_start():
         needs(measured["pin"], "a parameter that has the pin")
         facts = next(each for each in PARAMETERS if each["attribute"] == measured["pin"])
         for gpio in range(facts["minimum"], facts["maximum"] + 1):
-            rover = _alone(measured)
-            setattr(rover.parameters, measured["pin"], gpio)
-            run(rover, SECOND_US)
+            craft = _alone(measured)
+            setattr(craft.parameters, measured["pin"], gpio)
+            run(craft, SECOND_US)
             first = measured["gpios"][0]
             assert gpio == first or machine.analog(gpio).reads == 0
-            save(rover)
-            rover = new_rover(flash=rover.flash)
-            run(rover, SECOND_US)
+            save(craft)
+            craft = new_craft(flash=craft.flash)
+            run(craft, SECOND_US)
             assert machine.analog(gpio).reads > 0, gpio
             assert gpio == first or analog(measured).reads == 0
 
 
 def _alone(measured):
     """Return a vehicle with the first instance only: the others, which may have any pin, are switched off."""
-    rover = new_rover()
+    craft = new_craft()
     for name in measured["families"]["enabled_by"][1:]:
-        setattr(rover.parameters, name, 0)
-    save(rover)
-    return new_rover(flash=rover.flash)
+        setattr(craft.parameters, name, 0)
+    save(craft)
+    return new_craft(flash=craft.flash)
 
 
 def first_value_is_told_once():
     """The first value is logged as information, once."""
     for measured in MEASURED:
-        rover = new_rover()
-        run(rover, 5 * SECOND_US)
+        craft = new_craft()
+        run(craft, 5 * SECOND_US)
         title = measured["component"] if measured["instances"] == 1 else measured["component"] + " 1"
-        assert len(rover.said(title + ": ")) == 1, rover.said()
+        assert len(craft.said(title + ": ")) == 1, craft.said()
 
 
 def runs_without_a_converter():
@@ -259,32 +257,32 @@ def runs_without_a_converter():
         machine.reset_analog()
         analog(measured).absent = True
         try:
-            rover = Rover()  # new_rover() would repair the converter
-            run(rover, 60 * SECOND_US)
+            craft = Craft()  # new_craft() would repair the converter
+            run(craft, 60 * SECOND_US)
         finally:
             machine.reset_analog()
-        warnings = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_WARNING]
-        assert "no ADC" in warnings[0], rover.said()
-        assert getattr(_state_of(rover, measured), measured["attribute"]) is None
-        assert rover.port.polls >= 60 * SECOND_US // 100000
-        assert not FAILSAFES or rover.arm() is not None
+        warnings = [text for severity, text in craft.said() if severity == dialect.MAV_SEVERITY_WARNING]
+        assert "no ADC" in warnings[0], craft.said()
+        assert getattr(_state_of(craft, measured), measured["attribute"]) is None
+        assert craft.port.polls >= 60 * SECOND_US // 100000
+        assert not FAILSAFES or craft.arm() is not None
 
 
 def sensor_loss_is_noticed():
     """Failing readings make the value unknown after the specified number; one good reading makes it known again."""
     for measured in MEASURED:
         needs(measured["invalid_after"], "a limit for failed readings")
-        rover = new_rover()
-        component = _state_of(rover, measured)
-        run(rover, SECOND_US)
+        craft = new_craft()
+        component = _state_of(craft, measured)
+        run(craft, SECOND_US)
         source, analog(measured).source = analog(measured).source, None
         period = measured["period_us"]
-        run(rover, (measured["invalid_after"] - 1) * period, period)
+        run(craft, (measured["invalid_after"] - 1) * period, period)
         assert getattr(component, measured["attribute"]) is not None
-        run(rover, period, period)
+        run(craft, period, period)
         assert getattr(component, measured["attribute"]) is None
         analog(measured).source = source
-        run(rover, period, period)
+        run(craft, period, period)
         assert getattr(component, measured["attribute"]) is not None
 
 
@@ -292,15 +290,15 @@ def late_reading_is_refused_in_the_program():
     """Readings that take too long keep the last value, are complained about once, and then the value is given up."""
     for measured in MEASURED:
         needs(measured["read_limit_us"], "a limit for the time of a reading")
-        rover = new_rover()
-        component = _state_of(rover, measured)
-        run(rover, SECOND_US)
+        craft = new_craft()
+        component = _state_of(craft, measured)
+        run(craft, SECOND_US)
         analog(measured).delay_us = 100000
-        run(rover, 10 * SECOND_US)
+        run(craft, 10 * SECOND_US)
         assert getattr(component, measured["attribute"]) is None
-        errors = [text for severity, text in rover.said() if severity == dialect.MAV_SEVERITY_ERROR]
+        errors = [text for severity, text in craft.said() if severity == dialect.MAV_SEVERITY_ERROR]
         assert len(errors) == 1, errors
-        assert rover.scheduler.overruns > 0
+        assert craft.scheduler.overruns > 0
 
 
 def high_value_is_warned_about_at_intervals():
@@ -311,25 +309,25 @@ def high_value_is_warned_about_at_intervals():
         period = measured["period_us"]
         first = measured["warning_counts"][0] << measured["spare_bits"]
         for swings in (False, True):
-            rover = new_rover()
+            craft = new_craft()
             for index in range(6 * measured["warn_every_ms"] * 1000 // period):
                 analog(measured).source = first - (index % 2 << measured["spare_bits"] if swings else 0)
-                run(rover, period, period)
-            warned = [text for _, text in rover.said() if "above" in text]
-            assert 6 <= len(warned) <= 7, rover.said()
-        rover = new_rover()
+                run(craft, period, period)
+            warned = [text for _, text in craft.said() if "above" in text]
+            assert 6 <= len(warned) <= 7, craft.said()
+        craft = new_craft()
         analog(measured).source = first - 1
-        run(rover, 10 * SECOND_US, period)
-        assert not [text for _, text in rover.said() if "above" in text]
+        run(craft, 10 * SECOND_US, period)
+        assert not [text for _, text in craft.said() if "above" in text]
 
 
 def good_count_is_good():
     """What the other checks start from is neither low nor worth a warning."""
     for measured in MEASURED:
-        rover = ready_rover()
-        run(rover, SECOND_US)
+        craft = ready_craft()
+        run(craft, SECOND_US)
         assert good_count(measured) > 0
-        assert not [text for severity, text in rover.said() if severity <= dialect.MAV_SEVERITY_WARNING], rover.said()
+        assert not [text for severity, text in craft.said() if severity <= dialect.MAV_SEVERITY_WARNING], craft.said()
         mock_time.set_ticks_us(0)
 
 
@@ -342,7 +340,7 @@ CHECKS = (
     (health_of_every_step, "failsafe.health"),
     (change_of_health_is_logged_once, "failsafe.health_text"),
     (health_is_told_after_days, "failsafe.health_text"),
-    (remaining_charge, "quantity.estimate"),
+    (estimated, "quantity.estimate"),
     (pin_counts_from_the_next_start, "reading.pin"),
     (monitor_off_measures_nothing, "reading.monitor"),
     (read_often_enough, "reading.rate", "component.rate"),

@@ -2,7 +2,7 @@
 
 import gc
 
-from program_bench import SECOND_US, TURN_MS_US, Sink, main, messages, new_rover, run
+from program_bench import SECOND_US, TURN_MS_US, Sink, main, messages, new_craft, run
 from program_facts import COMPONENT_ID, SYSTEM_ID
 
 import dialect
@@ -49,14 +49,14 @@ def _requests():
 def heap_is_constant_over_a_day():
     """After a day of requests, answers and texts as much memory is in use as after its first minutes."""
     port = Busy(_requests())
-    rover = new_rover(ports=[port], at_us=TURN_MS_US - DAY_US // 2)
+    craft = new_craft(ports=[port], at_us=TURN_MS_US - DAY_US // 2)
     used = []
     for _ in range(4):
-        run(rover, DAY_US // 4, STEP_US)
+        run(craft, DAY_US // 4, STEP_US)
         gc.collect()
         used.append(gc.mem_alloc())
     assert max(used[1:]) - min(used[1:]) <= 512, used
-    assert rover.connections[0].faults == 0, rover.said()
+    assert craft.connections[0].faults == 0, craft.said()
 
 
 CHECKS = ((heap_is_constant_over_a_day, "control.memory"),)

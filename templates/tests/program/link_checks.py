@@ -12,7 +12,7 @@ from program_bench import (
     main,
     messages,
     needs,
-    new_rover,
+    new_craft,
     run,
     run_passes,
 )
@@ -47,8 +47,8 @@ class Line:
 def _wired(size=512):
     line = Line()
     port = open_uart("radio", 0, tx=0, rx=1, baud=57600, size=size)
-    rover = new_rover(ports=[port])
-    return rover, GroundStation(line), line.line, port
+    craft = new_craft(ports=[port])
+    return craft, GroundStation(line), line.line, port
 
 
 def partial_writes_keep_frames_whole():
@@ -56,13 +56,13 @@ def partial_writes_keep_frames_whole():
     several = sum(sum(measured["are_on"]) for measured in MEASURED)  # each has messages of its own
     parts, seconds = [0, 1, 2, 3, 5, 7, 11, 0, 0, 13] + [32, 32] * (several - 1), 10
     needed = _bytes_sent(seconds) * 3 // 2  # a line that takes less would have to drop frames
-    rover, station, line, port = _wired(max(512 * max(1, several), needed // seconds * 2))
+    craft, station, line, port = _wired(max(512 * max(1, several), needed // seconds * 2))
     passes = len(parts)
     while sum(parts) * seconds * SECOND_US < needed * passes * LINKS_US:
         parts += [32] * 8  # whole pieces of the port, as many as it sends in a pass
         passes += 1
     line.parts = parts * 200
-    run(rover, seconds * SECOND_US)
+    run(craft, seconds * SECOND_US)
     found = station.received(*messages.ALL)
     assert len([each for each in found if each.ID == messages.Heartbeat.ID]) >= _beats(10), len(found)
     assert (station.link.crc_errors, port.dropped) == (0, 0)
@@ -70,8 +70,8 @@ def partial_writes_keep_frames_whole():
 
 def _bytes_sent(seconds):
     """Return how many bytes go out in so many seconds over a line that takes all of them."""
-    rover, station, _, _ = _wired(4096)
-    run(rover, seconds * SECOND_US)
+    craft, station, _, _ = _wired(4096)
+    run(craft, seconds * SECOND_US)
     return len(station.port.frames[0])
 
 
@@ -101,18 +101,18 @@ def _counting(port):
 def full_buffer_drops_whole_frames():
     """A UART that takes nothing for a while: frames are dropped whole and counted, the loop goes on, nothing breaks."""
     for size in range(300, 350, 5):
-        rover, station, line, port = _wired(size)
+        craft, station, line, port = _wired(size)
         taken = _counting(port)
-        run(rover, SECOND_US)
+        run(craft, SECOND_US)
         line.room = 0
         for _ in range(20):  # a vehicle that has little to tell fills it slowly
-            run(rover, 8 * SECOND_US)
+            run(craft, 8 * SECOND_US)
             if port.dropped:
                 break
         assert port.dropped > 0
-        assert rover.scheduler.overruns == 0
+        assert craft.scheduler.overruns == 0
         line.room = None
-        run(rover, 5 * SECOND_US)
+        run(craft, 5 * SECOND_US)
         assert len(station.received(*messages.ALL)) == len(taken), (size, "what was taken arrives")
         assert station.link.crc_errors == 0, size
 
@@ -120,25 +120,25 @@ def full_buffer_drops_whole_frames():
 def slow_line_takes_the_whole_list():
     """A list of parameters over a UART as slow as a radio: nothing is missing in it."""
     needs(PARAMETERS, "parameters")
-    rover, station, line, _ = _wired()
+    craft, station, line, _ = _wired()
     station.send(messages.ParamRequestList)
     for _ in range(2000):
         line.room = 5760 * CONTROL_US // SECOND_US  # bytes of 57600 baud in a pass
-        run_passes(rover, 1)
+        run_passes(craft, 1)
     values = station.received(messages.ParamValue)
     assert [value.param_index for value in values] == list(range(values[0].param_count))
 
 
 def faults_of_a_line_are_survived():
     """A UART that raises: the loop goes on, and telemetry returns when the fault has gone."""
-    rover, station, line, port = _wired()
+    craft, station, line, port = _wired()
     line.failures = 100000
-    run(rover, 5 * SECOND_US)
+    run(craft, 5 * SECOND_US)
     assert not port.is_up
-    assert rover.scheduler.overruns == 0
+    assert craft.scheduler.overruns == 0
     line.failures = 0
     station.received()
-    run(rover, 5 * SECOND_US)
+    run(craft, 5 * SECOND_US)
     assert port.is_up
     assert len(station.received(messages.Heartbeat)) >= _beats(5)
 
@@ -148,9 +148,9 @@ def absent_line_is_survived():
     machine.reset_serial()
     machine.serial(0).absent = True
     other = Port()
-    rover = new_rover(ports=[open_uart("radio", 0, tx=0, rx=1, baud=57600, size=512), other])
+    craft = new_craft(ports=[open_uart("radio", 0, tx=0, rx=1, baud=57600, size=512), other])
     machine.serial(0).absent = False
-    run(rover, 5 * SECOND_US)
+    run(craft, 5 * SECOND_US)
     assert len(GroundStation(other).received(messages.Heartbeat)) >= _beats(5)
 
 
@@ -163,12 +163,12 @@ def one_broken_port_leaves_the_others_alone():
 
     broken.readinto = fail
     broken.write = fail
-    rover = new_rover(ports=[broken, whole])
+    craft = new_craft(ports=[broken, whole])
     station = GroundStation(whole)
-    run(rover, 5 * SECOND_US)
+    run(craft, 5 * SECOND_US)
     assert len(station.received(messages.Heartbeat)) >= _beats(5)
     station.command(410)
-    run_passes(rover, 4)
+    run_passes(craft, 4)
     assert len(station.received(messages.CommandAck)) == 1
 
 
@@ -179,14 +179,14 @@ def datagrams_over_the_loopback():
     number = int(sys.argv[1])
     there.bind(socket.getaddrinfo("127.0.0.1", number)[0][-1])
     port = UdpPort("wifi", "127.0.0.1", number, 0, None, 1000, lambda *_words: None)
-    rover = new_rover(ports=[port])
+    craft = new_craft(ports=[port])
     other_end = Port()
     station = GroundStation(other_end)
     peer = None
     for second in range(10):
         if second == 5:
             port._socket.close()
-        run(rover, SECOND_US)
+        run(craft, SECOND_US)
         heard = 0
         while True:
             try:
@@ -198,7 +198,7 @@ def datagrams_over_the_loopback():
         assert heard or second in (0, 5), second
     assert len(station.received(messages.Heartbeat)) >= _beats(9)
     there.sendto(bytes(station.link.encode(messages.CommandLong(unknown=False).update(command=410))), peer)
-    run_passes(rover, 8)
+    run_passes(craft, 8)
     answers = []
     while True:
         try:
@@ -216,16 +216,16 @@ def boards_own_ports():
     machine.reset_serial()
     if hasattr(board, "open_usb"):  # it would write to where this program prints
         board.open_usb = lambda _name, size: Port()  # noqa: ARG005  as the board calls it
-    rover = new_rover(ports=new_rover().board.open_ports())
+    craft = new_craft(ports=new_craft().board.open_ports())
 
     async def story():
         import asyncio  # noqa: PLC0415
 
         await asyncio.sleep_ms(5000)
 
-    live(rover, story)
-    assert rover.scheduler.overruns == 0
-    assert [connection.faults for connection in rover.connections] == [0] * len(rover.connections)
+    live(craft, story)
+    assert craft.scheduler.overruns == 0
+    assert [connection.faults for connection in craft.connections] == [0] * len(craft.connections)
 
 
 CHECKS = (

@@ -1,7 +1,7 @@
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
-from program_bench import SECOND_US, GroundStation, Port, Sink, know, main, messages, mock_time, needs, new_rover, run
+from program_bench import SECOND_US, GroundStation, Port, Sink, know, main, messages, mock_time, needs, new_craft, run
 from program_facts import (
     GENERATIONS,
     LINKS_US,
@@ -34,9 +34,9 @@ class Counter(Sink):
         return len(frame)
 
 
-def _counted(rover, port, seconds):
+def _counted(craft, port, seconds):
     port.ids = {}
-    run(rover, seconds * SECOND_US, STEP_US)
+    run(craft, seconds * SECOND_US, STEP_US)
     return port.ids
 
 
@@ -46,22 +46,22 @@ def _by_parameter():
     return found
 
 
-def _owners(rover, component):
+def _owners(craft, component):
     """Return the instances of a component."""
-    owner = getattr(rover.state, component)
+    owner = getattr(craft.state, component)
     return list(owner)
 
 
-def _frames(rover, number):
+def _frames(craft, number):
     """Return how many frames one turn of a message takes: one for each page of each instance that is reported."""
-    return len(reporting(rover, number)) * MESSAGES[number]["pages"] if is_chosen(rover, number) else 0
+    return len(reporting(craft, number)) * MESSAGES[number]["pages"] if is_chosen(craft, number) else 0
 
 
-def _both_generations(rover):
-    """Let the rover send all that there is."""
+def _both_generations(craft):
+    """Let the craft send all that there is."""
     for each in GENERATIONS:
         if each["parameter"]:
-            rover.parameters.set(each["parameter"], 2)
+            craft.parameters.set(each["parameter"], 2)
 
 
 def _within(found, expected, frames=1):
@@ -73,81 +73,81 @@ def rates_by_parameter():
     """Each rate, changed while the program runs, from the next pass on: so many frames in 20 seconds."""
     for stream in _by_parameter():
         port = Counter()
-        rover = new_rover(ports=[port])
-        _both_generations(rover)
-        run(rover, SECOND_US)
+        craft = new_craft(ports=[port])
+        _both_generations(craft)
+        run(craft, SECOND_US)
         for steps in (0, stream["default"], 3, 7, stream["maximum"], stream["minimum"]):
             if not stream["minimum"] <= steps <= stream["maximum"]:
                 continue
-            rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
+            craft.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
             rate = steps * stream["numerator"] / stream["denominator"]
-            found = _counted(rover, port, 20)
+            found = _counted(craft, port, 20)
             for number, _, _ in stream["messages"]:
-                expected = round(20 * rate) * _frames(rover, number)
-                assert _within(found.get(number, 0), expected, _frames(rover, number)), (stream["name"], steps, found)
+                expected = round(20 * rate) * _frames(craft, number)
+                assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], steps, found)
 
 
 def fixed_rates():
     """What has a fixed rate, such as HEARTBEAT, keeps it for a minute."""
     port = Counter()
-    rover = new_rover(ports=[port])
-    found = _counted(rover, port, 60)
+    craft = new_craft(ports=[port])
+    found = _counted(craft, port, 60)
     for stream in STREAMS:
         if stream["parameter"] is None:
             for number, _, _ in stream["messages"]:
-                expected = 60000 * stream["period_denominator"] // stream["period_numerator"] * _frames(rover, number)
-                assert _within(found.get(number, 0), expected, _frames(rover, number)), (stream["name"], found)
+                expected = 60000 * stream["period_denominator"] // stream["period_numerator"] * _frames(craft, number)
+                assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], found)
 
 
 def default_rates():
     """Without any setting each stream has its default rate."""
     port = Counter()
-    rover = new_rover(ports=[port])
-    found = _counted(rover, port, 60)
+    craft = new_craft(ports=[port])
+    found = _counted(craft, port, 60)
     for stream in _by_parameter():
         for number, _, _ in stream["messages"]:
             expected = round(60 * stream["default"] * stream["numerator"] / stream["denominator"])
-            frames = _frames(rover, number)
+            frames = _frames(craft, number)
             assert _within(found.get(number, 0), expected * frames, frames), (stream["name"], found)
 
 
 def nothing_is_reported_without_the_monitor():
     """Messages of a component that is not measured are not sent; all others are."""
     port = Counter()
-    rover = new_rover(ports=[port])
-    _both_generations(rover)
+    craft = new_craft(ports=[port])
+    _both_generations(craft)
     needs([each for each in MEASURED if each["enabled"]], "a component that can be off")
     for measured in MEASURED:
         if measured["enabled"]:
-            for owner in _owners(rover, measured["component"]):
+            for owner in _owners(craft, measured["component"]):
                 setattr(owner, measured["enabled"], False)
-    found = _counted(rover, port, 20)
+    found = _counted(craft, port, 20)
     for stream in STREAMS:
         for number, _, may_be_off in stream["messages"]:
-            is_off = may_be_off or _frames(rover, number) == 0
+            is_off = may_be_off or _frames(craft, number) == 0
             assert (number in found) != is_off or (stream["parameter"] and stream["default"] == 0), (number, found)
 
 
 def _two_links():
     ports = [Port(), Port()]
-    rover = new_rover(ports=ports)
-    _both_generations(rover)
-    run(rover, 2 * LINKS_US)
-    return rover, [GroundStation(port) for port in ports]
+    craft = new_craft(ports=ports)
+    _both_generations(craft)
+    run(craft, 2 * LINKS_US)
+    return craft, [GroundStation(port) for port in ports]
 
 
-def _interval(rover, station, number):
+def _interval(craft, station, number):
     station.command(dialect.MAV_CMD_GET_MESSAGE_INTERVAL, number)
-    run(rover, 4 * LINKS_US)
+    run(craft, 4 * LINKS_US)
     answer = station.received(messages.MessageInterval)
     assert len(answer) == 1, answer
     assert answer[0].message_id == number
     return answer[0].interval_us
 
 
-def _frames_in(rover, port, number, seconds):
+def _frames_in(craft, port, number, seconds):
     port.frames = []
-    run(rover, seconds * SECOND_US, STEP_US)
+    run(craft, seconds * SECOND_US, STEP_US)
     return len([frame for frame in port.frames if (frame[7] | frame[8] << 8 | frame[9] << 16) == number])
 
 
@@ -158,57 +158,57 @@ def intervals_on_one_link():
         rate = stream["default"] * stream["numerator"] / stream["denominator"]
         own = int(1000000 / rate) if rate else -1
         fastest = SHORTEST_US[SENT.index(number)]
-        rover, (station, other) = _two_links()
-        frames = _frames(rover, number)
+        craft, (station, other) = _two_links()
+        frames = _frames(craft, number)
         needs(frames, "a message that is sent")
-        assert _interval(rover, station, number) == own
+        assert _interval(craft, station, number) == own
         slow = fastest * 5
         for asked, expected in ((slow, slow), (-1, -1), (0, own), (fastest // 4, fastest), (0, own)):
             station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, asked)
-            run(rover, 4 * LINKS_US)
+            run(craft, 4 * LINKS_US)
             acks = station.received(messages.CommandAck)
             assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], (asked, acks)
-            assert _interval(rover, station, number) == expected, asked
+            assert _interval(craft, station, number) == expected, asked
             count = 0 if expected < 0 else frames * 10 * SECOND_US // expected
-            assert _within(_frames_in(rover, station.port, number, 10), count, frames), (asked, expected)
-            assert _interval(rover, other, number) == own
+            assert _within(_frames_in(craft, station.port, number, 10), count, frames), (asked, expected)
+            assert _interval(craft, other, number) == own
 
 
 def intervals_of_others():
     """A message that the vehicle does not have: denied, and its interval is 0; what is sent on request is off."""
-    rover, (station, _) = _two_links()
+    craft, (station, _) = _two_links()
     station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, 9999, 100000)
-    run(rover, 4 * LINKS_US)
+    run(craft, 4 * LINKS_US)
     assert [ack.result for ack in station.received(messages.CommandAck)] == [dialect.MAV_RESULT_DENIED]
-    assert _interval(rover, station, 9999) == 0
+    assert _interval(craft, station, 9999) == 0
     for number in ON_REQUEST:
-        assert _interval(rover, station, number) == -1
+        assert _interval(craft, station, number) == -1
         station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, 1000)
-        run(rover, 4 * LINKS_US)
-        assert _interval(rover, station, number) == SHORTEST_US[SENT.index(number)]
+        run(craft, 4 * LINKS_US)
+        assert _interval(craft, station, number) == SHORTEST_US[SENT.index(number)]
 
 
 def tables_are_asked_for_together():
     """A message of several tables: one of each on request, each in the interval that is asked for, and off together."""
     needs(SHARED, "a message of several tables")
     for number, tables in SHARED.items():
-        rover, (station, _) = _two_links()
-        frames = sum(len(reported(rover, facts)) * facts["pages"] for facts in tables)
+        craft, (station, _) = _two_links()
+        frames = sum(len(reported(craft, facts)) * facts["pages"] for facts in tables)
         own = [int(1000000 / facts["rate"]) for facts in tables if facts["rate"]]
-        assert abs(_interval(rover, station, number) - min(own or [-1])) <= 1
+        assert abs(_interval(craft, station, number) - min(own or [-1])) <= 1
         asked = 3 * max(facts["shortest_us"] for facts in tables)
         for interval_us in (asked, -1):
             station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, interval_us)
-            run(rover, 4 * LINKS_US)
+            run(craft, 4 * LINKS_US)
             acks = station.received(messages.CommandAck)
             assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], acks
-            assert _interval(rover, station, number) == interval_us
+            assert _interval(craft, station, number) == interval_us
             count = 10 * SECOND_US // asked * frames if interval_us > 0 else 0
-            found = _frames_in(rover, station.port, number, 10)
+            found = _frames_in(craft, station.port, number, 10)
             assert _within(found, count, frames), (number, interval_us, found, count)
         station.port.frames = []
         station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
-        run(rover, 4 * LINKS_US)
+        run(craft, 4 * LINKS_US)
         found = [frame for frame in station.port.frames if (frame[7] | frame[8] << 8 | frame[9] << 16) == number]
         assert len(found) == frames, (number, len(found))
 
@@ -218,25 +218,25 @@ def withheld_messages_are_rejected_for_now():
     needs(WITHHELD, "a message that may be withheld")
     for number, quantities in WITHHELD.items():
         for component, attribute in quantities:
-            rover, (station, _) = _two_links()
-            owners = _owners(rover, component)
+            craft, (station, _) = _two_links()
+            owners = _owners(craft, component)
             for owner in owners:
                 setattr(owner, attribute, None)
             for result, frames in (
                 (dialect.MAV_RESULT_TEMPORARILY_REJECTED, 0),
-                (dialect.MAV_RESULT_ACCEPTED, _frames(rover, number)),
+                (dialect.MAV_RESULT_ACCEPTED, _frames(craft, number)),
             ):
                 station.port.frames = []
                 station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number)
-                run(rover, 4 * LINKS_US)
+                run(craft, 4 * LINKS_US)
                 found = len([frame for frame in station.port.frames if frame[7] | frame[8] << 8 == number])
                 acks = station.received(messages.CommandAck)
                 assert [ack.result for ack in acks] == [result], (number, attribute, acks)
                 assert found >= frames, (number, attribute, found)
-                found = _frames_in(rover, station.port, number, 20)
+                found = _frames_in(craft, station.port, number, 20)
                 rate = MESSAGES[number]["rate"]
                 assert _within(found, 20 * rate * frames, frames), (number, attribute, found)
-                know(rover.state)
+                know(craft.state)
 
 
 def _request(station, data_stream, rate, start=1):
@@ -250,14 +250,14 @@ def data_streams_by_request():
         number = stream["messages"][0][0]
         own = stream["default"] * stream["numerator"] / stream["denominator"]
         for data_stream in (stream["data_stream"], dialect.MAV_DATA_STREAM_ALL):
-            rover, (station, other) = _two_links()
-            frames = _frames(rover, number)
+            craft, (station, other) = _two_links()
+            frames = _frames(craft, number)
             fastest = stream["fastest_hz"]
             for rate, start, expected in ((5, 1, 5), (0, 1, 0), (1000, 1, fastest), (5, 0, 0)):
                 _request(station, data_stream, rate, start)
-                run(rover, 4 * LINKS_US)
+                run(craft, 4 * LINKS_US)
                 other.port.frames = []
-                found = _frames_in(rover, station.port, number, 10)
+                found = _frames_in(craft, station.port, number, 10)
                 assert _within(found, frames * 10 * min(expected, fastest), frames), (
                     stream["name"],
                     rate,
@@ -267,8 +267,8 @@ def data_streams_by_request():
                 seen = len([frame for frame in other.port.frames if frame[7] | frame[8] << 8 == number])
                 assert _within(seen, frames * 10 * own, frames), (stream["name"], seen)
             steps = stream["maximum"] if stream["default"] != stream["maximum"] else stream["minimum"]
-            rover.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
-            found = _frames_in(rover, station.port, number, 10)
+            craft.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
+            found = _frames_in(craft, station.port, number, 10)
             assert _within(found, frames * 10 * steps * stream["numerator"] / stream["denominator"], frames), found
 
 
@@ -277,16 +277,16 @@ def repeated_requests_keep_the_phase():
     stream = next((each for each in _by_parameter() if each["data_stream"] is not None), None)
     needs(stream, "a stream that can be asked for")
     number = stream["messages"][0][0]
-    rover, (station, _) = _two_links()
-    instances = _frames(rover, number)
+    craft, (station, _) = _two_links()
+    instances = _frames(craft, number)
     _request(station, stream["data_stream"], 3)
-    run(rover, SECOND_US)
+    run(craft, SECOND_US)
     count = 0
     start_us = mock_time.elapsed_us()
     for _ in range(100):
         _request(station, stream["data_stream"], 3)
         station.port.frames = []
-        run(rover, 70 * 1000)
+        run(craft, 70 * 1000)
         count += len([frame for frame in station.port.frames if frame[7] | frame[8] << 8 == number])
     expected = instances * 3 * (mock_time.elapsed_us() - start_us) // SECOND_US
     assert abs(count - expected) <= instances, (count, expected)
@@ -295,15 +295,15 @@ def repeated_requests_keep_the_phase():
 def streams_go_on_across_the_wrap():
     """Rates hold where ticks_ms() starts again."""
     port = Counter()
-    rover = new_rover(ports=[port], at_us=((1 << 30) - 10000) * 1000)
-    found = _counted(rover, port, 20)
+    craft = new_craft(ports=[port], at_us=((1 << 30) - 10000) * 1000)
+    found = _counted(craft, port, 20)
     for stream in STREAMS:
         rate = stream["default"] * stream["numerator"] / stream["denominator"]
         if stream["parameter"] is None:
             rate = 1000 * stream["period_denominator"] / stream["period_numerator"]
         for number, _, _ in stream["messages"]:
-            expected = round(20 * rate * _frames(rover, number))
-            assert _within(found.get(number, 0), expected, _frames(rover, number)), (stream["name"], found)
+            expected = round(20 * rate * _frames(craft, number))
+            assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], found)
     mock_time.set_ticks_us(0)
 
 

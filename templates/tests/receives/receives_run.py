@@ -7,7 +7,7 @@ that pass. Values come as texts, so that nothing is lost of them.
 import json
 import sys
 
-from program_bench import Rover, mock_time
+from program_bench import Craft, mock_time
 
 
 def known(state, paths):
@@ -22,15 +22,15 @@ def known(state, paths):
 
 def outcome(steps, paths, calls):
     """Return what is known after the steps of a case, what was counted by table, what was called, and faults."""
-    rover = Rover()
-    connection = rover.connections[0]
+    craft = Craft()
+    connection = craft.connections[0]
     for path in paths:  # the bench knows some value of everything
         component, _, attribute = path.partition(".")
-        setattr(getattr(rover.state, component), attribute, None)
+        setattr(getattr(craft.state, component), attribute, None)
     called = {}
     for table, reception in connection.receptions.items():
         if calls[table] is not None:
-            assert reception._called == getattr(rover, calls[table])
+            assert reception._called == getattr(craft, calls[table])
             called[table] = 0
             reception._called = counting(called, table)
     now_ms = 0
@@ -39,11 +39,11 @@ def outcome(steps, paths, calls):
             mock_time.advance_us(1000 * step)
             now_ms += step
             continue
-        rover.port.arrives(bytes.fromhex(step))
+        craft.port.arrives(bytes.fromhex(step))
         for _ in range(3):
             connection.run(now_ms)
     counts = {table: [each.taken, each.refused] for table, each in connection.receptions.items()}
-    return known(rover.state, paths), counts, called, connection.faults
+    return known(craft.state, paths), counts, called, connection.faults
 
 
 def counting(called, table):

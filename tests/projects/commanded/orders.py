@@ -10,16 +10,16 @@ import sys
 
 sys.path[:0] = ["generated/firmware", "generated/mocks", "generated/tests"]
 
-from program_bench import Port, Rover, run  # noqa: E402
+from program_bench import Craft, Port, run  # noqa: E402
 
 
-class Boat(Rover):
+class Boat(Craft):
     """Notes what each method is given; `says` has what it returns, or raises."""
 
     def __init__(self):
         self.given = []
         self.says = {}
-        Rover.__init__(self, ports=[Port(), Port()])
+        Craft.__init__(self, ports=[Port(), Port()])
 
     def _do(self, name, *values):
         self.given.append([name] + [[str(value), type(value).__name__] for value in values])

@@ -1,4 +1,4 @@
-"""Packs that the ADC or a message is too small for: a warning with its place and a number that is enough."""
+"""Quantities that the ADC or a message is too small for: a warning with its place and a number that is enough."""
 
 import pytest
 from test_broken_generations import changed
@@ -11,22 +11,22 @@ MULTIPLIER = "    default: 3.95\n"
 CASES = {
     "cells 4": (
         [("board.yaml", "    cells: 3\n", "    cells: 4\n")],
-        "specs/board.yaml:47:12: warning pack-beyond-adc: battery 1 and 2 have 16.8 V when full, and the ADC shows 13.035 V",
+        "specs/board.yaml:47:12: warning reach-beyond-adc: battery 1 and 2 reach 16.8 V, and the ADC shows 13.035 V",
         "BATT_VOLT_MULT of at least 5.091, 5.2528 for the warning above 17.333 V",
     ),
     "cells 4 of the second": (
         [("board.yaml", SECOND, f"{SECOND}      facts: {{cells: 4}}\n")],
-        "warning pack-beyond-adc: battery 2 has 16.8 V when full",
+        "warning reach-beyond-adc: battery 2 reaches 16.8 V",
         "BATT2_VOLT_MULT of at least 5.091",
     ),
     "facts beat the curve": (
         [("board.yaml", "charging_maximum_voltage: 4.2 V", "charging_maximum_voltage: 4.35 V")],
-        "battery 1 and 2 have 13.05 V when full",
+        "battery 1 and 2 reach 13.05 V",
         "BATT_VOLT_MULT of at least 3.9546",
     ),
     "beyond the parameter": (
         [("board.yaml", "    cells: 3\n", "    cells: 15\n")],
-        "battery 1 and 2 have 63 V when full",
+        "battery 1 and 2 reach 63 V",
         "its max in parameters.yaml is 10, raise it, too",
     ),
     "more cells than elements": (
@@ -60,14 +60,14 @@ def test_packs_that_fit(cells, tmp_path, monkeypatch, capsys):
     """Nothing is said of packs that the ADC shows whole."""
     changes = [] if cells == 3 else [("board.yaml", "    cells: 3\n", f"    cells: {cells}\n")]
     _, out = check(tmp_path, monkeypatch, capsys, changes)
-    for rule in ("pack-beyond-adc", "unreachable-threshold", "values-beyond-message"):
+    for rule in ("reach-beyond-adc", "unreachable-threshold", "values-beyond-message"):
         assert rule not in out, out
 
 
 def test_as_many_cells_as_elements(tmp_path, monkeypatch, capsys):
     """Fourteen cells fill both arrays of BATTERY_STATUS; they are too many for the ADC only."""
     _, out = check(tmp_path, monkeypatch, capsys, [("board.yaml", "    cells: 3\n", "    cells: 14\n")])
-    assert "pack-beyond-adc" in out, out
+    assert "reach-beyond-adc" in out, out
     assert "values-beyond-message" not in out, out
 
 
@@ -78,33 +78,33 @@ def test_the_multiplier_that_the_hint_names_is_enough(tmp_path, monkeypatch, cap
         ("5.2528", []),
         ("5.2527", ["unreachable-threshold"]),
         ("5.091", ["unreachable-threshold"]),
-        ("5.0909", ["pack-beyond-adc"]),
+        ("5.0909", ["reach-beyond-adc"]),
     ):
         folder = tmp_path / default
         folder.mkdir()
         changes = [cells, ("parameters.yaml", MULTIPLIER, f"    default: {default}\n")]
         _, out = check(folder, monkeypatch, capsys, changes)
-        found = [rule for rule in ("pack-beyond-adc", "unreachable-threshold") if rule in out]
+        found = [rule for rule in ("reach-beyond-adc", "unreachable-threshold") if rule in out]
         assert found == rules, (default, out)
 
 
-def test_a_warning_per_cell_needs_cells(tmp_path, monkeypatch, capsys):
+def test_a_warning_per_needs_cells(tmp_path, monkeypatch, capsys):
     """A pack without a number of cells is an error at the key, as for every limit per cell."""
     changes = [("board.yaml", "    cells: 3\n", "")]
     code, out = check(tmp_path, monkeypatch, capsys, changes)
     assert code == 1
     assert (
-        "specs/state.yaml:30:19: error bad-following: board.yaml does not state the fact cells of battery 1" in out
+        "specs/state.yaml:31:14: error bad-following: board.yaml does not state the fact cells of battery 1" in out
     ), out
 
 
-def test_per_cell_is_for_facts(tmp_path, monkeypatch, capsys):
+def test_per_is_for_facts(tmp_path, monkeypatch, capsys):
     """Only a fact of the board can be multiplied with the cells, and only a number or an amount."""
     file, old = "messages/battery_info.yaml", "weight: {board: battery.weight}"
     for index, (new, rule) in enumerate(
         (
-            ("weight: {constant: 250 g, per_cell: true}", "error pointless-key: per_cell says nothing without board"),
-            ("weight: {board: battery.chemistry, per_cell: true}", "error unknown-fact: battery.chemistry of"),
+            ("weight: {constant: 250 g, per: cells}", "error pointless-key: per says nothing without board"),
+            ("weight: {board: battery.chemistry, per: cells}", "error unknown-fact: battery.chemistry of"),
         )
     ):
         folder = tmp_path / str(index)

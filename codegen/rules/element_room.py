@@ -1,4 +1,4 @@
-"""Packs with more cells than a message has room for."""
+"""Instances with more values than a message has room for."""
 
 from collections.abc import Iterator
 
@@ -9,9 +9,9 @@ from codegen.source import Place
 
 RULE = Rule(
     "values-beyond-message",
-    "An instance has more values of a quantity, such as the cells of a pack, than a message has elements for. The "
-    "values of a pack go out together or not at all, so that this message never carries them: what is split beside "
-    "them goes out, or unknown. A message with pages takes any number.",
+    "An instance has more values of a quantity, such as those of cells, than a message has elements for. The "
+    "values of an instance go out together or not at all, so that this message never carries them: what is split "
+    "beside them goes out, or unknown. A message with pages takes any number.",
     Severity.WARNING,
 )
 

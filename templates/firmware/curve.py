@@ -1,8 +1,8 @@
-"""The charge that a voltage stands for, by the discharge curve of a battery at rest."""
+"""The value that a reading stands for, by a curve of measured points."""
 
 
-def percent(curve, steps):
-    """Return the charge in %, 0 to 100, straight between the points (steps, %) of a rising curve."""
+def value_at(curve, steps):
+    """Return the value at a reading, straight between the points (steps, value) of a curve, rising by their steps."""
     at = 0  # a loop over the points themselves would need so many places that MicroPython takes them from the heap
     while at < len(curve) and steps >= curve[at][0]:
         at += 1
