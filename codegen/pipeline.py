@@ -23,6 +23,7 @@ from codegen.model.scenario import Scenario
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
 from codegen.model.trace_lock_spec import TraceLockSpec
+from codegen.resolve.adc_sources import with_adc_channels
 from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import check_system
@@ -88,7 +89,7 @@ def _checked(spec: Spec | None, dialect: Dialect | None, report: Report) -> Syst
     dialect = dialect or read_dialect(spec, report)
     if dialect is None:
         return None
-    system = resolve_system(spec, dialect, report)
+    system = resolve_system(with_adc_channels(spec, report), dialect, report)
     report.extend(check_system(system))
     return system
 

@@ -149,7 +149,7 @@ class Surroundings:
             if f"sources.{owner}" not in self.whole.board.places:  # else what is wrong with it has been reported
                 given = [(one.name, output.name) for one in self.sources.values() for output in one.outputs]
                 known = [f"{one}.{part}".rstrip(".") for one, part in given]
-                hint = did_you_mean(name, known) or did_you_mean(owner, self.sources)
+                hint = did_you_mean(name, known) or did_you_mean(owner, (*self.sources, *self.channels))
                 self.bad("source", f"board.yaml has no sensor {owner}", UNKNOWN_SOURCE, hint)
             self.failed = True
             return None

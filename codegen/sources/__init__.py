@@ -7,6 +7,7 @@
 from collections.abc import Mapping
 
 from codegen.model.source_spec import SourceSpec
+from codegen.sources.adc.spec import AdcSourceSpec
 from codegen.sources.ina219.kind import INA219
 from codegen.sources.ina226.kind import INA226
 from codegen.sources.kind import KindOfSource
@@ -17,5 +18,5 @@ from codegen.sources.user.kind import USER
 KINDS: Mapping[str, KindOfSource] = {kind.name: kind for kind in (INA219, INA226, NMEA, PULSE, USER)}
 """The kinds by the word that stands behind ``driver``."""
 
-SPECS: Mapping[str, type[SourceSpec]] = {name: kind.spec for name, kind in KINDS.items()}
-"""The classes of their keys."""
+SPECS: Mapping[str, type[SourceSpec]] = {"adc": AdcSourceSpec, **{name: kind.spec for name, kind in KINDS.items()}}
+"""The classes of their keys; inputs of the converter are channels before sensors are resolved (adc_sources.py)."""

@@ -1,0 +1,1 @@
+"""An input of the board's analog to digital converter."""
