@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watched_checks.py: do not edit.
-# Inputs: 66669b8bab94de24
+# Inputs: 0bc470aa34059091
 """Every failsafe, condition by condition: where it begins to hold, for how long it has to, and when it is over."""
 
 from program_bench import (
@@ -230,11 +230,11 @@ def each_level_does_what_it_says():
             due = bench.delay(condition)
             bench.rests(condition)
             if chosen:
-                setattr(bench.rover.parameters, chosen, number)
+                setattr(bench.craft.parameters, chosen, number)
             calls = []
             for name in [name for _, name, _, _ in ACTIONS] + ["disarm"]:
-                setattr(bench.rover, name, _note(calls, name))
-            vehicle = bench.rover.state.vehicle
+                setattr(bench.craft, name, _note(calls, name))
+            vehicle = bench.craft.state.vehicle
             before = vehicle.mode_number
             bench.values[condition[ATTRIBUTE]] = beyond
             bench.run(passes=due + 5)

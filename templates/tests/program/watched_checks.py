@@ -228,11 +228,11 @@ def each_level_does_what_it_says():
             due = bench.delay(condition)
             bench.rests(condition)
             if chosen:
-                setattr(bench.rover.parameters, chosen, number)
+                setattr(bench.craft.parameters, chosen, number)
             calls = []
             for name in [name for _, name, _, _ in ACTIONS] + ["disarm"]:
-                setattr(bench.rover, name, _note(calls, name))
-            vehicle = bench.rover.state.vehicle
+                setattr(bench.craft, name, _note(calls, name))
+            vehicle = bench.craft.state.vehicle
             before = vehicle.mode_number
             bench.values[condition[ATTRIBUTE]] = beyond
             bench.run(passes=due + 5)
