@@ -66,6 +66,6 @@ def test_a_quantity_that_is_kept_more_coarsely_than_it_goes_out_is_told(tmp_path
     state.write_text(text.replace("        stored: mAh\n        restarts_with", "        restarts_with"))
     main(["check"])
     told = capsys.readouterr().out
-    assert "specs/state.yaml:47:7: warning coarse-quantity: battery.consumed is kept in whole mAh" in told
+    assert "specs/state.yaml:48:7: warning coarse-quantity: battery.consumed is kept in whole mAh" in told
     assert "BATTERY_STATUS_V2.capacity_consumed is a float in Ah" in told
     assert "hint: stored: mAh, if whole units are meant" in told
