@@ -44,9 +44,8 @@ from codegen.source import Place, Written, shown_path
 
 NO_MESSAGES = Rule(
     "no-messages",
-    "The folder messages beside codegen.yaml has no YAML file. A program sends something: a ground station knows it by "
-    "its HEARTBEAT, and commands and received messages are for one that is known. Write one population table for each "
-    "message. What only encodes and decodes messages needs no specification: codegen codec makes it.",
+    "The folder messages beside codegen.yaml has no YAML file. A station knows a program by its HEARTBEAT. Write "
+    "one population table for each message. A codec needs none: codegen codec.",
 )
 INCOMPLETE_PROJECT = Rule(
     "incomplete-project",
@@ -254,9 +253,8 @@ class _SpecReader:
         """The tables in use, by the names of their files; of two with one name the first."""
         paths = self._united("messages", (".yaml",))
         if not paths and len(self._missing) < 2:
-            others = [name for name in ("commands.yaml", "receives") if exists(os.path.join(self._folder, name))]
-            alone = f", and {' and '.join(others)} cannot do without" if others else ""
-            what = f"there is no population table messages/*.yaml, so nothing would be sent{alone}"
+            lost = "".join(f"; {name} needs one" for name in ("commands.yaml", "receives") if exists(self._used(name)))
+            what = f"there is no population table messages/*.yaml, so nothing would be sent{lost}"
             hint = "write messages/heartbeat.yaml: codegen init FOLDER writes a project that has it"
             self._report.add(NO_MESSAGES, Place(self._base_file), what, hint)
         tables: dict[str, PopulationSpec] = {}

@@ -18,9 +18,9 @@ MOST_VOLTS = 100
 BAD_BOARD = Rule(
     "bad-board",
     f"A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, up to {MOST_GPIO}; "
-    "those of the converter, of the UARTs and of the I2C buses are among them, a UART and a bus have a number from 0 "
-    f"to {MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, and "
-    "the expression that opens an input has {gpio} in it.",
+    "those of the converter, the UARTs and the I2C buses are among them; a UART and a bus have a number from 0 to "
+    f"{MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, and the "
+    "expression that opens an input has {gpio} in it.",
 )
 _RUN = re.compile(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 

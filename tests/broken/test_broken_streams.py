@@ -1,7 +1,7 @@
 """Streams and messages that do not fit the links, the protocol or the dialect of the project."""
 
 import pytest
-from test_broken_packs import check
+from test_broken_reaches import check
 
 CASES = {
     "a stream without messages": (
