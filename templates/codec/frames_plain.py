@@ -153,21 +153,35 @@ def _find_frame(receiver, state, buffer):
             _describe(state, buffer, state[0], 10 if buffer[state[0]] == 0xFD else 6)
             if state[4] > state[1]:
                 break
-            if state[9] > 1 or state[6] not in receiver._messages:
-                state[8 if state[9] > 1 else 18] += 1
+            if _is_other(state, receiver._messages):
                 _pass_over(state, 8)
                 continue
             if state[4] + state[5] + 2 + 13 * state[9] > state[1]:
                 break
             state[0] = state[4] + state[5]
             state[7] = _checksum(TABLE, buffer, state[3] + 1, state[0])
-            if state[16]:
-                state[15] += state[0] - state[3]
+            _count(state)
             state[0] += 2 + 13 * state[9]
             return True
         if not state[12]:
             return False
         receiver._refill()
+
+
+def _is_other(state, messages):
+    """Count a frame that is not for this receiver; return whether it is one."""
+    if state[9] > 1:
+        state[8] += 1
+        return True
+    if state[6] not in messages:
+        state[18] += 1
+        return True
+    return False
+
+
+def _count(state):
+    if state[16]:
+        state[15] += state[0] - state[3]
 
 
 def _pass_over(state, work):
@@ -180,14 +194,17 @@ def _pass_over(state, work):
 def _take_in(receiver, state, buffer, data):
     """Take in data behind what is left, which goes to the front."""
     _move(buffer, state)
-    left = (state[17] or len(data)) - state[2]
-    if left > len(buffer) - state[1]:
+    if _left(data, state) > len(buffer) - state[1]:
         receiver._arrived[0] = data
         state[12] = 1
         _append(buffer, data, state, len(buffer) - state[1])
     else:
-        _append(buffer, data, state, left)
+        _append(buffer, data, state, _left(data, state))
         state[2] = state[17] = 0
+
+
+def _left(data, state):
+    return (state[17] or len(data)) - state[2]
 
 
 def _move(buffer, state):

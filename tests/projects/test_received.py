@@ -408,6 +408,7 @@ rover = Craft()
 connection = rover.connections[0]
 frames = [bytes.fromhex(frame) for frame in json.load(open("steady.json"))]
 link, handle = connection.link, connection.services.handle
+link._state[16] = 0  # without the limit of a pass
 
 def receive(rounds):
     for _ in range(rounds):

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/station_checks.py: do not edit.
-# Inputs: aaba55aeb87f00ca
+# Inputs: 1856061498c05d3f
 """Several stations at one port: each is served for itself, and nobody's bytes take anything away from another one."""
 
 from program_bench import (
@@ -12,7 +12,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import LINKS_US, MESSAGES, PARAMETERS, SENT, SILENCE_MS, VERSION
+from program_facts import COMPONENT_ID, LINKS_US, MESSAGES, PARAMETERS, SENT, SILENCE_MS, SYSTEM_ID, VERSION
 from stations import Stations
 
 import dialect
@@ -202,7 +202,7 @@ def bytes_that_are_no_frame_change_nothing():
     """A stray byte, noise and a damaged frame: nobody is served for them, and nobody less."""
     scene = Scene()
     frame = bytes(scene.station(7).link.encode(messages.Heartbeat(unknown=False).update(type=dialect.MAV_TYPE_GCS)))
-    own = bytes(GroundStation(None, VERSION, 1, 1).link.encode(messages.Ping(unknown=False)))
+    own = bytes(GroundStation(None, VERSION, SYSTEM_ID, COMPONENT_ID).link.encode(messages.Ping(unknown=False)))
     strays = (b"", b"\0", b"\xfd\xff\0", frame[:-1], frame[:-1] + bytes((frame[-1] ^ 1,)), bytes(range(256)) * 4)
     for present in ((None,), (1, 2)):
         for stray in strays + (own,):  # noqa: RUF005  MicroPython has no stars there
