@@ -19,10 +19,12 @@ class Ground:
         read = port_class.read
 
         def heard(port):
-            if not self._waiting:
-                return read(port)
             data = bytes(self._waiting)
+            if not data:
+                return read(port)
             self._waiting = bytearray()
+            if port.home is None:  # nobody is reached before there is a network
+                return None
             port.received += len(data)
             port.ends[1] = port.home
             return data

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim_ground.py: do not edit.
-# Inputs: c3bfff6f51e50396
+# Inputs: 95ab03bd615885a7
 """A ground station in a simulation: what the scenario sends arrives at the first port that looks."""
 
 SYSTEM, COMPONENT = 255, 190  # as ground stations are
@@ -21,10 +21,12 @@ class Ground:
         read = port_class.read
 
         def heard(port):
-            if not self._waiting:
-                return read(port)
             data = bytes(self._waiting)
+            if not data:
+                return read(port)
             self._waiting = bytearray()
+            if port.home is None:  # nobody is reached before there is a network
+                return None
             port.received += len(data)
             port.ends[1] = port.home
             return data
