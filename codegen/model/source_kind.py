@@ -124,6 +124,11 @@ class Source(ABC):
         return {}
 
     @property
+    def imported(self) -> str:
+        """The module of the user's code that its driver imports; empty for none."""
+        return ""
+
+    @property
     def mocks(self) -> tuple[str, ...]:
         """The files that stand in for its hardware on a host, by their paths below codegen/sources."""
         return ()

