@@ -28,6 +28,7 @@ ALLOWED = {
     **{
         name: ({"cell", "cells"}, "cells of the tables of Markdown, of pages and of printed tables")
         for name in (
+            *("codegen/targets/pages/program.py", "templates/pages/program.html.j2"),
             *("codegen/claims/cast.py", "codegen/claims/field_notes.py", "codegen/claims/sentinel.py"),
             "codegen/claims/structure.py",
             *("codegen/explain.py", "codegen/explained_receptions.py", "codegen/explained_text.py"),
