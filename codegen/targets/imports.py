@@ -58,6 +58,19 @@ def in_brackets(before: str, inside: str, after: str) -> str:
     return f"{before}(\n{indent}    {inside}\n{indent}){after}"
 
 
+def one_by_one(before: str, items: Iterable[str], after: str = "", brackets: str = "()") -> list[str]:
+    """A statement with items in brackets, as the formatter prints it: what they hold, or each, has its own line."""
+    listed, opened, closed = list(items), brackets[0], brackets[1]
+    line = f"{before}{opened}{', '.join(listed)}{closed}{after}"
+    if len(line) <= LINE_LENGTH:
+        return [line]
+    indent = " " * (len(before) - len(before.lstrip()))
+    within = f"{indent}    {', '.join(listed)}"
+    if len(within) <= LINE_LENGTH:
+        return [f"{before}{opened}", within, f"{indent}{closed}{after}"]
+    return [f"{before}{opened}", *(f"{indent}    {item}," for item in listed), f"{indent}{closed}{after}"]
+
+
 def order(name: str) -> tuple[int, str]:
     """Constants, then classes, then functions, as ruff sorts them."""
     return (0 if name.isupper() else 1 if name[:1].isupper() else 2, name)

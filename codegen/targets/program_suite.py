@@ -23,6 +23,7 @@ from codegen.targets.generation_facts import (
     message_facts,
     shared_facts,
 )
+from codegen.targets.imports import one_by_one
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 from codegen.targets.rendered import rendered
@@ -74,7 +75,7 @@ class ProgramSuiteView:
     messages: tuple[MessageFacts, ...]
     shared: dict[int, tuple[MessageFacts, ...]]
     known: tuple[KnownWord, ...]
-    withheld: dict[int, tuple[tuple[str, str], ...]]
+    withheld: dict[int, tuple[str, ...]]
     criteria: dict[str, tuple[str, ...]]
     answered: tuple[int, ...]
 
@@ -126,7 +127,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         messages=message_facts(system),
         shared=shared_facts(system),
         known=known_words(system),
-        withheld={each.id: each.quantities for each in withheld_messages(system) if each.is_alone and each.is_on},
+        withheld=_withheld_lines(system),
         criteria=check_criteria(system, program),
         answered=_answered(program),
     )
@@ -154,6 +155,17 @@ def _command_view(program: Program) -> CommandSuiteView:
         ),
         mode_flags=tuple(dict.fromkeys(base)),
     )
+
+
+def _withheld_lines(system: System) -> dict[int, tuple[str, ...]]:
+    """By message what it is withheld for, as lines of a table."""
+    return {
+        each.id: tuple(
+            one_by_one(f"    {each.id}: ", (f'("{owner}", "{name}")' for owner, name in each.quantities), ",", "[]")
+        )
+        for each in withheld_messages(system)
+        if each.is_alone and each.is_on
+    }
 
 
 def _first(system: System) -> list[Reading]:

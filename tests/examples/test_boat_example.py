@@ -44,6 +44,13 @@ def test_nothing_is_found(boat: Path) -> None:
     assert (done.returncode, done.stdout) == (0, ""), done.stdout
 
 
+def test_its_firmware_passes_the_linter(boat: Path) -> None:
+    """What is generated for another vehicle is as clean as what is committed for the rover."""
+    rules = ("--isolated", "--select", "E,F,W,B,PLE", "--ignore", "E402", "--line-length", "120")
+    done = run(boat, "ruff", "check", *rules, "generated", "boat.py", "imu.py", "sounder.py", "vane.py")
+    assert done.returncode == 0, done.stdout
+
+
 def test_its_suite_shows_every_criterion(boat: Path) -> None:
     """The generated suite passes under CPython and MicroPython, and each criterion of the documents is shown by it."""
     done = run(boat, "python", "-m", "pytest", "-n0", "generated/tests", "--junit-xml=results.xml")

@@ -84,6 +84,7 @@ def board_view(system: System) -> BoardView:
     first = tuple(each for each, reading in zip(readers, system.readings(), strict=True) if reading.is_first)
     links = tuple(_link(link, system.board) for link in system.links)
     has_pins = any(_pin_parameters(system))
+    head = (*_imports(first, links, has_pins=has_pins), *_readings(system, first), *_families(system))
     return BoardView(
         board=prose(system.board.name if system.board else system.board_name),
         hardware=prose(system.board_name),
@@ -91,7 +92,7 @@ def board_view(system: System) -> BoardView:
         first=first,
         opened=system.board.adc.opened if system.board and system.board.adc else "",
         further=tuple(further_view(reading, "parameters") for reading in system.readings() if not reading.is_first),
-        head=(*_imports(first, links, has_pins=has_pins), *_readings(system, first), *_families(system)),
+        head=head if first else head[:-1],  # without readings nothing stands between the imports and the class
         links=links,
         has_pins=has_pins,
         is_timed=any(reader.read_limit_us is not None for reader in first),

@@ -18,8 +18,11 @@ from codegen.targets.firmware.commands import (
 from codegen.targets.firmware.failsafe import FailsafesView, FailsafeView
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.firmware.receiving import call_name, received_beside
-from codegen.targets.imports import import_lines
+from codegen.targets.imports import import_lines, one_by_one
 from codegen.targets.naming import class_names, parameter_attribute, prose
+
+_INDENT = " " * 8
+"""Of the statements in a method."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,15 +232,16 @@ def _connecting(system: System, program: Program) -> tuple[str, ...]:
     ids = [f"self.parameters.{_attribute(system.system_parameter)}" if system.system_parameter else "SYSTEM_ID"]
     if system.component_parameter:
         ids.append(f"self.parameters.{_attribute(system.component_parameter)}")
-    link = f"link = open_link(port, receivable({', '.join(_received(system, program))}), {', '.join(ids)})"
+    given = ["port", f"receivable({', '.join(_received(system, program))})", *ids]
+    link = [line.removeprefix(_INDENT) for line in one_by_one(f"{_INDENT}link = open_link", given)]
     connection = "Connection(self, port, link, lambda budget: Streams(self.state, link, budget))"
     answering = [
         f"{name}(connection, {'self.state.clock' if module == 'clock_service' else 'self'})"
         for module, name in _answering(system, program).items()
     ]
     if not answering:
-        return (link, f"return {connection}")
-    return (link, f"connection = {connection}", *answering, "return connection")
+        return (*link, f"return {connection}")
+    return (*link, f"connection = {connection}", *answering, "return connection")
 
 
 def _received(system: System, program: Program) -> tuple[str, ...]:

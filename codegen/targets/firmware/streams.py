@@ -11,6 +11,7 @@ from codegen.model.vehicle import Stream
 from codegen.targets.firmware.announcements import AnnouncementView, announcements
 from codegen.targets.firmware.sending import SentView, WayView, read_places, sent_view, ways
 from codegen.targets.firmware.words import word_layout
+from codegen.targets.imports import one_by_one
 from codegen.targets.naming import parameter_attribute
 
 _ROOM = 100
@@ -81,6 +82,7 @@ class StreamsView:
     withheld: tuple[SentView, ...]
     tells: str
     parameters: tuple[str, ...]
+    parameter_steps: tuple[str, ...]
     ids: str
     stream_of: str
     shortest_us: str
@@ -118,7 +120,10 @@ def streams_view(system: System) -> StreamsView:
         ways=ways(messages),
         withheld=tuple(message for message in messages if message.telling),
         tells=_names(f"_{each.tells}" if each.telling else "None" for each in messages),
-        parameters=tuple(f"parameters.{name}" for name in parameters),
+        parameters=tuple(parameters),
+        parameter_steps=tuple(
+            one_by_one("        return ", (f"parameters.{name}" for name in parameters), brackets="[]")
+        ),
         ids=_tuple([message.id for message in messages]),
         stream_of=_tuple(places),
         shortest_us=_tuple([message.shortest_us for message in messages]),
