@@ -94,8 +94,6 @@ def _float(answer: Answer, value: Fraction | float) -> Carried:
         if exact == answer.unknown:
             exact += (1 if exact >= 0 else -1) * answer.factor
         low, high = exact, exact
-    elif math.isinf(value):
-        return _beside(answer, math.copysign(LARGEST[code], value), math.copysign(LARGEST[code], value))
     else:
         exact = Fraction(value) * answer.wire
         slack = abs(exact) / 2**51 if answer.wire != 1 else Fraction(0)

@@ -44,7 +44,7 @@ def _stored(answer: Answer, setting: Setting) -> Setting:
     value = setting.value
     if setting.how == STORED:
         return setting
-    if value is None or (isinstance(value, float) and math.isnan(value)):
+    if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return Setting(STORED, None)
     steps = kept(answer, setting)
     assert steps is not None

@@ -108,7 +108,7 @@ def lots(answer: Answer, dice: random.Random) -> Setting:
 def kept(answer: Answer, setting: Setting) -> Fraction | float | str | None:
     """What the state then has: whole steps between the limits, or the float as it was set; None is unknown."""
     value = setting.value
-    if value is None or (isinstance(value, float) and math.isnan(value)):
+    if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return answer.initial if answer.kind != "clock" else None
     if isinstance(value, str):
         assert answer.steps is not None
@@ -119,9 +119,7 @@ def kept(answer: Answer, setting: Setting) -> Fraction | float | str | None:
     if answer.steps is None:
         value = float(low) if low is not None and value < low else value  # -0.0 is not below 0
         return float(high) if high is not None and value > high else value
-    if math.isinf(value):
-        steps = Fraction(1 << 70) * (1 if value > 0 else -1)
-    elif setting.how == STORED:
+    if setting.how == STORED:
         steps = Fraction(value)
     else:
         exact = Fraction(value) * answer.steps

@@ -28,10 +28,14 @@ def read_text(
             found += parts
         elif any(isinstance(part, Shown) for part in parts):
             found.append(Clause(parts))
-        else:
+        elif not _names_a_quantity(piece, component):  # else what is wrong with that was reported
             report.add(BAD_FAILSAFE, place, f"[{piece}] shows no quantity, so that nothing leaves it out")
             return None
     return FailsafeText(written, tuple(found))
+
+
+def _names_a_quantity(piece: str, component: Component | None) -> bool:
+    return component is not None and any(field[2] in component.spec.quantities for field in _FIELD.finditer(piece))
 
 
 def _parts(

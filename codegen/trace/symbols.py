@@ -175,7 +175,7 @@ class Symbols:
                     found.append((STATE, f"{owner}.{quantity.name}_from_adc"))
                     found += [(STATE, f"{owner}.set_count")] if reading.is_plain else []
                 elif reading.quantity is quantity:
-                    found += [(_module(reading), f"{quantity.name}_from_adc"), (_module(reading), "turn")]
+                    found += [(_module(reading), f"{quantity.name}_from_adc"), (_module(reading), "behind")]
         return found
 
     def _all(self, found: Iterable[tuple[str, str]]) -> tuple[Symbol, ...]:

@@ -35,3 +35,13 @@ def test_a_project_without_the_file_has_no_receiver(tmp_path, monkeypatch, capsy
     assert main(["build"]) == 0, capsys.readouterr().out
     assert not (tmp_path / "generated" / "receiver").exists()
     assert not list((tmp_path / "generated" / "tests").glob("*receiver*"))
+
+
+def test_a_role_that_nothing_plays_is_told(tmp_path, monkeypatch, capsys):
+    """unplayed-role: what is computed from it stays unknown, which nobody would notice."""
+    changed_copy(Case("", RECEIVER, "serial: [serial_number]", "serial: [serial_numbr]"), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    main(["check"])
+    found = capsys.readouterr().out
+    assert "specs/receiver.yaml:14:11: warning unplayed-role: no message that is received has serial_numbr" in found
+    assert "did you mean serial_number?" in found

@@ -505,9 +505,9 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §temperature"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:116:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:117:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:116:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:117:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
@@ -517,7 +517,7 @@ CASES = [
         "    update_rate: 10 Hz\n",
         "",
         "needs an update_rate",
-        at="state.yaml:116:17",
+        at="state.yaml:117:17",
         is_alone=False,
     ),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
@@ -572,7 +572,7 @@ CASES = [
     Case("scenario-event", "scenarios.yaml", "fault: fail, of", "fault: §fial, of", "did you mean fail"),
     # an estimate
     Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §volts\n", "did you mean voltage"),
-    Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §current\n", "not measured"),
+    Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §current\n", "no curve is named"),
     Case("bad-estimate", "state.yaml", CHARGE, SHARE + "        estimate_from: §voltage\n", "curve: and its name: dis"),
     Case("bad-estimate", "state.yaml", CHARGE, SHARE + ESTIMATED.replace(": dis", ": §dus"), "did you mean discharge"),
     Case("bad-quantity", "state.yaml", "reaches: charging_m", "reaches: §chargin_m", "did you mean charging_maximum_v"),
@@ -588,7 +588,7 @@ CASES = [
     ),
 ]
 
-ESTIMATE = "state.yaml:67:16"
+ESTIMATE = "state.yaml:75:16"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 POINTS = "        {4.20 V: 100, 4.15 V: 95"
 ESTIMATES = [
@@ -608,7 +608,7 @@ ESTIMATES = [
         "      MAV_BATTERY_TYPE_LIPO:\n",
         "      MAV_BATTERY_TYPE_LIP:\n",
         "did you mean MAV_BATTERY_TYPE_LIP",
-        at="board.yaml:37:16",
+        at="board.yaml:46:16",
     ),
     Case(
         "unknown-enum-entry",

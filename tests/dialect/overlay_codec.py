@@ -25,6 +25,7 @@ DIALECTS = SPECS / "dialects"
 CODEC = (
     "checksum",
     "fields",
+    "message_fields",
     "live_fields",
     "frames",
     "frames_plain",

@@ -41,14 +41,12 @@ def test_uart_gives_and_takes_in_parts(firmware: SimpleNamespace) -> None:
 
 
 def test_uart_may_be_absent(firmware: SimpleNamespace) -> None:
-    """There are two; one that is not there is an OSError, as for an ADC."""
+    """One that is not there is an OSError, as for an ADC. Which numbers a board has, the specification knows."""
     machine = firmware.machine
     machine.serial(0).absent = True
     with pytest.raises(OSError, match="19"):
         machine.UART(0)
-    for number in (-1, 2):
-        with pytest.raises(ValueError, match="no UART"):
-            machine.UART(number)
+    assert machine.UART(2).any() == 0
 
 
 def test_reset_is_no_exception_that_firmware_catches(firmware: SimpleNamespace) -> None:

@@ -127,7 +127,7 @@ FAULTS: dict[str, Callable[[pytest.MonkeyPatch], None]] = {
     "a rounding": code("codegen.answers.filling.scaled", rounded_down),
     "a sentinel": text("telemetry_plain.py", "65535 if value", "65534 if value"),
     "what is withheld": text("telemetry_plain.py", "        return None\n", "        pass\n"),
-    "what is too old": text("telemetry_plain.py", "if age > 0 and", "if age < 0 and"),
+    "what is too old": text("telemetry_plain.py", " & 0x3FFFFFFF < 0x1FFFFFFF:", " & 0x3FFFFFFF >= 0x1FFFFFFF:"),
     "the rounding of a float": text("floats_plain.py", "(value + 1 + ((value >> 2) & 1))", "value"),
     "the highest half": text("wide.py", "        value >>= 16\n", "        value >>= 15\n"),
     "a clock that is set": text("clock_plain.py", "        tick(self.words, 0)\n        set", "        set"),

@@ -5,7 +5,7 @@ import json
 import telemetry
 from mock_board import MockBoard
 from parameters import Parameters
-from program_bench import Flash, Link, Rover, Sink, machine, mock_time, run, save
+from program_bench import Flash, Link, Craft, Sink, machine, mock_time, run, save
 from state import SystemState
 
 GOOD = 3770  # of the voltage: 12 V
@@ -136,13 +136,13 @@ def rover_with(**settings):
     """Return a rover that was started with parameters of these values, and draws 16.91 A of a pack of 12 V."""
     machine.reset_analog()
     flash = Flash()
-    before = Rover(flash=flash)
+    before = Craft(flash=flash)
     for name, value in settings.items():
         before.parameters.set(name, value)
     save(before)
     machine.analog(26).source = GOOD
     machine.analog(28).source = DRAWN
-    rover = Rover(flash=flash)
+    rover = Craft(flash=flash)
     run(rover, 500000)
     return rover
 
