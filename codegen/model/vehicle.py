@@ -220,7 +220,7 @@ class Quantity(Cited):
 
         What readings give is forgotten with these.
         """
-        return self.derivation.ages_alone and self.trust.stale_after_ms is not None
+        return (self.derivation.ages_alone or self.derivation.ages_with is not None) and self.trust.stale_after_ms is not None
 
     @property
     def lost(self) -> str:
@@ -295,6 +295,12 @@ class Component(Cited):
         return tuple(found)
 
     @property
+    def counted_on(self) -> tuple["Basis", ...]:
+        """What sensors give of it that others are counted of, in the order of its quantities."""
+        found = (Basis(self, quantity) for quantity in self.quantities.values() if quantity.derivation.gives)
+        return tuple(basis for basis in found if basis.sums or basis.given)
+
+    @property
     def enabled(self) -> Quantity | None:
         """The boolean that says whether the component is measured and reported; None where it always is."""
         return next((quantity for quantity in self.quantities.values() if quantity.derivation.switch), None)
@@ -306,11 +312,37 @@ class Component(Cited):
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
-    """A quantity of a component that an ADC measures. The first of a component is called as the component is."""
+class Basis:
+    """A quantity of a component that is measured, so that others can be counted of its values."""
 
     component: Component
     quantity: Quantity
+
+    def word(self, word: str) -> str:
+        """The name of a word that it needs beside its own: ``current_since_ms``."""
+        return f"{self.quantity.name}_{word}"
+
+    @property
+    def sums(self) -> tuple[Quantity, ...]:
+        """The quantities that are sums of it over time."""
+        found = ((each, each.derivation.sums) for each in self.component.quantities.values())
+        return tuple(each for each, one in found if one and one.of == self.quantity.name)
+
+    @property
+    def given(self) -> tuple[Quantity, ...]:
+        """The quantities that come of its values: what an ADC measures, its trend, its estimate, what sums leave."""
+        quantities = self.component.quantities.values()
+        return tuple(
+            each
+            for each in quantities
+            if each.derivation.comes_of_readings and self.quantity.name in (each.name, *each.derivation.sources[:1])
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Reading(Basis):
+    """A quantity of a component that an ADC measures. The first of a component is called as the component is."""
+
     conversion: "Conversion"
     is_first: bool
 
@@ -322,16 +354,6 @@ class Reading:
     def word(self, word: str) -> str:
         """The name of a word that readings need: ``failures``, of a further one ``current_failures``."""
         return word if self.is_first else f"{self.quantity.name}_{word}"
-
-    @property
-    def given(self) -> tuple[Quantity, ...]:
-        """The quantities that come of its readings: what is measured, its trend, what is estimated of it."""
-        quantities = self.component.quantities.values()
-        return tuple(
-            each
-            for each in quantities
-            if each.derivation.comes_of_readings and self.quantity.name in (each.name, *each.derivation.sources[:1])
-        )
 
     @property
     def trend(self) -> Quantity | None:
