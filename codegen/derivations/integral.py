@@ -116,4 +116,6 @@ def kept_unit(name: str, around: Surroundings) -> str | None:
     followed = around.others[name]
     unit = Unit.parse(followed.unit)
     given = () if followed.stored or unit is None else around.given_to(name)
-    return given[0][1].unit.name if unit and given and ratio(unit, given[0][1].unit) else followed.stored or followed.unit
+    if unit and given and ratio(unit, given[0][1].unit):
+        return given[0][1].unit.name
+    return followed.stored or followed.unit

@@ -128,7 +128,7 @@ def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | 
     of = integral.integral_of or ""
     sensed = of in around.others and is_sensed(of, around)
     if sensed and not full.spec.reboot:
-        message = f"{full.name} may change at any time, and what a sensor gives is counted with what it was at the start"
+        message = f"{full.name} can change at any time, and with what a sensor gives it counts from the start on"
         around.bad("left_of", message, BAD_REMAINDER, f"reboot: true at {full.name}")
         return None
     return Left(Rest(full, name, steps, of_all), of, sensed)

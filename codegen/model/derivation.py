@@ -136,7 +136,7 @@ class Derivation(ABC):
 
     @property
     def ages_with(self) -> str | None:
-        """The quantity of the component that a sensor gives and with which it is forgotten; None where there is none."""
+        """What a sensor gives to the component and with which it is forgotten; None where there is nothing."""
         return None
 
     @property

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
+from codegen.model.basis import Basis
 from codegen.model.board_spec import AdcSpec
 from codegen.model.derivation import Derivation
 from codegen.model.dialect import EnumDefinition
@@ -220,7 +221,8 @@ class Quantity(Cited):
 
         What readings give is forgotten with these.
         """
-        return (self.derivation.ages_alone or self.derivation.ages_with is not None) and self.trust.stale_after_ms is not None
+        counts = self.derivation.ages_alone or self.derivation.ages_with is not None
+        return counts and self.trust.stale_after_ms is not None
 
     @property
     def lost(self) -> str:
@@ -295,7 +297,7 @@ class Component(Cited):
         return tuple(found)
 
     @property
-    def counted_on(self) -> tuple["Basis", ...]:
+    def counted_on(self) -> tuple[Basis, ...]:
         """What sensors give of it that others are counted of, in the order of its quantities."""
         found = (Basis(self, quantity) for quantity in self.quantities.values() if quantity.derivation.gives)
         return tuple(basis for basis in found if basis.sums or basis.given)
@@ -309,34 +311,6 @@ class Component(Cited):
     def switch(self) -> Parameter | None:
         """The parameter that switches the component on and off; None where it is always on."""
         return self.enabled.derivation.switch if self.enabled else None
-
-
-@dataclass(frozen=True, slots=True)
-class Basis:
-    """A quantity of a component that is measured, so that others can be counted of its values."""
-
-    component: Component
-    quantity: Quantity
-
-    def word(self, word: str) -> str:
-        """The name of a word that it needs beside its own: ``current_since_ms``."""
-        return f"{self.quantity.name}_{word}"
-
-    @property
-    def sums(self) -> tuple[Quantity, ...]:
-        """The quantities that are sums of it over time."""
-        found = ((each, each.derivation.sums) for each in self.component.quantities.values())
-        return tuple(each for each, one in found if one and one.of == self.quantity.name)
-
-    @property
-    def given(self) -> tuple[Quantity, ...]:
-        """The quantities that come of its values: what an ADC measures, its trend, its estimate, what sums leave."""
-        quantities = self.component.quantities.values()
-        return tuple(
-            each
-            for each in quantities
-            if each.derivation.comes_of_readings and self.quantity.name in (each.name, *each.derivation.sources[:1])
-        )
 
 
 @dataclass(frozen=True, slots=True)

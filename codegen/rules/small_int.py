@@ -5,11 +5,12 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answer import Answer
+from codegen.model.basis import Basis
 from codegen.model.conversion import Conversion, factors_by_instance
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.summed import RADIX, SMOOTH_STEPS
 from codegen.model.system import System
-from codegen.model.vehicle import Basis, Parameter, Quantity
+from codegen.model.vehicle import Parameter, Quantity
 
 RULE = Rule(
     "allocating-arithmetic",
@@ -69,7 +70,7 @@ def _sums(reading: Basis, system: System) -> Iterator[Diagnostic]:
         worst = 0
         if found is not None and found.of == reading.quantity.name:
             worst = most * stale_ms + found.parts // (RADIX * RADIX if found.times else 1)
-            if found.times in quantities:
+            if found.times is not None and found.times in quantities:
                 high = _largest(quantities[found.times], system)
                 worst = max(
                     worst, (most * stale_ms // RADIX**2 + 2) * high + found.parts // RADIX, RADIX * high + RADIX**3

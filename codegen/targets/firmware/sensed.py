@@ -3,7 +3,8 @@
 from dataclasses import dataclass as changing
 from typing import NamedTuple
 
-from codegen.model.vehicle import Basis, Quantity
+from codegen.model.basis import Basis
+from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.payload_plain import PlainCode
 from codegen.targets.firmware.reading import forgetting
 from codegen.targets.firmware.summing import CLOCK_MASK, summed

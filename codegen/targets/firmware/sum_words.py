@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from codegen.model.basis import Basis
 from codegen.model.summed import Rest
-from codegen.model.vehicle import Basis, Parameter, Quantity
+from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.naming import parameter_attribute
 
 DIGITS = ("low", "middle", "high")

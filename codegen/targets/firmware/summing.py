@@ -1,8 +1,9 @@
 """Statements that count on what readings sum up to: the sum over time, what it leaves, and how long that lasts."""
 
+from codegen.model.basis import Basis
 from codegen.model.payload_code import UNKNOWN, indented
 from codegen.model.summed import RADIX, SMOOTH_STEPS, Lasting, Rest, Sum
-from codegen.model.vehicle import Basis, Quantity
+from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.sum_words import full_word, rest_words
 
