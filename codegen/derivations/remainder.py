@@ -55,7 +55,9 @@ class Left(Derivation):
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         rest = self.rest
         share = "" if rest.share is None else f", of {rest.share}"
-        text = f"{rest.full.name} * {rest.steps} after {rest.after} of {self.of}{share}"
+        text = (
+            f"{rest.full.name} * {rest.steps} after {rest.after} of {_basis(self.of, is_sensed=self.is_sensed)}{share}"
+        )
         yield DerivationFact("left of", text, "left_of")
 
     def words(self, quantity: Quantity) -> str:
@@ -91,7 +93,8 @@ class Lasts(Derivation):
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         lasting = self.lasting
-        text = f"{lasting.left} * {lasting.factor} at {lasting.at} over {lasting.readings} readings"
+        at = _basis(lasting.at, is_sensed=self.is_sensed)
+        text = f"{lasting.left} * {lasting.factor} at {at} over {lasting.readings} readings"
         yield DerivationFact("lasts", text, "lasts")
 
     def words(self, quantity: Quantity) -> str:
@@ -165,6 +168,11 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
         around.bad("lasts", f"{name} at {at} is no whole number of {kept.stored.name}", BAD_REMAINDER)
         return None
     return Lasts(Lasting(name, at, int(readings), factor), sensed)
+
+
+def _basis(name: str, *, is_sensed: bool) -> str:
+    """What something is counted of, and who measures it where that is no ADC, with which it is forgotten then."""
+    return f"{name} of a sensor" if is_sensed else name
 
 
 def _period_ms(name: str, around: Surroundings) -> Fraction | None:

@@ -16,6 +16,13 @@ STEPS_MS = (7, 100, 100, 1900, 20000, 59999, 60000, 60001, 40000, 3)
 HALF = Fraction(1, 2)
 
 
+DIVIDER = "{driver: adc, gpio: 26, multiplier: 5, samples: 2, rate: 10 Hz}"
+SEEN = """\
+      divided: {doc: Voltage., unit: V, stored: mV, source: divider, stale_after: 1 s}
+      absent: {doc: Whether no pack is there., boolean: true, follows: divided, below: 1}
+      swaps: {doc: How often one was put in., counts_returns_of: absent, initial: 0, min: 0, max: 1000}
+"""
+
 # Worked out by hand: 659 mAh last 2372 s at 1 A and 1186 s at 2 A.
 LAST = {
     "drawn": [659, 1, 2372, 99341],  # of 100000 mAh, whatever the parameter is now
@@ -40,6 +47,20 @@ def sensors(tmp_path_factory: pytest.TempPathFactory) -> Path:
         line.replace("stale_after: 1 s", "stale_after: 60 s") if "source: power." in line else line for line in lines
     ]
     state.write_text("\n".join(lines) + "\n")
+    subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def exchanged(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The project with another voltage of its pack, which an ADC measures, so that it is seen when one is put in."""
+    folder = tmp_path_factory.mktemp("exchanged")
+    parts = [str(HERE / "sensors" / name) for name in ("specs", "exchanged.py")]
+    subprocess.run(["cp", "-r", *parts, str(folder)], check=True)
+    board, state = folder / "specs" / "board.yaml", folder / "specs" / "state.yaml"
+    board.write_text(board.read_text().replace("  power:\n", f"  divider: {DIVIDER}\n  power:\n", 1))
+    text = state.read_text().replace("integral_of: current}", "integral_of: current, restarts_with: swaps}")
+    state.write_text(text.replace("      consumed:", f"{SEEN}      consumed:"))
     subprocess.run([str(BIN / "codegen"), "build"], cwd=folder, check=True, capture_output=True)
     return folder
 
@@ -98,3 +119,12 @@ def test_what_is_counted_does_not_drift(sensors: Path, interpreter: str) -> None
     assert [each[3] for each in counted] == [100000 - each[1] for each in counted]
     assert allocated == 0
     assert last == LAST
+
+
+@pytest.mark.parametrize("interpreter", ["micropython", "micropython32", "python"])
+def test_it_begins_anew_with_what_an_adc_sees(exchanged: Path, interpreter: str) -> None:
+    """10 A are 1 mAh in 0.36 s: 111 in 40 s less the first turn; from 0 with the new pack, and 100 in 36 s."""
+    command = [str(BIN / interpreter), "exchanged.py"]
+    done = subprocess.run(command, cwd=exchanged, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout) == [[0, 111, 3189], [0, 112, 3188], [1, 0, 3300], [1, 100, 3200]]
