@@ -7,7 +7,7 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import IntegralSpec, MeasuredSpec
+from codegen.model.derivation_spec import IntegralSpec, MeasuredSpec, SourcedSpec
 from codegen.model.step import Step
 from codegen.model.summed import RADIX, Sum, whole
 from codegen.model.unit import Unit, ratio
@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 
 BAD_INTEGRAL = Rule(
     "bad-integral",
-    "An integral sums what an ADC measures in the same component over time, or its product with another quantity that "
-    "one measures there: one step of it is a whole number of steps and milliseconds, of a product a whole number of "
-    "millions. What is summed has a stale_after, since a longer pause is a gap, and both together fit 30 bits.",
+    "An integral sums what is measured in the same component over time, by an ADC or another sensor, or its product "
+    "with another quantity that is measured there in the same way: one step of it is a whole number of steps and "
+    "milliseconds, of a product a whole number of millions. What is summed has a stale_after, since a longer pause is "
+    "a gap, and both together fit 30 bits.",
 )
 
 
@@ -73,6 +74,10 @@ def resolve_integral(written: IntegralSpec, kept: Kept, around: Surroundings) ->
         if unit is None or product is None:
             return None
         product = Unit.parse(f"{unit.name}*{product.name}") if unit.name else product
+    if len({is_sensed(name, around) for name in names}) > 1:
+        message = f"an ADC measures one of {names[0]} and {names[1]}, and another sensor gives the other"
+        around.bad("times", message, BAD_INTEGRAL, "both have to be measured in the same way")
+        return None
     if around.others[names[0]].stale_after is None:
         message = f"{names[0]} has no stale_after, so nothing says which pause is a gap"
         around.bad("integral_of", message, BAD_INTEGRAL, f"write stale_after at {names[0]}")
@@ -95,7 +100,22 @@ def measured_unit(key: str, name: str, around: Surroundings) -> Unit | None:
     if followed is None:
         around.no_quantity(key, name, BAD_INTEGRAL)
         return None
-    if followed.written(MeasuredSpec) is None:
-        around.bad(key, f"{name} is not measured by an ADC", BAD_INTEGRAL)
+    if followed.written(MeasuredSpec) is None and not is_sensed(name, around):
+        around.bad(key, f"{name} is not measured, by an ADC or another sensor", BAD_INTEGRAL)
         return None
-    return Unit.parse(followed.stored or followed.unit)
+    return Unit.parse(kept_unit(name, around))
+
+
+def is_sensed(name: str, around: Surroundings) -> bool:
+    """Whether a sensor other than an ADC gives a quantity of the component."""
+    return around.others[name].written(SourcedSpec) is not None
+
+
+def kept_unit(name: str, around: Surroundings) -> str | None:
+    """The unit in which a measured quantity is kept: the one that is written, or the steps of its sensor."""
+    followed = around.others[name]
+    unit = Unit.parse(followed.unit)
+    given = () if followed.stored or unit is None else around.given_to(name)
+    if unit and given and ratio(unit, given[0][1].unit):
+        return given[0][1].unit.name
+    return followed.stored or followed.unit

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from codegen.derivations.integral import is_sensed, kept_unit
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule
 from codegen.frozen import dataclass
@@ -30,10 +31,15 @@ class Left(Derivation):
 
     rest: Rest
     of: str
+    is_sensed: bool
 
     @property
     def remains(self) -> Rest | None:
         return self.rest
+
+    @property
+    def ages_with(self) -> str | None:
+        return self.of if self.is_sensed else None
 
     @property
     def comes_of_readings(self) -> bool:
@@ -49,7 +55,9 @@ class Left(Derivation):
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         rest = self.rest
         share = "" if rest.share is None else f", of {rest.share}"
-        text = f"{rest.full.name} * {rest.steps} after {rest.after} of {self.of}{share}"
+        text = (
+            f"{rest.full.name} * {rest.steps} after {rest.after} of {_basis(self.of, is_sensed=self.is_sensed)}{share}"
+        )
         yield DerivationFact("left of", text, "left_of")
 
     def words(self, quantity: Quantity) -> str:
@@ -65,10 +73,15 @@ class Lasts(Derivation):
     """What ``lasting`` says, with each reading of what is drawn; unknown while nothing is."""
 
     lasting: Lasting
+    is_sensed: bool
 
     @property
     def lasts(self) -> Lasting | None:
         return self.lasting
+
+    @property
+    def ages_with(self) -> str | None:
+        return self.lasting.at if self.is_sensed else None
 
     @property
     def comes_of_readings(self) -> bool:
@@ -80,7 +93,8 @@ class Lasts(Derivation):
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         lasting = self.lasting
-        text = f"{lasting.left} * {lasting.factor} at {lasting.at} over {lasting.readings} readings"
+        at = _basis(lasting.at, is_sensed=self.is_sensed)
+        text = f"{lasting.left} * {lasting.factor} at {at} over {lasting.readings} readings"
         yield DerivationFact("lasts", text, "lasts")
 
     def words(self, quantity: Quantity) -> str:
@@ -114,7 +128,13 @@ def resolve_left(written: LeftSpec, kept: Kept, around: Surroundings) -> Left | 
         around.bad("left_of", f"what is left of {full.name} is in {spelt} or in %", BAD_REMAINDER)
         return None
     of_all = None if share is None else int(100 * share)
-    return Left(Rest(full, name, steps, of_all), integral.integral_of or "")
+    of = integral.integral_of or ""
+    sensed = of in around.others and is_sensed(of, around)
+    if sensed and not full.spec.reboot:
+        message = f"{full.name} can change at any time, and with what a sensor gives it counts from the start on"
+        around.bad("left_of", message, BAD_REMAINDER, f"reboot: true at {full.name}")
+        return None
+    return Left(Rest(full, name, steps, of_all), of, sensed)
 
 
 def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts | None:
@@ -131,21 +151,36 @@ def resolve_lasts(written: LastsSpec, kept: Kept, around: Surroundings) -> Lasts
             around.no_quantity(key, other, BAD_REMAINDER)
             return None
     left, drawn = around.others[name], around.others[at]
-    if left.written(LeftSpec) is None or drawn.written(MeasuredSpec) is None:
+    sensed = is_sensed(at, around)
+    if left.written(LeftSpec) is None or (drawn.written(MeasuredSpec) is None and not sensed):
         around.bad("lasts", f"{name} is not what is left of something, or {at} is not measured", BAD_REMAINDER)
         return None
-    readings = Fraction(over or 0, around.period_ms) if around.period_ms else Fraction(0)
+    period_ms = _period_ms(at, around)
+    readings = (over or 0) / period_ms if period_ms else Fraction(0)
     if readings.denominator != 1 or not 1 <= readings <= 1000:
-        hint = None if around.period_ms else "the component needs an update_rate"
+        hint = None if period_ms else "the component needs an update_rate, or its sensors one rate"
         around.bad("over", f"{written.over} is not 1 to 1000 readings", BAD_REMAINDER, hint)
         return None
-    product = Unit.parse(f"{kept.stored.name or 1}*{drawn.stored or drawn.unit}")
+    product = Unit.parse(f"{kept.stored.name or 1}*{kept_unit(at, around)}")
     unit = Unit.parse(left.stored or left.unit)
     factor = None if product is None or unit is None else whole(ratio(unit, product))
     if factor is None:
         around.bad("lasts", f"{name} at {at} is no whole number of {kept.stored.name}", BAD_REMAINDER)
         return None
-    return Lasts(Lasting(name, at, int(readings), factor))
+    return Lasts(Lasting(name, at, int(readings), factor), sensed)
+
+
+def _basis(name: str, *, is_sensed: bool) -> str:
+    """What something is counted of, and who measures it where that is no ADC, with which it is forgotten then."""
+    return f"{name} of a sensor" if is_sensed else name
+
+
+def _period_ms(name: str, around: Surroundings) -> Fraction | None:
+    """The time between two values of what is measured, in ms; None where there is not one for all instances."""
+    periods = {Fraction(source.polling.period_us, 1000) for source, _ in around.given_to(name)}
+    if not periods:
+        return None if around.period_ms is None else Fraction(around.period_ms)
+    return periods.pop() if len(periods) == 1 else None
 
 
 def _integral(name: str, around: Surroundings) -> IntegralSpec | None:

@@ -166,6 +166,22 @@ class Surroundings:
         self.bad("source", message, UNKNOWN_SOURCE, hint)
         return None
 
+    def given_to(self, name: str) -> tuple[tuple[Source, Output], ...]:
+        """By instance the sensor that gives another quantity of the component, and what of it, as far as it is known.
+
+        What is wrong with it is reported there.
+        """
+        written = self.others[name].written(SourcedSpec)
+        if written is None:
+            return ()
+        names = (written.source,) if isinstance(written.source, str) else written.source
+        known = {
+            f"{source.name}.{output.name}".rstrip("."): (source, output)
+            for source in self.sources.values()
+            for output in source.outputs
+        }
+        return tuple(known[each] for each in names if each in known)
+
     def counted(self, fact: str, key: str, rule: Rule) -> tuple[int, ...] | None:
         """A fact of board.yaml that counts something, by instance; None after a finding."""
         counts = []

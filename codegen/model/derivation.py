@@ -135,6 +135,11 @@ class Derivation(ABC):
         return ()
 
     @property
+    def ages_with(self) -> str | None:
+        """What a sensor gives to the component and with which it is forgotten; None where there is nothing."""
+        return None
+
+    @property
     def comes_of_readings(self) -> bool:
         """Whether a reading gives it, so that it is unknown once that is not believed any longer."""
         return self.conversion is not None

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.frozen import dataclass
+from codegen.model.basis import Basis
 from codegen.model.board_spec import AdcSpec
 from codegen.model.derivation import Derivation
 from codegen.model.dialect import EnumDefinition
@@ -220,7 +221,8 @@ class Quantity(Cited):
 
         What readings give is forgotten with these.
         """
-        return self.derivation.ages_alone and self.trust.stale_after_ms is not None
+        counts = self.derivation.ages_alone or self.derivation.ages_with is not None
+        return counts and self.trust.stale_after_ms is not None
 
     @property
     def lost(self) -> str:
@@ -295,6 +297,12 @@ class Component(Cited):
         return tuple(found)
 
     @property
+    def counted_on(self) -> tuple[Basis, ...]:
+        """What sensors give of it that others are counted of, in the order of its quantities."""
+        found = (Basis(self, quantity) for quantity in self.quantities.values() if quantity.derivation.gives)
+        return tuple(basis for basis in found if basis.sums or basis.given)
+
+    @property
     def enabled(self) -> Quantity | None:
         """The boolean that says whether the component is measured and reported; None where it always is."""
         return next((quantity for quantity in self.quantities.values() if quantity.derivation.switch), None)
@@ -306,11 +314,9 @@ class Component(Cited):
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class Reading(Basis):
     """A quantity of a component that an ADC measures. The first of a component is called as the component is."""
 
-    component: Component
-    quantity: Quantity
     conversion: "Conversion"
     is_first: bool
 
@@ -322,16 +328,6 @@ class Reading:
     def word(self, word: str) -> str:
         """The name of a word that readings need: ``failures``, of a further one ``current_failures``."""
         return word if self.is_first else f"{self.quantity.name}_{word}"
-
-    @property
-    def given(self) -> tuple[Quantity, ...]:
-        """The quantities that come of its readings: what is measured, its trend, what is estimated of it."""
-        quantities = self.component.quantities.values()
-        return tuple(
-            each
-            for each in quantities
-            if each.derivation.comes_of_readings and self.quantity.name in (each.name, *each.derivation.sources[:1])
-        )
 
     @property
     def trend(self) -> Quantity | None:

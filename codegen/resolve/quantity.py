@@ -10,9 +10,10 @@ from codegen.derivations.elements import resolve_elements
 from codegen.derivations.follows import BAD_FOLLOWING
 from codegen.derivations.surroundings import BAD_QUANTITY, Kept, Surroundings
 from codegen.diagnostics import did_you_mean
-from codegen.measure import UNIT_MISMATCH
+from codegen.measure import UNIT_MISMATCH, read_time
+from codegen.model.derivation import Derivation
 from codegen.model.spec import Requirement
-from codegen.model.unit import Unit, read_measure
+from codegen.model.unit import Unit, read_measure, unit_named
 from codegen.model.vehicle import Quantity, QuantityKind, Trust
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.kept import resolve_kept
@@ -55,8 +56,8 @@ def resolve_quantity(around: Surroundings, index: Mapping[str, Requirement]) -> 
     if resolved is None:
         return None
     kept, enum = resolved
-    trust = Trust(spec.invalid_after, around.time_ms("stale_after", spec.stale_after))
     derivation = resolve_derivation(kept, around)
+    trust = _trust(derivation, around)
     elements = resolve_elements(around)
     check_restart(kept, around)
     if around.failed or derivation is None:
@@ -81,6 +82,16 @@ def resolve_quantity(around: Surroundings, index: Mapping[str, Requirement]) -> 
         citation=citation,
         aspects=cite_aspects(spec, index, report),
     )
+
+
+def _trust(derivation: Derivation | None, around: Surroundings) -> Trust:
+    """When it is no longer believed: as is written, or with the quantity that it is counted of."""
+    basis = derivation.ages_with if derivation else None
+    spec = around.spec if basis is None else around.others[basis]
+    stale_ms = None
+    if spec.stale_after is not None:
+        stale_ms = read_time(spec.stale_after, unit_named("ms"), spec.at("stale_after"), around.report)
+    return Trust(around.spec.invalid_after, stale_ms)
 
 
 def _check(around: Surroundings) -> None:

@@ -28,6 +28,10 @@ NOT_RECEIVED = Rule(
     "unit, or one of 32 bits into one of one word, rounded to the nearest; a text into a text of at least its length. "
     "The quantity belongs to a component of which there is one, and is no list.",
 )
+_ONE_FOR_EACH = (
+    "declare a quantity for each value that arrives, in a component of which there is one, such as "
+    "far: {quantities: {level_1: ..., level_2: ...}}, and write state: far.level_2"
+)
 _PART_LIMIT = 1 << 28
 """What numerator and denominator of a factor are less than with which wholes_plain.py makes whole numbers of floats."""
 _FLOATS = {4: Storage.BINARY32, 8: Storage.BINARY64}
@@ -42,23 +46,8 @@ def resolve_taken(
     report: Report,
 ) -> ReceivedField | None:
     """The field with its quantity; None after a finding."""
-    place = written.at("state")
-    quantity = find_quantity(written.state, parts.components, parts.spec.state, place, report)
+    quantity = _target(field, written, parts, report)
     if quantity is None:
-        return None
-    if not quantity.derivation.is_received:
-        message = f"{quantity.path} is not for a message to set: {quantity.derivation.words(quantity)}"
-        related = [(quantity.spec.place, f"{quantity.path} is declared here")]
-        report.add(SET_TWICE, place, message, "give the message a quantity of its own", related)
-        return None
-    problem = _kind_problem(field, quantity, parts)
-    if problem is not None:
-        related = [
-            (quantity.spec.place, f"{quantity.path} is declared here"),
-            (field.definition.place, f"{field.name} is declared here"),
-        ]
-        rule = NOT_AN_ENUM_FIELD if quantity.kind is QuantityKind.ENUM else NOT_RECEIVED
-        report.add(rule, place, problem, None, related)
         return None
     if quantity.kind is QuantityKind.TEXT:
         for key in ("min", "max", "rounding"):
@@ -77,14 +66,51 @@ def resolve_taken(
     return ReceivedField(field, element, quantity, factor, *bounds, written, citation)
 
 
-def _kind_problem(field: WireField, quantity: Quantity, parts: Parts) -> str | None:
-    """Why a quantity of its kind cannot take what the field carries."""
+def _target(field: WireField, written: ReceivedFieldSpec, parts: Parts, report: Report) -> Quantity | None:
+    """The quantity that the field sets; None after a finding."""
+    place, (path, bracket, _) = written.at("state"), written.state.partition("[")
+    if bracket:
+        message = f"{written.state} is a part of {path}, and a field sets a whole quantity"
+        report.add(NOT_RECEIVED, place, message, _ONE_FOR_EACH)
+        return None
+    quantity = find_quantity(written.state, parts.components, parts.spec.state, place, report)
+    if quantity is None:
+        return None
+    if not quantity.derivation.is_received:
+        message = f"{quantity.path} is not for a message to set: {quantity.derivation.words(quantity)}"
+        related = [(quantity.spec.place, f"{quantity.path} is declared here")]
+        report.add(SET_TWICE, place, message, "give the message a quantity of its own", related)
+        return None
+    related = [
+        (quantity.spec.place, f"{quantity.path} is declared here"),
+        (field.definition.place, f"{field.name} is declared here"),
+    ]
+    problem = _part_problem(field, quantity, parts)
+    if problem is not None:
+        report.add(NOT_RECEIVED, place, problem, _ONE_FOR_EACH, related)
+        return None
+    problem = _kind_problem(field, quantity)
+    if problem is not None:
+        rule = NOT_AN_ENUM_FIELD if quantity.kind is QuantityKind.ENUM else NOT_RECEIVED
+        report.add(rule, place, problem, None, related)
+        return None
+    return quantity
+
+
+def _part_problem(field: WireField, quantity: Quantity, parts: Parts) -> str | None:
+    """Why a quantity of which there are several values cannot take what the field carries."""
     owner, path = parts.components[quantity.component], quantity.path
-    is_text = field.type.kind is Kind.CHAR
     if owner.instances != 1:
         return f"there are {owner.instances} of {owner.name}, and {path} does not say which"
     if quantity.elements is not None:
         return f"{path} is a list, and {field.name} sets single values"
+    return None
+
+
+def _kind_problem(field: WireField, quantity: Quantity) -> str | None:
+    """Why a quantity of its kind cannot take what the field carries."""
+    path = quantity.path
+    is_text = field.type.kind is Kind.CHAR
     if is_text != (quantity.kind is QuantityKind.TEXT):
         return f"{field.name} is {'a text' if is_text else 'a number'}, and {path} a {quantity.kind.value} quantity"
     if is_text:

@@ -1,14 +1,16 @@
 """Integers of the steady path stay below 2**30, above which 32-bit MicroPython allocates."""
 
+import math
 from collections.abc import Iterator
 
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.model.answer import Answer
+from codegen.model.basis import Basis
 from codegen.model.conversion import Conversion, factors_by_instance
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.summed import RADIX, SMOOTH_STEPS
 from codegen.model.system import System
-from codegen.model.vehicle import Parameter, Quantity, Reading
+from codegen.model.vehicle import Parameter, Quantity
 
 RULE = Rule(
     "allocating-arithmetic",
@@ -22,6 +24,9 @@ def check(system: System) -> Iterator[Diagnostic]:
     for reading in system.readings():
         yield from _conversion(reading.quantity, reading.conversion)
         yield from _sums(reading, system)
+    for component in system.components.values():
+        for basis in component.counted_on:
+            yield from _sums(basis, system)
     for message in system.messages:
         for answer in message.answers:
             if answer.covers.field.type.is_integer:
@@ -55,19 +60,18 @@ def _conversion(quantity: Quantity, conversion: Conversion) -> Iterator[Diagnost
         )
 
 
-def _sums(reading: Reading, system: System) -> Iterator[Diagnostic]:
-    """What is counted of a reading: its product with a time, and what is left with a factor."""
+def _sums(reading: Basis, system: System) -> Iterator[Diagnostic]:
+    """What is counted of what is measured: its product with a time, and what is left with a factor."""
     quantities = reading.component.quantities
-    most = _largest(reading, system)
+    most = _largest(reading.quantity, system)
     stale_ms = reading.quantity.trust.stale_after_ms or 0
     for quantity in quantities.values():
         found, rest, lasting = quantity.derivation.sums, quantity.derivation.remains, quantity.derivation.lasts
         worst = 0
         if found is not None and found.of == reading.quantity.name:
             worst = most * stale_ms + found.parts // (RADIX * RADIX if found.times else 1)
-            if found.times in quantities:
-                times = next(each for each in reading.component.readings if each.quantity.name == found.times)
-                high = _largest(times, system)
+            if found.times is not None and found.times in quantities:
+                high = _largest(quantities[found.times], system)
                 worst = max(
                     worst, (most * stale_ms // RADIX**2 + 2) * high + found.parts // RADIX, RADIX * high + RADIX**3
                 )
@@ -76,18 +80,21 @@ def _sums(reading: Reading, system: System) -> Iterator[Diagnostic]:
         if lasting is not None and quantity in reading.given:
             worst = max(most * SMOOTH_STEPS * 2, _largest_left(quantities.get(lasting.left)) * lasting.factor)
         if worst > SMALL_INT_MAX:
-            hint = "a shorter stale_after, a smaller max of its parameters, or a coarser unit"
+            hint = "a shorter stale_after, a smaller max of its parameters or of its sensor, or a coarser unit"
             yield Diagnostic(quantity.spec.place, RULE, f"{quantity.path}: counting it reaches {worst}", hint)
 
 
-def _largest(reading: Reading, system: System) -> int:
-    """The largest magnitude of what a reading gives, over all instances."""
-    conversion, count = reading.conversion, reading.component.instances
+def _largest(quantity: Quantity, system: System) -> int:
+    """The largest magnitude of what is measured, over all instances."""
+    conversion, count = quantity.derivation.conversion, system.components[quantity.component].instances
+    if conversion is None:
+        ends = (end * factor for _, output, factor in quantity.derivation.gives for end in (output.low, output.high))
+        return max(math.ceil(abs(end)) for end in ends)
     offset = conversion.offset
     offsets = factors_by_instance(offset, system.parameters, count) if offset else (None,) * count
     multipliers = factors_by_instance(conversion.multiplier, system.parameters, count)
-    ends = [conversion.ends(*both) for both in zip(multipliers, offsets, strict=True)]
-    return max(abs(end) for both in ends for end in both)
+    both_ends = [conversion.ends(*both) for both in zip(multipliers, offsets, strict=True)]
+    return max(abs(end) for both in both_ends for end in both)
 
 
 def _largest_left(quantity: Quantity | None) -> int:

@@ -39,7 +39,7 @@ CASES = [
         STATE,
         CHARGE,
         CHARGE.replace("current", "§temperature"),
-        "temperature is not measured by an ADC",
+        "temperature is not measured, by an ADC or another sensor",
         is_alone=False,
     ),
     Case("bad-integral", STATE, CHARGE, CHARGE.replace("current", "§voltag"), "no quantity voltag", is_alone=False),

@@ -50,6 +50,8 @@ CASES = [
     Case("unit-mismatch", RC, "{state: rc.rudder}", "{state: §wheels.spare}", "chan1_raw is a time (us), wheels.spare is a length (m)"),
     Case("uncarried-conversion", FIX, "{state: fix.yaw}", "{state: §fix.angle}", "keep it in cdeg"),
     Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §wheels.near}", "a whole number of one word in mm"),
+    Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §wheels.each}", "wheels.each is a list, and distance sets single values"),
+    Case("cannot-receive", WHEELS, "{state: wheels.right}", "{state: §'wheels.each[1]'}", "declare a quantity for each value that arrives"),
     Case("cannot-receive", TUNE, "{state: tune.notes}", "{state: §tune.short}", "tune has 30 characters, and tune.short keeps 29 bytes only"),
     Case("cannot-receive", TUNE, "{state: tune.notes}", "{state: tune.notes, §min: 3}".replace("§min: 3", "min: §3"), "min says nothing of a text"),
     Case("cannot-receive", TUNE, "{state: tune.notes}", "{state: §tune.figure}", "tune is a text, and tune.figure a number"),
@@ -70,7 +72,7 @@ CASES = [
 ]  # fmt: skip
 
 MORE = {
-    "      count: {doc: How many there are.": "      spare: {doc: Rolled., unit: m}\n      near: {doc: d, unit: m, stored: mm}\n",
+    "      count: {doc: How many there are.": "      spare: {doc: Rolled., unit: m}\n      near: {doc: d, unit: m, stored: mm}\n      each: {doc: d, unit: m, elements: 3}\n",
     "      program: {doc:": "      short: {doc: d, text: 29}\n      figure: {doc: d}\n      kind: {doc: d, enum: MAV_TYPE}\n",
     "      yaw: {doc:": "      angle: {doc: d, unit: rad}\n      seconds: {doc: d, unit: s, stored: s}\n",
 }

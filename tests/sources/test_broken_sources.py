@@ -30,6 +30,20 @@ outputs:
   distance: {unit: m, stored: mm, min: 0, max: 100}
 """
 
+AMPERES = "amperes: {driver: user, class: a.A, unit: A, stored: mA, min: -20, max: 20, rate: 10 Hz}"
+VOLTS = "\n  volts: {driver: adc, gpio: 26, multiplier: 1, samples: 1, rate: 10 Hz}"
+CURRENT = "current: {doc: d, unit: A, stored: mA, source: amperes, stale_after: 2 s}"
+MEASURED = "\n      voltage: {doc: d, unit: V, stored: mV, source: volts, stale_after: 2 s}"
+CONSUMED = "\n      consumed: {doc: d, unit: mAh, integral_of: current}"
+ENERGY = "\n      energy: {doc: d, unit: hJ, integral_of: current, times: voltage}"
+LEFT = "\n      left: {doc: d, unit: mAh, left_of: FULL, after: consumed, min: 0}"
+LASTS = "\n      lasting: {doc: d, unit: s, lasts: left, at: current, over: 250 ms, min: 0, max: 9000}"
+SIZES = """\
+parameters:
+  FULL: {doc: d, unit: mAh, type: int32, default: 3300, min: 0, max: 9000, step: 1}
+  SIZE: {doc: d, unit: mAh, type: int32, default: 3300, min: 0, max: 9000, step: 1, reboot: true}
+"""
+
 # What board.yaml says under sources, what the component boat of state.yaml has, and what is found.
 CASES = [
     ("nothing is wrong", SONAR, DEPTH, []),
@@ -115,6 +129,19 @@ CASES = [
      ["shared-pin: scl of own and keys.trigger of own are both on GPIO 5"]),
     ("two derivations", SONAR, "depth: {doc: d, unit: m, stored: mm, source: sonar, trend_of: depth, window: 1 s}",
      ["the value of depth has one source, not both"]),
+    ("sums", AMPERES, f"{CURRENT}{CONSUMED}", []),
+    ("a sum without an end", AMPERES, f"{CURRENT.replace(', stale_after: 2 s', ', invalid_after: 3')}{CONSUMED}",
+     ["error bad-integral: current has no stale_after", "hint: write stale_after at current"]),
+    ("a sum of anything", AMPERES.replace(", min: -20, max: 20", ""), f"{CURRENT}{CONSUMED}",
+     ["error allocating-arithmetic: boat.consumed: counting it reaches", "a smaller max of its parameters or of its"]),
+    ("a sum of what code sets", AMPERES, f"{CURRENT.replace('source: amperes, ', '')}{CONSUMED}",
+     ["error bad-integral: current is not measured, by an ADC or another sensor"]),
+    ("a sum of two kinds", PICO + AMPERES + VOLTS, f"{CURRENT}{MEASURED}{ENERGY}",
+     ["error bad-integral: an ADC measures one of current and voltage, and another sensor gives the other"]),
+    ("a store that changes", AMPERES, f"{CURRENT}{CONSUMED}{LEFT}",
+     ["error bad-remainder: FULL can change at any time", "hint: reboot: true at FULL"]),
+    ("a time of half a reading", AMPERES, f"{CURRENT}{CONSUMED}{LEFT.replace('FULL', 'SIZE')}{LASTS}",
+     ["error bad-remainder: 250 ms is not 1 to 1000 readings"]),
 ]  # fmt: skip
 
 
@@ -123,6 +150,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = Path(shutil.copytree(PROJECT, tmp_path_factory.mktemp("broken") / "project"))
     (folder / "specs" / "drivers").mkdir()
     (folder / "specs" / "drivers" / "laser.yaml").write_text(DRIVER)
+    (folder / "specs" / "parameters.yaml").write_text(SIZES)
     (folder / "specs" / "drivers" / "laser.py").write_text("class Laser:\n    pass\n")
     return folder
 

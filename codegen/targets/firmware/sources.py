@@ -11,6 +11,7 @@ from codegen.model.source_kind import Output, Source
 from codegen.model.storage import SMALL_INT_MAX, Storage
 from codegen.model.system import System
 from codegen.model.vehicle import Quantity
+from codegen.targets.firmware.sensed import CountView, count_view, numbered
 from codegen.targets.firmware.summing import CLOCK_MASK
 from codegen.targets.firmware.words import ConstantView, Layout, age_word
 from codegen.targets.imports import LINE_LENGTH, either_import, import_lines
@@ -26,7 +27,8 @@ WATCH_US = 1000000
 class GivenView:
     """What one instance of a quantity takes from a sensor: the ``place`` of the output among its values.
 
-    ``word`` and ``expires`` are the constants of the words that it has in the state.
+    ``word`` and ``expires`` are the constants of the words that it has in the state, and ``count`` is what counts on
+    with its values, or None.
     """
 
     quantity: Quantity
@@ -36,6 +38,7 @@ class GivenView:
     instance: int
     word: str
     expires: str
+    count: CountView | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +48,7 @@ class SourceView:
     name: str
     attribute: str
     about: str
+    counts: tuple[CountView, ...]
     gives: str
     keep: tuple[str, ...]
     lost: str
@@ -136,17 +140,20 @@ def given_by(source: Source, system: System, layout: Layout, constants: dict[str
     found = []
     for component in system.components.values():
         block = layout.blocks[component.name]
+        bases = {basis.quantity.name: basis for basis in component.counted_on}
         for quantity in component.quantities.values():
             for instance, (name, output, factor) in enumerate(quantity.derivation.gives):
                 if name != source.name:
                     continue
-                number = f"_{instance + 1}" if component.instances > 1 else ""
                 words = [quantity.attribute, *([age_word(quantity)] if quantity.ages else [])]
-                shown = [f"{block.constant(word)}{number}" for word in words]
+                shown = [numbered(block.constant(word), component.name, instance, layout) for word in words]
                 for word, constant in zip(words, shown, strict=True):
                     constants[constant] = layout.places(component.name, word)[instance]
-                found.append(GivenView(quantity, output, places[output.name], factor, instance, shown[0], shown[-1]))
-    return found
+                basis = bases.get(quantity.name)
+                count = None if basis is None else count_view(basis, instance, layout, constants)
+                place = places[output.name]
+                found.append(GivenView(quantity, output, place, factor, instance, shown[0], shown[-1], count))
+    return sorted(found, key=lambda given: given.count is not None)  # products are of the newest values
 
 
 def _source(source: Source, given: list[GivenView], system: System) -> SourceView:
@@ -171,6 +178,7 @@ def _source(source: Source, given: list[GivenView], system: System) -> SourceVie
         name=source.name,
         attribute=f"self.{source.name}",
         about=prose(polling.spec.doc or source.words()).rstrip(".") + cited,
+        counts=tuple(each.count for each in given if each.count is not None),
         gives=_listed(dict.fromkeys(each.quantity.path for each in given)),
         keep=tuple(keep) or ("pass",),
         lost=f"Forget what failures in a row make unknown: {after}." if lose else "Failures make nothing unknown.",
@@ -243,6 +251,8 @@ def _keeping(given: GivenView) -> Iterator[str]:
     else:
         known = [f"if {_plausible(output)}:"]
         put = list(_scaled(given, output))
+        if given.count is not None:
+            put += [f"{given.count.name}(words, value, now_ms)", f"words[{given.word}] = value"]
     yield from known
     yield from indented(put)
     if quantity.ages:
@@ -261,10 +271,11 @@ def _plausible(output: Output) -> str:
 def _scaled(given: GivenView, output: Output) -> Iterator[str]:
     """Put ``value`` times a factor, to the nearest, a half away from zero, without a product beyond 30 bits."""
     numerator, denominator = given.factor.numerator, given.factor.denominator
-    word = f"words[{given.word}]"
+    word = f"words[{given.word}]" if given.count is None else "value"
     times = "" if numerator == 1 else f" * {numerator}"
     if denominator == 1:
-        yield f"{word} = value{times}"
+        if given.count is None or times:
+            yield f"{word} = value{times}"
         return
     half = denominator // 2
     product = f"value // {denominator}{times} + (value % {denominator}{times} + {half}) // {denominator}"
@@ -286,6 +297,7 @@ def _unknown(given: GivenView) -> Iterator[str]:
         yield f"words[{given.word}] = _UNKNOWN"
         if quantity.ages:
             yield f"words[{given.expires}] = _UNKNOWN"
+        yield from (f"{word} = _UNKNOWN" for word in (given.count.lost if given.count else ()))
         return
     assert not isinstance(initial, str)
     halves = (int(initial),) if quantity.storage is Storage.SMALL else quantity.storage.split(int(initial))

@@ -144,6 +144,7 @@ def _families(system: System) -> tuple[FamilyView, ...]:
         if reading.is_first:
             used += [factor for factor in conversion.factors if isinstance(factor, Parameter)]
             used += fulls(reading).values()
+    used += [full for component in system.components.values() for _, full in _sizes(component)]
     by_name = {parameter.name: parameter for parameter in used if parameter.siblings}
     return tuple(family_view(parameter) for parameter in by_name.values())
 
@@ -194,8 +195,16 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
         yield block.constant(component.enabled.attribute), f"1 if {switch} != 0 else 0"
     if measured:
         yield from measured.set_up
+    for word, full in _sizes(component):
+        yield block.constant(word), parameter_expression(full, "self.parameters")
     for reading in component.readings[:1]:
         yield from is_read_word(reading, block, "self.parameters")
+
+
+def _sizes(component: Component) -> Iterator[tuple[str, Parameter]]:
+    """The words with the sizes of what is full where a sensor gives what is taken from it, with their parameters."""
+    for basis in component.counted_on:
+        yield from fulls(basis).items()
 
 
 def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:

@@ -2,36 +2,31 @@
 
 from collections.abc import Iterator
 
+from codegen.model.basis import Basis
 from codegen.model.summed import Rest
-from codegen.model.vehicle import Parameter, Quantity, Reading
+from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.naming import parameter_attribute
 
 DIGITS = ("low", "middle", "high")
 """The words with what a sum of products has beyond its last whole step."""
 
 
-def sums(reading: Reading) -> tuple[Quantity, ...]:
-    """The quantities that are summed of a reading."""
-    found = [(each, each.derivation.sums) for each in reading.component.quantities.values()]
-    return tuple(each for each, one in found if one and one.of == reading.quantity.name)
-
-
-def counted(reading: Reading) -> bool:
+def counted(reading: Basis) -> bool:
     """Whether something is counted on with each reading."""
-    return bool(sums(reading)) or any(each.derivation.lasts or each.derivation.remains for each in reading.given)
+    return bool(reading.sums) or any(each.derivation.lasts or each.derivation.remains for each in reading.given)
 
 
-def sum_words(reading: Reading) -> Iterator[str]:
+def sum_words(reading: Basis) -> Iterator[str]:
     """The words that this takes beside the quantities, of one number each."""
-    if sums(reading):
+    if reading.sums:
         yield reading.word("since_ms")
-    for quantity in sums(reading):
+    for quantity in reading.sums:
         yield from rest_words(quantity)
     yield from fulls(reading)
     yield from (f"{each.name}_mean" for each in reading.given if each.derivation.lasts)
 
 
-def fulls(reading: Reading) -> dict[str, Parameter]:
+def fulls(reading: Basis) -> dict[str, Parameter]:
     """The words with the sizes of what is full, each with its parameter."""
     rests = [each.derivation.remains for each in reading.given]
     return {full_word(rest): rest.full for rest in rests if rest}

@@ -1,10 +1,11 @@
 """Statements that count on what readings sum up to: the sum over time, what it leaves, and how long that lasts."""
 
+from codegen.model.basis import Basis
 from codegen.model.payload_code import UNKNOWN, indented
 from codegen.model.summed import RADIX, SMOOTH_STEPS, Lasting, Rest, Sum
-from codegen.model.vehicle import Quantity, Reading
+from codegen.model.vehicle import Quantity
 from codegen.targets.firmware.payload import SpelledCode
-from codegen.targets.firmware.sum_words import full_word, rest_words, sums
+from codegen.targets.firmware.sum_words import full_word, rest_words
 
 CLOCK_MASK = "0x3FFFFFFF"
 """Ticks are counted in 30 bits: boards count them so, and 64-bit interpreters further."""
@@ -20,12 +21,12 @@ def begun(quantity: Quantity, code: SpelledCode) -> list[str]:
     return [f"{code.word(owner, quantity.attribute)} = 0", *(f"{code.word(owner, word)} = {at}" for word, at in rests)]
 
 
-def summed(reading: Reading, code: SpelledCode) -> list[str]:
+def summed(reading: Basis, code: SpelledCode) -> list[str]:
     """Count on with a good reading, which is in ``value`` and not yet stored, at ``now_ms``."""
     owner, quantity = reading.component.name, reading.quantity
     before = code.number_of(code.word(owner, quantity.attribute))
     lines = []
-    if sums(reading):
+    if reading.sums:
         since, stale_ms = code.word(owner, reading.word("since_ms")), quantity.trust.stale_after_ms
         lines += [
             f"# A reading stands for the time since the last; more than {stale_ms} ms, or an unknown one, is a gap.",
@@ -35,7 +36,7 @@ def summed(reading: Reading, code: SpelledCode) -> list[str]:
             f"{since} = now_ms & {CLOCK_MASK}",
             "took = value * took",
         ]
-    for each in sums(reading):
+    for each in reading.sums:
         assert each.derivation.sums is not None
         lines += _sum(each, each.derivation.sums, reading, code)
     for each in reading.given:
@@ -47,7 +48,7 @@ def summed(reading: Reading, code: SpelledCode) -> list[str]:
     return lines
 
 
-def _sum(quantity: Quantity, found: Sum, reading: Reading, code: SpelledCode) -> list[str]:
+def _sum(quantity: Quantity, found: Sum, reading: Basis, code: SpelledCode) -> list[str]:
     owner = quantity.component
     word = code.word(owner, quantity.attribute)
     start = [f"if {code.number_of(word)} == {UNKNOWN}:", *indented(begun(quantity, code))]
@@ -83,7 +84,7 @@ def _limited(name: str, quantity: Quantity) -> list[str]:
     return [f"if {name} > {most}:", f"    {name} = {most}", f"if {name} < {least}:", f"    {name} = {least}"]
 
 
-def _left(quantity: Quantity, rest: Rest, reading: Reading, code: SpelledCode) -> list[str]:
+def _left(quantity: Quantity, rest: Rest, reading: Basis, code: SpelledCode) -> list[str]:
     owner = quantity.component
     word, full = code.word(owner, quantity.attribute), code.word(owner, full_word(rest))
     after = code.number_of(code.word(owner, reading.component.quantities[rest.after].attribute))
@@ -103,7 +104,7 @@ def _left(quantity: Quantity, rest: Rest, reading: Reading, code: SpelledCode) -
     return [*lines, f"if {full} == 0:", f"    {word} = {UNKNOWN}", "else:", *indented([*told, f"{word} = part"])]
 
 
-def _lasting(quantity: Quantity, lasting: Lasting, reading: Reading, code: SpelledCode) -> list[str]:
+def _lasting(quantity: Quantity, lasting: Lasting, reading: Basis, code: SpelledCode) -> list[str]:
     owner, quantities = quantity.component, reading.component.quantities
     word, mean = code.word(owner, quantity.attribute), code.word(owner, f"{quantity.name}_mean")
     before = code.number_of(code.word(owner, quantities[lasting.at].attribute))

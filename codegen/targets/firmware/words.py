@@ -135,6 +135,8 @@ def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
         if reading.returns:
             yield "gone", 1
         yield from ((word, 1) for word in sum_words(reading))
+    for basis in component.counted_on:
+        yield from ((word, 1) for word in sum_words(basis))
     for quantity in component.quantities.values():
         if quantity.derivation.kept_readings:
             yield from ((f"{quantity.name}_{word}", 1) for word in TREND_WORDS)
