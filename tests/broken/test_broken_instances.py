@@ -101,7 +101,11 @@ def test_the_hint_names_a_pin_that_is_free(tmp_path, monkeypatch, capsys):
         return main(["check"]), capsys.readouterr().out
 
     code, found = out(26)
-    assert (code, found.count("shared-pin"), "hint: BATT3_VOLT_PIN: 27, as long as battery 2 is switched off\n" in found) == (1, 1, True), found
+    assert (
+        code,
+        found.count("shared-pin"),
+        "hint: BATT3_VOLT_PIN: 27, as long as battery 2 is switched off\n" in found,
+    ) == (1, 1, True), found
     assert out(28) == (0, "")
     code, found = out(28, 26)
     assert "hint: BATT4_VOLT_PIN: 27, as long as battery 2 is switched off\n" in found, found

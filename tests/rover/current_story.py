@@ -5,7 +5,7 @@ import json
 import telemetry
 from mock_board import MockBoard
 from parameters import Parameters
-from program_bench import Flash, Link, Craft, Sink, machine, mock_time, run, save
+from program_bench import Craft, Flash, Link, Sink, machine, mock_time, run, save
 from state import SystemState
 
 GOOD = 3770  # of the voltage: 12 V

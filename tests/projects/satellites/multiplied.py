@@ -36,7 +36,18 @@ for hdop, bearing in ((None, 0), (0, 0), (1, 120), (2, 240), (655, 360), (700, 1
     ]
     sent.append({"hdop": hdop, "bearing": bearing, "frames": frames})
 
-for name in ("mavlink", "messages", "message_fields", "fields", "live_fields", "message", "frames", "dialect", "state", "telemetry"):
+for name in (
+    "mavlink",
+    "messages",
+    "message_fields",
+    "fields",
+    "live_fields",
+    "message",
+    "frames",
+    "dialect",
+    "state",
+    "telemetry",
+):
     sys.modules.pop(name, None)
 sys.path[1:2] = [str(GENERATED / "receiver")]
 from gpses import Gpses  # noqa: E402
