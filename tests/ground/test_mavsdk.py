@@ -134,10 +134,10 @@ def test_all_parameters(station: Station) -> None:
     everything = station.do("param.get_all_params")
     floats = {one["name"]: one["value"] for one in everything["float_params"]}
     integers = {one["name"]: one["value"] for one in everything["int_params"]}
-    each = ["ARM_VOLT", "CRT_VOLT", "LOW_VOLT", "VOLT_MULT"]
+    each = ["AMP_OFFSET", "AMP_PERVLT", "ARM_VOLT", "CRT_MAH", "CRT_VOLT", "LOW_MAH", "LOW_VOLT", "VOLT_MULT"]
     assert sorted(floats) == [f"{prefix}_{name}" for prefix in ("BATT2", "BATT") for name in each]
     assert floats["BATT_VOLT_MULT"] == pytest.approx(3.95)
-    assert len(integers) == 18
+    assert len(integers) == 22
     assert integers["BATT_CAPACITY"] == 3300
 
 
