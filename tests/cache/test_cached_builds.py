@@ -33,7 +33,7 @@ def texts(folder: Path) -> dict[str, bytes]:
 
 
 EDITS = {
-    "specs/parameters.yaml": ("max: 3\n", "max: 4\n"),
+    "specs/parameters.yaml": ("default: 3300\n", "default: 3400\n"),
     "specs/state.yaml": ("  battery:\n", "  # no less\n  battery:\n"),
     "specs/streams.yaml": ("\nstreams:\n", "\n# shifted\nstreams:\n"),
     "specs/board.yaml": ("doc: A second", "doc: Another"),
