@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: 397349c1d9dfe8aa
+# Inputs: c59d766befeded4d
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -133,7 +133,7 @@ class Receiver:
         return False
 
     def _is_trusted(self, message, state):
-        """Return whether the signature is right, or none is asked for; a function apart, for the stack of MicroPython."""
+        """Return whether the signature is right, or none is asked for; apart, for the stack of MicroPython."""
         if not state[9]:
             return message.ID in self._signing.unsigned
         return self._signing.accepts(memoryview(self._buffer)[state[3] : state[0]])

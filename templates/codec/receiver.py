@@ -131,7 +131,7 @@ class Receiver:
         return False
 
     def _is_trusted(self, message, state):
-        """Return whether the signature is right, or none is asked for; a function apart, for the stack of MicroPython."""
+        """Return whether the signature is right, or none is asked for; apart, for the stack of MicroPython."""
         if not state[9]:
             return message.ID in self._signing.unsigned
         return self._signing.accepts(memoryview(self._buffer)[state[3] : state[0]])
