@@ -187,7 +187,7 @@ def _literal(quantity: Quantity, value: Fraction) -> str:
     text = str(value)
     if quantity.storage.is_float:
         largest = Storage.BINARY64.limits[1]
-        text = repr(float(value)) if abs(value) <= largest else f'float("{"-" if value < 0 else ""}inf")'
+        text = repr(float(value)) if abs(value) <= largest else f"{'-' if value < 0 else ''}(1 << 1024)"
     if quantity.elements is not None:
         return f"first({text}, {quantity.elements[0]})"
     return text

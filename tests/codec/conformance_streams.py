@@ -122,9 +122,9 @@ def _flagged(message: Message, chance: random.Random) -> bytes:
 
 def _unknown(side: Side, chance: random.Random) -> bytes:
     """A frame of a message that the dialect does not have, with any CRC_EXTRA."""
-    payload = bytes(chance.choices(NO_START, k=chance.randrange(256)))
     extra = chance.randrange(256)
     while True:
+        payload = bytes(chance.choices(NO_START, k=chance.randrange(256)))  # whose length may be a start, too
         number = chance.choice((chance.randrange(256), chance.randrange(1 << 16), chance.randrange(1 << 24)))
         if number not in side.dialect.v2.mavlink_map:
             if number < 256 and chance.random() < 0.5:
