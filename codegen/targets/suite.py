@@ -77,7 +77,7 @@ def render_suite(system: System) -> dict[str, str]:
         clocked=_readers(CLOCK, system),
     )
     if not readings:
-        del files["tests/readings_checks.py"]
+        del files["tests/single_readings.py"]
     for name in RENDERED:
         files[f"tests/{name}"] = headed(rendered(f"tests/{name}.j2", view), origin)
     files |= render_source_suite(system)

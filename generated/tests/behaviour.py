@@ -28,7 +28,7 @@ from parameters import Parameters  # noqa: E402
 from state import SystemState  # noqa: E402
 from streams import Streams  # noqa: E402
 
-import readings_checks  # noqa: E402
+import single_readings  # noqa: E402
 import telemetry  # noqa: E402
 
 try:
@@ -368,23 +368,23 @@ BATTERY_CURRENT = {
 
 
 def battery_current_fails_alone():
-    readings_checks.fails_alone(BATTERY_CURRENT, reading_of)
+    single_readings.fails_alone(BATTERY_CURRENT, reading_of)
 
 
 def battery_current_ages_alone():
-    readings_checks.ages_alone(BATTERY_CURRENT, reading_of)
+    single_readings.ages_alone(BATTERY_CURRENT, reading_of)
 
 
 def battery_current_raises_nothing():
-    readings_checks.raises_nothing(BATTERY_CURRENT, reading_of)
+    single_readings.raises_nothing(BATTERY_CURRENT, reading_of)
 
 
 def battery_current_is_left_alone_where_it_is_off():
-    readings_checks.is_left_alone_where_it_is_off(BATTERY_CURRENT, reading_of)
+    single_readings.is_left_alone_where_it_is_off(BATTERY_CURRENT, reading_of)
 
 
 def battery_current_allocates_nothing():
-    readings_checks.allocates_nothing(BATTERY_CURRENT, reading_of)
+    single_readings.allocates_nothing(BATTERY_CURRENT, reading_of)
 
 
 def every_value_allocates_nothing():

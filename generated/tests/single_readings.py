@@ -1,4 +1,4 @@
-# Generated from templates/tests/readings_checks.py: do not edit.
+# Generated from templates/tests/single_readings.py: do not edit.
 # Inputs: bbe6c0832722c1f5
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
