@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 1d46bbf504fd8ce9
+# Inputs: ccf45b0d39cca97d
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -120,8 +120,9 @@ class Services:
         sent = message._image  # frames_plain says what it holds
         if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
-        taker = self._takers.get(message.ID)
-        targets = self._targets.get(message.ID)
+        kind = message.ID
+        taker = self._takers.get(kind)
+        targets = self._targets.get(kind)
         if taker is not None and (targets is None or self._is_addressed(message.wire, targets)):
             taker(message)
 
