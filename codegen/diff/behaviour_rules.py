@@ -188,6 +188,11 @@ COMMAND = _inside(
 MODE_ADDED = _inside("mode-added", "The vehicle has a mode more, to which a ground station can change it.")
 MODE_REMOVED = _inside("mode-removed", "The vehicle has a mode less: who asks for it is refused.", Victim.OLD_STATION)
 MODE = _inside("mode-changed", "A mode has another name, or other flags of HEARTBEAT are set in it.")
+ACCESS = _inside(
+    "access-changed",
+    "A link obeys others than before: who has no key or is not listed is not heard any more, or everybody is.",
+    Victim.OLD_STATION,
+)
 FAILSAFE = _inside("failsafe-changed", "A failsafe watches, waits or acts otherwise, is new or gone.")
 PROGRAM = _inside("program-changed", "The program on the board runs at other rates, stores or answers otherwise.")
 RECEIVER = _inside("receiver-changed", "The generated receiver reads other messages, or trusts them otherwise.")

@@ -18,6 +18,7 @@ def program_subjects(system: System) -> Iterator[Subject]:
     """The program, its failsafes and what they do, and the receiver, as far as there are any."""
     if system.program is not None:
         yield _program(system.program)
+        yield _access(system, system.program)
         yield from (_failsafe(failsafe) for failsafe in system.program.failsafes)
         for action in system.program.actions:
             mode = "" if action.mode is None else str(action.mode)
@@ -67,6 +68,27 @@ def _program(program: Program) -> Subject:
     )
     says = f"control at {amount(program.control_us, 'us')}"
     return Subject("program", says, rules.PROGRAM, rules.PROGRAM, spec.place, facts, cited(program.cited, aspects))
+
+
+def _access(system: System, program: Program) -> Subject:
+    """Whom each link obeys; without ``access`` everybody."""
+    access = program.access
+    place = program.spec.at("access")
+    systems = ", ".join(map(str, access.spec.stations)) if access else ""
+    facts = []
+    for name in (link.name for link in system.links):
+        obeys = "everybody"
+        if access is not None and name in access.signed:
+            obeys = "who has the key"
+        elif access is not None and name in access.listed:
+            obeys = f"what says that it comes from {systems}"
+        facts.append(Fact(f"{name} obeys", obeys, rules.ACCESS, place))
+    setup = ", ".join(access.spec.setup) if access else ""
+    facts += [
+        Fact("a new key comes over", setup, rules.PROGRAM, place),
+        Fact("key in", access.spec.key if access else "", rules.PROGRAM, place),
+    ]
+    return Subject("access", "", rules.PROGRAM, rules.PROGRAM, place, tuple(facts))
 
 
 def _failsafe(failsafe: Failsafe) -> Subject:

@@ -5,6 +5,8 @@ from enum import Enum
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.access import Access
+from codegen.model.access_spec import SETUP_SIGNING
 from codegen.model.board_spec import LinkSpec
 from codegen.model.clock import SYSTEM_TIME
 from codegen.model.command import BUILT_IN, BuiltInCommand, Command, Mode, Needs
@@ -47,6 +49,8 @@ COMMAND_CANCEL = "COMMAND_CANCEL"
 SET_MODE = "SET_MODE"
 """The message that MAV_CMD_DO_SET_MODE supersedes."""
 
+_NOT_OF_ALL = (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL, SETUP_SIGNING)
+
 
 @dataclass(frozen=True, slots=True)
 class BoardLink:
@@ -69,7 +73,8 @@ class Program:
     is gone. ``module`` and ``class_name`` are those of the user's code, which is asked to measure every ``measure_us``,
     or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
     single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
-    ``priority`` are the actions, the most severe first, or none where each failsafe acts for itself.
+    ``priority`` are the actions, the most severe first, or none where each failsafe acts for itself. ``access`` is None
+    where every link is open.
     """
 
     control_us: int
@@ -93,6 +98,7 @@ class Program:
     commands: tuple[Command, ...] = ()
     modes: tuple[Mode, ...] = ()
     priority: tuple[ActionSpec, ...] = ()
+    access: Access | None = None
 
     @property
     def built_in(self) -> tuple[BuiltInCommand, ...]:
@@ -108,7 +114,7 @@ class Program:
     @property
     def received_besides(self) -> tuple[str, ...]:
         """The messages that the services of this program receive, and not those of every program."""
-        return tuple(each.name for each in self.services if each.name in (SYSTEM_TIME, SET_MODE, COMMAND_CANCEL))
+        return tuple(each.name for each in self.services if each.name in _NOT_OF_ALL)
 
     @property
     def takes_time(self) -> bool:

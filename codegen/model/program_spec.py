@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from codegen.frozen import dataclass
+from codegen.model.access_spec import AccessSpec
 from codegen.model.described import Amount, described
 from codegen.model.failsafe_spec import FailsafeSpec
 from codegen.source import Written
@@ -128,6 +129,9 @@ class VehicleSpec(Written):
         default=None,
     )
     services: ServicesSpec = described("What the vehicle answers to ground stations.")
+    access: AccessSpec | None = described(
+        "Who may command the vehicle over which link. Without it every link is open.", default=None
+    )
     system_id: str | None = described("Parameter that sets the MAVLink system id of the vehicle.", default=None)
     component_id: str | None = described(
         "Parameter that sets the MAVLink component id; its default is the id of the project's component_id.",

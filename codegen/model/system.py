@@ -167,6 +167,11 @@ class System:
         names = {*services, *(message.wire.name for message in self.messages)}
         return tuple(wire for wire in self.wires if wire.name in names)
 
+    @property
+    def signs(self) -> bool:
+        """Whether any link is signed."""
+        return self.program is not None and self.program.access is not None and bool(self.program.access.signed)
+
     def tables(self, message: str) -> tuple[PopulatedMessage, ...]:
         """The tables of a message of the dialect, by its name."""
         return tuple(table for table in self.messages if table.wire.name == message)

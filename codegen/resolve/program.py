@@ -5,6 +5,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_rate, read_time
+from codegen.model.access import Access
 from codegen.model.command_spec import CommandsSpec
 from codegen.model.dialect import Dialect
 from codegen.model.program import VEHICLE_QUANTITIES, Program
@@ -47,11 +48,12 @@ def resolve_program(
     report: Report,
     *,
     commands: CommandsSpec | None,
+    access: Access | None,
     takes_time: bool,
 ) -> Program | None:
     """The program of vehicle.yaml, with its ``commands``; None, with findings, where it cannot be built.
 
-    ``takes_time``: a table has the time since 1970.
+    ``access`` is resolved already. ``takes_time``: a table has the time since 1970.
     """
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
     links = read_rate(spec.control.links, spec.control.at("links"), report)
@@ -63,7 +65,8 @@ def resolve_program(
     own = resolve_commands(commands, spec, dialect, index, report)
     modes = resolve_modes(spec, components, index, report)
     takes_long = any(command.spec.long for command in own)
-    uses = Uses(takes_time=takes_time, takes_long=takes_long, has_modes=bool(modes))
+    takes_keys = access is not None and bool(access.spec.setup)
+    uses = Uses(takes_time=takes_time, takes_long=takes_long, has_modes=bool(modes), takes_keys=takes_keys)
     services = service_messages(spec, dialect, report, uses)
     cited = {}
     for name, text, place in (
@@ -78,6 +81,9 @@ def resolve_program(
             cited[name] = citation
     sections = {"control": spec.control, "storage": spec.storage, "arming": spec.arming, "services": spec.services}
     aspects = {name: cite_aspects(section, index, report) for name, section in sections.items() if section}
+    if access is not None:
+        aspects["access"] = dict(access.aspects)
+        cited |= {"access": access.citation} if access.citation else {}
     code = spec.code or CodeSpec(place=spec.place)
     measure = read_rate(code.measure, code.at("measure"), report) if code.measure is not None else None
     step_limit = read_time(spec.storage.step_limit, unit_named("us"), spec.storage.at("step_limit"), report)
@@ -121,6 +127,7 @@ def resolve_program(
         commands=own,
         modes=modes,
         priority=resolve_priority(spec, failsafes, report),
+        access=access,
     )
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Report, Rule, shortened_list
 from codegen.frozen import dataclass
+from codegen.model.access_spec import SETUP_SIGNING
 from codegen.model.clock import SYSTEM_TIME
 from codegen.model.command import BUILT_IN, Needs
 from codegen.model.dialect import Dialect, WireMessage
@@ -63,12 +64,14 @@ CANCELLED = "MAV_RESULT_CANCELLED"
 class Uses:
     """What the program has that not every program has, and that needs more of the dialect.
 
-    A table has the time since 1970, which SYSTEM_TIME can say; a command takes long; modes are declared.
+    A table has the time since 1970, which SYSTEM_TIME can say; a command takes long; modes are declared; a link brings
+    the key of others.
     """
 
     takes_time: bool = False
     takes_long: bool = False
     has_modes: bool = False
+    takes_keys: bool = False
 
 
 def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report, uses: Uses) -> tuple[WireMessage, ...]:
@@ -79,6 +82,7 @@ def service_messages(spec: VehicleSpec, dialect: Dialect, report: Report, uses: 
     may_lack = [
         *([SYSTEM_TIME] if uses.takes_time else []),
         *([SET_MODE] if uses.has_modes else []),
+        *([SETUP_SIGNING] if uses.takes_keys else []),
         *([COMMAND_CANCEL] if uses.takes_long and _entry_of(dialect, CANCELLED) else []),
     ]
     names = dict.fromkeys((*RECEIVED, *(name for name in may_lack if name in dialect.messages), *SENT))

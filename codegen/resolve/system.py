@@ -9,6 +9,7 @@ from codegen.model.population_spec import Clock
 from codegen.model.spec import Spec
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.resolve.access import resolve_access
 from codegen.resolve.board_model import resolve_board_model
 from codegen.resolve.citation import index_requirements
 from codegen.resolve.commands import NO_PROGRAM_FOR_COMMANDS
@@ -68,6 +69,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             index,
             report,
             commands=spec.commands,
+            access=resolve_access(spec, spec.vehicle, dialect, index, report),
             takes_time=Clock.UNIX in tables,
         )
     elif spec.commands is not None:

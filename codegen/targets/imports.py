@@ -74,3 +74,13 @@ def one_by_one(before: str, items: Iterable[str], after: str = "", brackets: str
 def order(name: str) -> tuple[int, str]:
     """Constants, then classes, then functions, as ruff sorts them."""
     return (0 if name.isupper() else 1 if name[:1].isupper() else 2, name)
+
+
+def tuple_text(items: Iterable[object]) -> str:
+    """``("wifi", 0)``: a tuple of texts, numbers and tuples as the formatter writes it."""
+    shown = [tuple_text(each) if isinstance(each, tuple) else _literal(each) for each in items]
+    return f"({', '.join(shown)}{',' if len(shown) == 1 else ''})"
+
+
+def _literal(item: object) -> str:
+    return f'"{item}"' if isinstance(item, str) else str(item)

@@ -103,8 +103,17 @@ def _stream(stream: Stream, system: System) -> StreamRow:
 def link_rows(system: System) -> tuple[LinkRow, ...]:
     """The links in the order of board.yaml."""
     return tuple(
-        LinkRow(link.name, link.kind.value.upper(), _details(link), str(link.citation or "")) for link in system.links
+        LinkRow(link.name, link.kind.value.upper(), _details(link) + _obeys(link, system), str(link.citation or ""))
+        for link in system.links
     )
+
+
+def _obeys(link: BoardLink, system: System) -> str:
+    """Whom a link obeys, where that is not everybody."""
+    access = system.program.access if system.program else None
+    if access is None or link.name not in (*access.signed, *access.listed):
+        return ""
+    return "; signed" if link.name in access.signed else f"; listed: {', '.join(map(str, access.spec.stations))}"
 
 
 def _details(link: BoardLink) -> str:

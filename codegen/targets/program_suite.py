@@ -23,7 +23,7 @@ from codegen.targets.generation_facts import (
     message_facts,
     shared_facts,
 )
-from codegen.targets.imports import one_by_one
+from codegen.targets.imports import one_by_one, tuple_text
 from codegen.targets.naming import parameter_attribute
 from codegen.targets.origin import copied_files, headed, origin_of
 from codegen.targets.rendered import rendered
@@ -33,6 +33,9 @@ _PROGRAM = "tests/program"
 
 COMMAND_CHECKS = "tests/command_checks.py"
 """What there is to check about commands and modes of the project's own."""
+
+ACCESS_CHECKS = "tests/access_checks.py"
+"""What there is to check about signed and listed links."""
 
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
 """What a further program's suite does without: it takes long, and is about modules that all programs share."""
@@ -56,6 +59,17 @@ class InputView:
 
 
 @dataclass(frozen=True, slots=True)
+class AccessFacts:
+    """The links of each kind, the system ids of listed stations, and the file of the key; tuples as Python has them."""
+
+    signed: str
+    listed: str
+    stations: str
+    setup: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
 class ProgramSuiteView:
     """What the checks of the program compare with; ``criteria`` are those of each aspect of the checks."""
 
@@ -76,6 +90,7 @@ class ProgramSuiteView:
     shared: dict[int, tuple[MessageFacts, ...]]
     known: tuple[KnownWord, ...]
     withheld: dict[int, tuple[str, ...]]
+    access: "AccessFacts | None"
     criteria: dict[str, tuple[str, ...]]
     answered: tuple[int, ...]
 
@@ -100,7 +115,12 @@ class CommandSuiteView:
 def left_out(system: System, program: Program) -> tuple[str, ...]:
     """The files of the suite that are about nothing here."""
     has_commands = program.commands or program.modes
-    return (*(LEFT_TO_THE_PROJECT if system.spec.program else ()), *(() if has_commands else (COMMAND_CHECKS,)))
+    guards = program.access is not None and (program.access.signed or program.access.listed)
+    return (
+        *(LEFT_TO_THE_PROJECT if system.spec.program else ()),
+        *(() if has_commands else (COMMAND_CHECKS,)),
+        *(() if guards else (ACCESS_CHECKS,)),
+    )
 
 
 def render_program_suite(system: System, program: Program) -> dict[str, str]:
@@ -128,6 +148,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         shared=shared_facts(system),
         known=known_words(system),
         withheld=_withheld_lines(system),
+        access=_access(program),
         criteria=check_criteria(system, program),
         answered=_answered(program),
     )
@@ -138,6 +159,19 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         text = rendered(f"{_PROGRAM}/command_facts.py.j2", _command_view(program))
         files["tests/command_facts.py"] = headed(text, origin)
     return files
+
+
+def _access(program: Program) -> AccessFacts | None:
+    if program.access is None:
+        return None
+    spec = program.access.spec
+    return AccessFacts(
+        signed=tuple_text(tuple(program.access.signed)),
+        listed=tuple_text(program.access.listed),
+        stations=tuple_text(spec.stations),
+        setup=tuple_text(spec.setup),
+        key=spec.key,
+    )
 
 
 def _answered(program: Program) -> tuple[int, ...]:

@@ -105,6 +105,7 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
         "storage": program.spec.storage,
         "arming": program.spec.arming,
         "services": program.spec.services,
+        "access": program.spec.access,
         "measure": program.spec.code,
     }
     for name, citation in program.cited.items():

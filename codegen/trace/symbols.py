@@ -137,6 +137,11 @@ class Symbols:
 
     def part_of_program(self, name: str) -> tuple[Symbol, ...]:
         """The modules of one part of the program, by its key in vehicle.yaml."""
+        program = self.system.program
+        if name == "access" and program is not None and program.access is not None:
+            signed = [("firmware/access.py", "Access")] if program.access.signed else []
+            listed = [("firmware/listed_stations.py", "ListedStations")] if program.access.listed else []
+            return self._all([*signed, *listed])
         return self._all(PROGRAM.get(name, ()))
 
     def command(self, command: Command) -> tuple[Symbol, ...]:

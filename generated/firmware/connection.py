@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 7bdce9390b209957
+# Inputs: 8583e345aa97bfd8
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -37,7 +37,8 @@ class Connection:
     A port that has `ends` brings what keeps its stations apart: frames go to ends[0], what was read came from ends[1].
     At the other end of another port there is one station: all that hear what goes out there.
 
-    `station` is the one that is served just now, who gets what send() and deliver() send, and `streams` are its.
+    `inbox` has the messages that arrive. `station` is the one that is served just now, who gets what send() and
+    deliver() send, and `streams` are its.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
@@ -66,7 +67,7 @@ class Connection:
         self.station.text = 0  # what was said before there was a link
         self.streams = self.station.streams
         self.services = Services(vehicle, self)
-        self._inbox = Inbox(port, link)
+        self.inbox = Inbox(port, link)
         self._texts = TextSender(self, vehicle.texts)
         self._guard = Guard()
         self._quiet_from_ms = None
@@ -140,9 +141,9 @@ class Connection:
         station.waiting.append(reply)
 
     def _take_in(self, now_ms):
-        self._inbox.begin()
+        self.inbox.begin()
         for _ in range(_MESSAGES):
-            message = self._inbox.next()
+            message = self.inbox.next()
             if message is None:
                 break
             if self._stations is None or self._is_answered(message, now_ms):

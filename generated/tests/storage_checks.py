@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 136838608303ffb0
+# Inputs: 6599aa3cc89274ac
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -91,20 +91,20 @@ def damaged_files_give_defaults_and_a_warning():
     craft = new_craft()
     _set_all(craft)
     save(craft)
-    name = next(iter(craft.flash.files))
+    name = next(each for each in FILES if each in craft.flash.files)
     whole = craft.flash.files[name]
     for at in range(len(whole)):
         damaged = whole[:at] + bytes([whole[at] ^ 0x10]) + whole[at + 1 :]
         for other in ({}, {FILES[1] if name == FILES[0] else FILES[0]: b"rubbish"}):
             flash = Flash()
-            flash.files = {name: damaged}
+            flash.files.update({name: damaged})
             flash.files.update(other)
             again = new_craft(flash=flash)
             assert _values(again) == _defaults(), at
             warnings = [text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]
             assert len(warnings) == 1, (at, warnings)
         if at % 8 == 0:
-            flash.files = {FILES[0]: whole, FILES[1]: damaged}
+            flash.files.update({FILES[0]: whole, FILES[1]: damaged})
             again = new_craft(flash=flash)
             assert _values(again) == _values(craft)
             assert again.said() == [], again.said()

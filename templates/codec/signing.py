@@ -22,7 +22,7 @@ class Signing:
     from, in 10 us since 2015-01-01: no frame is ever signed with an older one. `clock` returns seconds since 1970, or
     since 2000 on boards whose time.time() does; while it is behind, as one that was not set yet, timestamps go on from
     the last one as time passes. `unsigned` are ids of messages that are accepted without a signature; the last
-    timestamps of up to `streams` senders are remembered.
+    timestamps of up to `streams` senders are remembered. `accepted` counts signed frames.
     """
 
     def __init__(self, key, link_id=0, timestamp=0, clock=time.time, unsigned=(RADIO_STATUS,), streams=16):
@@ -36,6 +36,7 @@ class Signing:
         self.link_id = link_id
         self.timestamp = timestamp
         self.unsigned = unsigned
+        self.accepted = 0
         self._clock = clock
         self._looked = self._now()
         self._streams = {}  # (link id, system, component): timestamp of the last frame
@@ -86,7 +87,16 @@ class Signing:
             return False
         self._streams[stream] = timestamp
         self.timestamp = max(self.timestamp, timestamp)
+        self.accepted += 1
         return True
+
+    def renew(self, key, timestamp=0):
+        """Go on with another key, and not before its timestamp; nobody has signed with it yet."""
+        if len(key) != 32:
+            raise ValueError("a key has 32 bytes")
+        self.key = bytes(key)
+        self.timestamp = max(self.timestamp, min(timestamp, LATEST))
+        self._streams = {}
 
     def _hash(self, frame):
         digest = sha256(self.key)

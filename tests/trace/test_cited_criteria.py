@@ -13,6 +13,7 @@ import pytest
 
 from codegen import pipeline
 from codegen.diagnostics import Report
+from codegen.model.access_spec import AccessSpec
 from codegen.model.board_spec import AdcSpec
 from codegen.model.command_spec import CommandSpec
 from codegen.model.population_spec import PopulationSpec
@@ -31,6 +32,7 @@ PROJECTS = [
     *(ROOT / "tests" / "projects" / name for name in ("boat", "radio_rover", "two_batteries", "commanded")),
 ]
 SECTIONS = {
+    "access": AccessSpec,
     "control": ControlSpec,
     "storage": StorageSpec,
     "arming": ArmingSpec,

@@ -63,8 +63,8 @@ def render_firmware(system: System) -> dict[str, str]:
     if machine_code:
         fast = functions_view(system, layout, machine_code=True)
         views["telemetry_viper.py"] = (fast, written, wires)
-    accelerated = [MACHINE_CODE] if machine_code else []
-    files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *accelerated)}
+    further = [*([MACHINE_CODE] if machine_code else []), *(["signing"] if system.signs else [])]
+    files = {**copied_files("firmware"), **runtime_files("firmware/", system.wires, *further)}
     listens = any(source.silence_ms is not None for source in system.polled)
     optional = {
         "curve": view.has_estimate,
@@ -127,6 +127,9 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "long_commands": takes_long,
         "command_cancel": program.cancels,
         "mode_service": bool(program.modes),
+        "access": program.access is not None and bool(program.access.signed),
+        "key_service": program.access is not None and bool(program.access.spec.setup),
+        "listed_stations": program.access is not None and bool(program.access.listed),
     }
     plain = [name for name in plain_files(_PROGRAM) if optional.get(name.removesuffix(".py"), True)]
     files = {f"firmware/{name}": _program_file(system, program, name) for name in plain}

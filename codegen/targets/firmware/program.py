@@ -18,7 +18,7 @@ from codegen.targets.firmware.commands import (
 from codegen.targets.firmware.failsafe import FailsafesView, FailsafeView
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.firmware.receiving import call_name, received_beside
-from codegen.targets.imports import import_lines, one_by_one
+from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
 
 _INDENT = " " * 8
@@ -95,6 +95,8 @@ class ProgramView:
     has_usb: bool
     has_sources: bool
     connecting: tuple[str, ...]
+    access: str
+    keeping: str
     received_calls: tuple[CallOnReceiving, ...]
     commands: tuple[AnsweredView, ...]
     methods: tuple[MethodView, ...]
@@ -149,6 +151,8 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         ),
         has_usb=any(link.kind is LinkKind.USB for link in system.links),
         connecting=_connecting(system, program),
+        access=_access(program),
+        keeping=_keeping(program),
         commands=tuple(AnsweredView(each.name, each.method) for each in program.built_in if each.method),
         methods=method_views(program),
         takes_long=_takes_long(program),
@@ -161,13 +165,17 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
 def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
     dialect = ["dialect"] if program.spec.arming else []
     modules = ["asyncio", "gc", "machine", *(["messages"] if program.received_besides else []), "time", *dialect]
+    access = program.access
     names = [
+        *([("access", "Access")] if access and access.signed else []),
+        *([("key_service", "take_keys")] if access and access.spec.setup else []),
         ("board", "Board"),
         *_answering(system, program).items(),
         ("connection", "Connection"),
         *(("failsafe", failsafe.attribute) for failsafe in failsafes),
         ("guard", "Guard"),
         *([("long_commands", "LongCommands")] if _takes_long(program) else []),
+        *([("listed_stations", "admit_only")] if access and access.listed else []),
         ("micropython", "const"),
         ("parameters", "Parameters"),
         ("scheduler", "Scheduler"),
@@ -232,6 +240,8 @@ def _connecting(system: System, program: Program) -> tuple[str, ...]:
     ids = [f"self.parameters.{_attribute(system.system_parameter)}" if system.system_parameter else "SYSTEM_ID"]
     if system.component_parameter:
         ids.append(f"self.parameters.{_attribute(system.component_parameter)}")
+    if system.signs:
+        ids.append("signing=self.access.signing(port.name)")
     given = ["port", f"receivable({', '.join(_received(system, program))})", *ids]
     link = [line.removeprefix(_INDENT) for line in one_by_one(f"{_INDENT}link = open_link", given)]
     connection = "Connection(self, port, link, lambda budget: Streams(self.state, link, budget))"
@@ -239,9 +249,40 @@ def _connecting(system: System, program: Program) -> tuple[str, ...]:
         f"{name}(connection, {'self.state.clock' if module == 'clock_service' else 'self'})"
         for module, name in _answering(system, program).items()
     ]
+    answering += _admitting(program)
     if not answering:
         return (*link, f"return {connection}")
     return (*link, f"connection = {connection}", *answering, "return connection")
+
+
+def _admitting(program: Program) -> Iterator[str]:
+    """The statements that let a connection hear listed stations only, or take the key of others."""
+    access = program.access
+    if access is not None and access.listed:
+        yield f"if port.name in {tuple_text(access.listed)}:"
+        yield f"    admit_only(connection, {tuple_text(access.spec.stations)})"
+    if access is not None and access.spec.setup:
+        yield f"if port.name in {tuple_text(access.spec.setup)}:"
+        yield "    take_keys(connection, self)"
+
+
+def _access(program: Program) -> str:
+    """The statement that makes what signs links; nothing where none is signed."""
+    access = program.access
+    if access is None or not access.signed:
+        return ""
+    links = tuple_text(access.signed.items())
+    return f'{_INDENT}self.access = Access("{access.spec.key}", {links}, self.texts)'
+
+
+def _keeping(program: Program) -> str:
+    """The lines of the task that keeps parameters by which it keeps timestamps, too."""
+    if program.access is None or not program.access.signed:
+        return ""
+    call = "self.access.keep()"
+    return (
+        f"            if not self.is_armed:\n                {call}" if program.spec.arming else f"            {call}"
+    )
 
 
 def _received(system: System, program: Program) -> tuple[str, ...]:

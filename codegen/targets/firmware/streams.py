@@ -94,6 +94,7 @@ class StreamsView:
     or_not_chosen: str
     announced: AnnouncementView | None
     has_program: bool
+    signs: bool
     places: tuple[str, ...]
 
 
@@ -135,6 +136,7 @@ def streams_view(system: System) -> StreamsView:
         or_not_chosen=" or not self._is_chosen(index)" if system.generations else "",
         announced=announcements(messages, system),
         has_program=system.program is not None,
+        signs=system.signs,
         places=read_places(system.messages, word_layout(system)),
     )
 

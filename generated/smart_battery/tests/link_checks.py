@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/link_checks.py: do not edit.
-# Inputs: f99aa55a46eaf8b5
+# Inputs: c2f001903dd80650
 """The links of the board's own ports under a whole vehicle: partial writes, full buffers, faults, and coming back."""
 
 import socket
@@ -180,7 +180,7 @@ def datagrams_over_the_loopback():
     there.setblocking(False)
     number = int(sys.argv[1])
     there.bind(socket.getaddrinfo("127.0.0.1", number)[0][-1])
-    port = UdpPort("wifi", "127.0.0.1", number, 0, None, 1000, lambda *_words: None)
+    port = UdpPort("loopback", "127.0.0.1", number, 0, None, 1000, lambda *_words: None)
     craft = new_craft(ports=[port])
     other_end = Port()
     station = GroundStation(other_end)

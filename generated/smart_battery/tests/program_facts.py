@@ -30,6 +30,9 @@ VERSION = 2
 # Numbers of the commands that not every program answers.
 ANSWERED = ()
 
+# The links on which signed frames count, frames of listed systems, and a new key; and the file of the key.
+ACCESS = None
+
 # The criteria that the specification names for each aspect of the program; a check of another one is no evidence.
 CRITERIA = {
     "component.allocation": ("FR-00067.4",),

@@ -32,7 +32,8 @@ class Connection:
     A port that has `ends` brings what keeps its stations apart: frames go to ends[0], what was read came from ends[1].
     At the other end of another port there is one station: all that hear what goes out there.
 
-    `station` is the one that is served just now, who gets what send() and deliver() send, and `streams` are its.
+    `inbox` has the messages that arrive. `station` is the one that is served just now, who gets what send() and
+    deliver() send, and `streams` are its.
     `faults` counts exceptions that were caught, `lost_replies` replies that a port did not take for too long.
     """
 
@@ -61,7 +62,7 @@ class Connection:
         self.station.text = 0  # what was said before there was a link
         self.streams = self.station.streams
         self.services = Services(vehicle, self)
-        self._inbox = Inbox(port, link)
+        self.inbox = Inbox(port, link)
         self._texts = TextSender(self, vehicle.texts)
         self._guard = Guard()
         self._quiet_from_ms = None
@@ -135,9 +136,9 @@ class Connection:
         station.waiting.append(reply)
 
     def _take_in(self, now_ms):
-        self._inbox.begin()
+        self.inbox.begin()
         for _ in range(_MESSAGES):
-            message = self._inbox.next()
+            message = self.inbox.next()
             if message is None:
                 break
             if self._stations is None or self._is_answered(message, now_ms):

@@ -178,7 +178,7 @@ def datagrams_over_the_loopback():
     there.setblocking(False)
     number = int(sys.argv[1])
     there.bind(socket.getaddrinfo("127.0.0.1", number)[0][-1])
-    port = UdpPort("wifi", "127.0.0.1", number, 0, None, 1000, lambda *_words: None)
+    port = UdpPort("loopback", "127.0.0.1", number, 0, None, 1000, lambda *_words: None)
     craft = new_craft(ports=[port])
     other_end = Port()
     station = GroundStation(other_end)

@@ -1,0 +1,16 @@
+"""Who may command the vehicle over which link, resolved."""
+
+from collections.abc import Mapping
+
+from codegen.frozen import dataclass
+from codegen.model.access_spec import AccessSpec
+from codegen.model.vehicle import Cited
+
+
+@dataclass(frozen=True, slots=True)
+class Access(Cited):
+    """The access, with the names of the links of each kind; the number of a signed one tells it from the others."""
+
+    signed: Mapping[str, int]
+    listed: tuple[str, ...]
+    spec: AccessSpec
