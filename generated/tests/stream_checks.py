@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: ca376c0cea97758a
+# Inputs: 37fab3ce2227c6b3
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -72,21 +72,29 @@ def _within(found, expected, frames=1):
 
 
 def rates_by_parameter():
-    """Each rate, changed while the program runs, from the next pass on: so many frames in 20 seconds."""
-    for stream in _by_parameter():
-        port = Counter()
-        craft = new_craft(ports=[port])
-        _both_generations(craft)
-        run(craft, SECOND_US)
-        for steps in (0, stream["default"], 3, 7, stream["maximum"], stream["minimum"]):
+    """Each rate, changed while the program runs, from the next pass on: so many frames in 20 seconds.
+
+    All streams have rates at the same time, each another one.
+    """
+    streams = _by_parameter()
+    port = Counter()
+    craft = new_craft(ports=[port])
+    _both_generations(craft)
+    run(craft, SECOND_US)
+    for turn in range(6):
+        rates = []
+        for place, stream in enumerate(streams):
+            choices = (0, stream["default"], 3, 7, stream["maximum"], stream["minimum"])
+            steps = choices[(turn + place) % 6]
             if not stream["minimum"] <= steps <= stream["maximum"]:
-                continue
-            craft.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
-            rate = steps * stream["numerator"] / stream["denominator"]
-            found = _counted(craft, port, 20)
+                steps = stream["default"]
+            rates.append(steps * stream["numerator"] / stream["denominator"])
+            craft.parameters.set(stream["parameter_name"], rates[-1])
+        found = _counted(craft, port, 20)
+        for place, stream in enumerate(streams):
             for number, _, _ in stream["messages"]:
-                expected = round(20 * rate) * _frames(craft, number)
-                assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], steps, found)
+                expected = round(20 * rates[place]) * _frames(craft, number)
+                assert _within(found.get(number, 0), expected, _frames(craft, number)), (stream["name"], rates, found)
 
 
 def fixed_rates():
@@ -154,26 +162,39 @@ def _frames_in(craft, port, number, seconds):
 
 
 def intervals_on_one_link():
-    """The table of intervals: asked for on one link it changes there only, and what is reported is what is sent."""
-    for stream in _by_parameter():
-        number = stream["messages"][0][0]
+    """The table of intervals: asked for on one link it changes there only, and what is reported is what is sent.
+
+    The first message of each stream has another interval at the same time.
+    """
+    streams = _by_parameter()
+    craft, (station, other) = _two_links()
+    numbers = [stream["messages"][0][0] for stream in streams]
+    own = []
+    for place, number in enumerate(numbers):
+        stream = streams[place]
         rate = stream["default"] * stream["numerator"] / stream["denominator"]
-        own = int(1000000 / rate) if rate else -1
-        fastest = SHORTEST_US[SENT.index(number)]
-        craft, (station, other) = _two_links()
-        frames = _frames(craft, number)
-        needs(frames, "a message that is sent")
-        assert _interval(craft, station, number) == own
-        slow = fastest * 5
-        for asked, expected in ((slow, slow), (-1, -1), (0, own), (fastest // 4, fastest), (0, own)):
+        own.append(int(1000000 / rate) if rate else -1)
+        assert _interval(craft, station, number) == own[-1]
+    needs([number for number in numbers if _frames(craft, number)], "a message that is sent")
+    for turn in range(5):
+        expected = []
+        for place, number in enumerate(numbers):
+            fastest = SHORTEST_US[SENT.index(number)]
+            slow = fastest * 5
+            choices = ((slow, slow), (-1, -1), (0, own[place]), (fastest // 4, fastest), (0, own[place]))
+            asked, interval_us = choices[(turn + place) % 5]
+            expected.append(interval_us)
             station.command(dialect.MAV_CMD_SET_MESSAGE_INTERVAL, number, asked)
             run(craft, 4 * LINKS_US)
             acks = station.received(messages.CommandAck)
             assert [ack.result for ack in acks] == [dialect.MAV_RESULT_ACCEPTED], (asked, acks)
-            assert _interval(craft, station, number) == expected, asked
-            count = 0 if expected < 0 else frames * 10 * SECOND_US // expected
-            assert _within(_frames_in(craft, station.port, number, 10), count, frames), (asked, expected)
-            assert _interval(craft, other, number) == own
+            assert _interval(craft, station, number) == interval_us, asked
+        (sent,) = _sent_in(craft, 10, station)
+        for place, number in enumerate(numbers):
+            interval_us, frames = expected[place], _frames(craft, number)
+            count = 0 if interval_us < 0 else frames * 10 * SECOND_US // interval_us
+            assert _within(sent.count(number), count, frames), (number, interval_us, sent.count(number))
+            assert _interval(craft, other, number) == own[place]
 
 
 def intervals_of_others():
@@ -235,9 +256,9 @@ def withheld_messages_are_rejected_for_now():
                 acks = station.received(messages.CommandAck)
                 assert [ack.result for ack in acks] == [result], (number, attribute, acks)
                 assert found >= frames, (number, attribute, found)
-                found = _frames_in(craft, station.port, number, 20)
+                found = _frames_in(craft, station.port, number, 10)
                 rate = MESSAGES[number]["rate"]
-                assert _within(found, 20 * rate * frames, frames), (number, attribute, found)
+                assert _within(found, 10 * rate * frames, frames), (number, attribute, found)
                 know(craft.state)
 
 
@@ -247,31 +268,43 @@ def _request(station, data_stream, rate, start=1):
 
 def data_streams_by_request():
     """A rate for one stream or for all, on one link, up to the fastest; a stop is off; the parameter rules again."""
-    for stream in _by_parameter():
-        needs(stream["data_stream"] is not None, "a number of the stream")
-        number = stream["messages"][0][0]
-        own = stream["default"] * stream["numerator"] / stream["denominator"]
-        for data_stream in (stream["data_stream"], dialect.MAV_DATA_STREAM_ALL):
-            craft, (station, other) = _two_links()
-            frames = _frames(craft, number)
-            fastest = stream["fastest_hz"]
-            for rate, start, expected in ((5, 1, 5), (0, 1, 0), (1000, 1, fastest), (5, 0, 0)):
-                _request(station, data_stream, rate, start)
-                run(craft, 4 * LINKS_US)
-                other.port.frames = []
-                found = _frames_in(craft, station.port, number, 10)
-                assert _within(found, frames * 10 * min(expected, fastest), frames), (
-                    stream["name"],
-                    rate,
-                    start,
-                    found,
-                )
-                seen = len([frame for frame in other.port.frames if frame[7] | frame[8] << 8 == number])
-                assert _within(seen, frames * 10 * own, frames), (stream["name"], seen)
-            steps = stream["maximum"] if stream["default"] != stream["maximum"] else stream["minimum"]
-            craft.parameters.set(stream["parameter_name"], steps * stream["numerator"] / stream["denominator"])
-            found = _frames_in(craft, station.port, number, 10)
-            assert _within(found, frames * 10 * steps * stream["numerator"] / stream["denominator"], frames), found
+    streams = _by_parameter()
+    needs([stream for stream in streams if stream["data_stream"] is not None], "a number of the stream")
+    for stream in streams:
+        if stream["data_stream"] is not None:
+            _follows_requests(stream["data_stream"], [stream])
+    _follows_requests(dialect.MAV_DATA_STREAM_ALL, streams)
+
+
+def _follows_requests(data_stream, streams):
+    craft, (station, other) = _two_links()
+    for rate, start in ((5, 1), (0, 1), (1000, 1), (5, 0)):
+        _request(station, data_stream, rate, start)
+        run(craft, 4 * LINKS_US)
+        sent, seen = _sent_in(craft, 5, station, other)
+        for stream in streams:
+            number, frames = stream["messages"][0][0], _frames(craft, stream["messages"][0][0])
+            own = stream["default"] * stream["numerator"] / stream["denominator"]
+            expected = min(rate, stream["fastest_hz"]) if start else 0
+            assert _within(sent.count(number), frames * 5 * expected, frames), (stream["name"], rate, start)
+            assert _within(seen.count(number), frames * 5 * own, frames), (stream["name"], rate, start)
+    rates = []
+    for stream in streams:
+        steps = stream["maximum"] if stream["default"] != stream["maximum"] else stream["minimum"]
+        rates.append(steps * stream["numerator"] / stream["denominator"])
+        craft.parameters.set(stream["parameter_name"], rates[-1])
+    sent, _ = _sent_in(craft, 5, station, other)
+    for place, stream in enumerate(streams):
+        number, frames = stream["messages"][0][0], _frames(craft, stream["messages"][0][0])
+        assert _within(sent.count(number), frames * 5 * rates[place], frames), (stream["name"], rates)
+
+
+def _sent_in(craft, seconds, *stations):
+    """Return the numbers of the messages that go out to each station in some seconds."""
+    for station in stations:
+        station.port.frames = []
+    run(craft, seconds * SECOND_US, STEP_US)
+    return [[frame[7] | frame[8] << 8 | frame[9] << 16 for frame in station.port.frames] for station in stations]
 
 
 def repeated_requests_keep_the_phase():
