@@ -287,7 +287,7 @@ def _run(simulation: "Simulation", arguments: argparse.Namespace) -> int:
         who = f"{failed.name}: " if failed.name else ""
         print(end="", flush=True)
         print(f"codegen sim: error: {who}{failed.problem}", file=sys.stderr)
-        return 3
+        return 1
     from codegen.sim.expected import unmet
 
     return 1 if unmet(recording) else 0

@@ -4,6 +4,7 @@
 
 import asyncio
 import gc
+import sys
 
 vehicle = None
 
@@ -25,6 +26,23 @@ def vehicle_class():
     return rover.Rover
 
 
+def new_vehicle():
+    """Return the user's vehicle; where its code is faulty, one that says so and cannot be armed."""
+    try:
+        return vehicle_class()()
+    except Exception as error:
+        if hasattr(sys, "print_exception"):  # CPython has none
+            sys.print_exception(error)
+        problem = f"rover: {error!r}"
+    gc.collect()
+    from vehicle import Vehicle  # noqa: PLC0415
+
+    spare = Vehicle()
+    spare.check_arming = lambda: problem
+    spare.texts("error:", problem)
+    return spare
+
+
 def collect_often(is_often):
     """Let garbage be collected while little of it is there, or only where the heap is full.
 
@@ -39,7 +57,7 @@ def main():
     """Make the vehicle and run it until the board starts again."""
     global vehicle  # noqa: PLW0603 - there is one, and who looks at the board from outside finds it here
     collect_often(True)
-    vehicle = vehicle_class()()
+    vehicle = new_vehicle()
     collect_often(False)
     asyncio.run(vehicle.run())
 

@@ -110,14 +110,20 @@ class Vehicle:
             problem = failsafe.problem()
             if problem is not None:
                 return failsafe.title + " " + problem
-        return self.check_arming()
+        return self._own_problem()
+
+    def _own_problem(self):
+        """Return what check_arming() says, or that it failed: what cannot be asked speaks against arming."""
+        with self._guard:
+            return self.check_arming()
+        return f"check_arming() failed: {self._guard.error!r}"
 
     def _is_ready(self):
         """Return whether nothing speaks against arming, without making a text of what does."""
         for failsafe in self.battery_failsafes:
             if failsafe.problem() is not None:
                 return False
-        return self.check_arming() is None
+        return self._own_problem() is None
 
     def arm(self, force=False):
         """Let the motors turn, unless a check says no; `force` passes over the checks. Return why not, or None."""
@@ -128,7 +134,10 @@ class Vehicle:
         problem = None if force else self.arming_problem()
         if problem is not None:
             return "PreArm: " + problem
-        self.on_arm()
+        with self._guard:
+            self.on_arm()
+        if self._guard.error is not None:
+            return f"Arm: on_arm() failed: {self._guard.error!r}"
         self.state.vehicle.armed = True
         self._set_status()
         self.texts("Armed")
@@ -140,7 +149,10 @@ class Vehicle:
             self.state.vehicle.armed = False
             self._set_status()
             self.texts("Disarmed")
-            self.on_disarm()
+            with self._guard:
+                self.on_disarm()
+            if self._guard.error is not None:
+                self.texts("error: on_disarm() failed:", repr(self._guard.error))
 
     def reboot(self, force=False):
         """Save the parameters and start again soon; not while armed, but for `force`. Return why not, or None."""

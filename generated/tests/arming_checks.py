@@ -1,10 +1,12 @@
 # Generated from templates/tests/program/arming_checks.py: do not edit.
-# Inputs: cba06e2ec595cf55
+# Inputs: 7e2ace4c16d9bae4
 """Arming: what it is refused for, in which order, and what the user's code has to do with it."""
 
 from failsafe_bench import TIMER, armed_watch, new_watch
-from program_bench import main, needs
+from program_bench import SECOND_US, main, messages, needs, needs_arming, ready_craft, run, run_passes
 from program_facts import FAILSAFES
+
+import dialect
 
 
 def reasons_not_to_arm():
@@ -75,12 +77,35 @@ def arming_calls_the_user():
         raise ValueError("no")
 
     watch.craft.on_arm = fail
-    try:
-        watch.craft.arm(force=True)
-    except ValueError:
-        assert not watch.craft.is_armed
-        return
-    raise AssertionError("on_arm() raises, and arm() does not")
+    assert watch.craft.arm(force=True) == "Arm: on_arm() failed: " + repr(ValueError("no"))
+    assert not watch.craft.is_armed
+    watch = armed_watch()
+    watch.arm()
+    watch.craft.on_disarm = fail
+    watch.craft.disarm()
+    assert not watch.craft.is_armed
+    assert watch.craft.said("on_disarm() failed")
+
+
+def what_cannot_be_asked_speaks_against_arming():
+    """An exception in check_arming() is the reason, each time that somebody asks, and is no fault of anything else."""
+    needs_arming()
+    craft = ready_craft()
+
+    def fail():
+        raise ValueError("no")
+
+    craft.check_arming = fail
+    run(craft, SECOND_US)
+    assert not [text for _, text in craft.said() if "failed" in text]
+    assert not craft.state.vehicle.ready
+    assert craft.arm() == "PreArm: check_arming() failed: " + repr(ValueError("no"))
+    station = craft.ground_station()
+    station.command(dialect.MAV_CMD_COMPONENT_ARM_DISARM, 1)
+    run_passes(craft, 4)
+    assert [ack.result for ack in station.received(messages.CommandAck)] == [dialect.MAV_RESULT_FAILED]
+    assert craft.connections[0].faults == 0
+    assert craft.arm(force=True) is None
 
 
 def nothing_is_watched_without_the_monitor():
@@ -99,6 +124,7 @@ CHECKS = (
     (latched_level_is_a_reason, "pair.reasons"),
     (users_check_comes_last, "pair.reasons"),
     (arming_calls_the_user, "pair.reasons"),
+    (what_cannot_be_asked_speaks_against_arming, "arming.reasons"),
     (nothing_is_watched_without_the_monitor, "reading.monitor"),
 )
 
