@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: 37fab3ce2227c6b3
+# Inputs: ca414aeb4e3fa37d
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -74,16 +74,18 @@ def _within(found, expected, frames=1):
 def rates_by_parameter():
     """Each rate, changed while the program runs, from the next pass on: so many frames in 20 seconds.
 
-    All streams have rates at the same time, each another one.
+    All streams have rates at the same time, each another one, but for those that share a parameter.
     """
     streams = _by_parameter()
+    names = [stream["parameter_name"] for stream in streams]
     port = Counter()
     craft = new_craft(ports=[port])
     _both_generations(craft)
     run(craft, SECOND_US)
     for turn in range(6):
         rates = []
-        for place, stream in enumerate(streams):
+        for stream in streams:
+            place = names.index(stream["parameter_name"])
             choices = (0, stream["default"], 3, 7, stream["maximum"], stream["minimum"])
             steps = choices[(turn + place) % 6]
             if not stream["minimum"] <= steps <= stream["maximum"]:

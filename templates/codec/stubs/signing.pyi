@@ -8,6 +8,7 @@ class Signing:
     link_id: int
     timestamp: int
     unsigned: Collection[int]
+    accepted: int
     def __init__(
         self,
         key: bytes,
@@ -17,6 +18,7 @@ class Signing:
         unsigned: Collection[int] = ...,
         streams: int = 16,
     ) -> None: ...
+    def renew(self, key: bytes, timestamp: int = 0) -> None: ...
     def save(self, path: str) -> None: ...
 
 def load(path: str, **options: Any) -> Signing: ...
