@@ -10,4 +10,7 @@ from codegen.diagnostics import Diagnostic
 
 def check_claims(reading: Reading) -> list[Diagnostic]:
     """What is wrong in a document, in its order; each claim once, with the places that repeat it."""
-    return merged(finding for check in checks_in(__name__) for finding in check(reading))
+    quoted = reading.quoted_as_wrong
+    found = (finding for check in checks_in(__name__) for finding in check(reading))
+    told = merged(finding for finding in found if finding.place.line not in quoted)
+    return list({(finding.place, finding.rule.id): finding for finding in reversed(told)}.values())[::-1]

@@ -59,8 +59,19 @@ def _examples(text: str, start: int = 0) -> Iterator[tuple[Expression, "re.Match
         if expression is None or expression.start < start or _GOES_ON.match(text, result.end()):
             continue
         value = _in_unit(expression, result)
-        if value is not None and not _is_right(value, result):
+        if value is not None and not _is_right(value, result) and not _is_right(_in_small(value, result), result):
             yield replace(expression, value=value), result
+
+
+def _in_small(value: Fraction, result: "re.Match[str]") -> Fraction:
+    """The value in the unit of the result where the numbers of the expression are in the one without a prefix.
+
+    ``1/9600 = 104 us``: the quotient is in seconds.
+    """
+    unit = Unit.parse((result["unit"] or "").replace("kB", "kbytes").replace("MB", "Mbytes"))
+    plain = Unit.parse(re.sub(r"^[munkcdMG](?=[A-Za-z])", "", result["unit"] or "").replace("B", "bytes"))
+    factor = ratio(plain, unit) if unit is not None and plain is not None else None
+    return value if factor is None else value * factor
 
 
 def _in_unit(expression: Expression, result: "re.Match[str]") -> Fraction | None:

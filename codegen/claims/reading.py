@@ -19,6 +19,9 @@ from codegen.resolve.wire import wire_message
 from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
+_WRONG = re.compile(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
+_SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,}(?=[ :,(]))(?![\w-])")
+"""Names that are hardly anything else than names of messages: of several words, or long ones."""
 _MOST_RELATED = 8
 """How many repetitions of a claim are listed."""
 _FAR = 300
@@ -75,6 +78,16 @@ class Reading:
             if found := self.mentioned(passage):
                 yield passage, found
 
+    @property
+    def quoted_as_wrong(self) -> frozenset[int]:
+        """The lines of what a document itself calls wrong: a warning is no claim."""
+        passages = [part for part in self.prose.passages if _WRONG.match(part.text)]
+        lines = {place.line for passage in passages for _, place in passage.anchors}
+        for code in self.prose.code:
+            if code.lines and _WRONG.match(code.lines[0].text):
+                lines |= {line.place.line for line in code.lines}
+        return frozenset(lines)
+
     def named_near(self, line: int) -> Iterator[WireMessage]:
         """The messages that the document names, each once: first those up to a line, nearest first, then the others."""
         start = bisect_left(self.sightings, (line + 1, ""))
@@ -110,7 +123,7 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
     enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)
     messages = {**reference.dialect.messages, **{message.name: message for message in reversed(proposed)}}
-    is_about_mavlink = "mavlink" in text.lower()
+    is_about_mavlink = "mavlink" in text.lower() or any(found[0] in messages for found in _SURE.finditer(text))
     names = {name for name in messages if is_about_mavlink or "_" in name}
     mentions = {id(passage): tuple(_mentions(passage.text, names)) for passage in prose.passages}
     seen = [(message.definition.place.line, message.name) for message in proposed]

@@ -8,6 +8,7 @@ from codegen.claims.identifier import MESSAGE_ID
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
 from codegen.diagnostics import Diagnostic, Rule, did_you_mean
+from codegen.model.dialect import WireField
 
 RULE = Rule(
     "claim-struct",
@@ -25,7 +26,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     for notes in field_notes(reading):
         for note, field in notes.pairs():
             declared = _declared(notes, note)
-            own = (typed(field.definition), field.definition.type, field.type.name)
+            own = (typed(field.definition), field.definition.type, field.type.name, *_bytes_of(field))
             if declared is not None and declared[0] not in (own if field.is_array else (own[0], own[2])):
                 stated, offset = declared
                 text = f"{notes.message.name}.{note.name} is {typed(field.definition)}, not {stated}"
@@ -37,6 +38,11 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 yield reading.found(RULE, note.passage.place, words, f"{text}: there is no {note.elements[1]}")
         yield from _whole(reading, notes)
         yield from _commented(reading, notes)
+
+
+def _bytes_of(field: WireField) -> tuple[str, ...]:
+    """How languages without a type for text write a field of characters."""
+    return (f"uint8_t[{field.count}]", f"int8_t[{field.count}]") if field.type.name == "char" else ()
 
 
 def _declared(notes: FieldNotes, note: Note) -> tuple[str, int] | None:

@@ -44,12 +44,15 @@ class Passage:
     """A heading, a paragraph, an item of a list or a row of a table, on one line and without marks.
 
     ``anchors`` are offsets in ``text``, increasing, each with the place of its character; up to the next one the
-    characters follow each other in the source, too.
+    characters follow each other in the source, too. ``codes`` are the bounds of code spans, ``level`` is 1 to 6 for a
+    heading, else 0.
     """
 
     kind: PassageKind
     text: str
     anchors: tuple[tuple[int, Place], ...]
+    codes: tuple[tuple[int, int], ...] = ()
+    level: int = 0
 
     @property
     def place(self) -> Place:
@@ -120,38 +123,43 @@ def _parts(block: Block) -> Iterator[Passage | CodeBlock]:
     table = next((index for index, line in enumerate(block.lines) if _DELIMITER_ROW.fullmatch(line.text)), 0)
     lines = block.lines[: table - 1] if table else block.lines
     if lines:
-        yield _passage(kind, lines)
+        yield _passage(kind, lines, block.level)
     for line in block.lines[max(table - 1, 0) :] if table else ():
         if _DELIMITER_ROW.fullmatch(line.text) is None:
             yield _passage(PassageKind.ROW, [line])
 
 
-def _passage(kind: PassageKind, lines: Sequence[Line]) -> Passage:
+def _passage(kind: PassageKind, lines: Sequence[Line], level: int = 0) -> Passage:
     pieces: list[str] = []
     anchors: list[tuple[int, Place]] = []
+    codes: list[tuple[int, int]] = []
     length = 0
     for line in lines:
-        for start, end in _kept(line.text, 0, len(line.text)):
+        for start, end, is_code in _kept(line.text, 0, len(line.text)):
+            codes += [(length, length + end - start)] if is_code else []
             anchors.append((length, line.place._replace(column=line.place.column + start)))
             pieces.append(line.text[start:end])
             length += end - start
         pieces.append(" ")
         length += 1
-    return Passage(kind, "".join(pieces).rstrip(), tuple(anchors) or ((0, lines[0].place),))
+    return Passage(kind, "".join(pieces).rstrip(), tuple(anchors) or ((0, lines[0].place),), tuple(codes), level)
 
 
-def _kept(text: str, low: int, high: int) -> Iterator[tuple[int, int]]:
-    """The parts of ``text`` between two positions that readers see; of links to discussions nothing."""
+def _kept(text: str, low: int, high: int) -> Iterator[tuple[int, int, bool]]:
+    """The parts of ``text`` between two positions that readers see, and whether they are code.
+
+    Of links to discussions nothing is seen.
+    """
     seen = low
     for mark in _MARK.finditer(text, low, high):
-        yield seen, mark.start()
+        yield seen, mark.start(), False
         seen = mark.end()
         if mark["code"]:
-            yield mark.span("inner")
+            yield *mark.span("inner"), True
         elif mark["escape"]:
             seen = mark.end("escape")  # what is escaped is text, unless it begins a mark itself
-            yield seen, seen + 1
+            yield seen, seen + 1, False
             seen = mark.end()
         elif mark["link"] and not _DISCUSSION.search(mark["target"]):
             yield from _kept(text, *mark.span("label"))
-    yield seen, high
+    yield seen, high, False

@@ -22,6 +22,26 @@ def nearest_unit(written: str) -> str:
     return f"did you mean {' or '.join(found)}?" if found else f"units are spelled as in the dialects: {_EXAMPLES}"
 
 
+def worded_unit(written: str) -> Unit | None:
+    """The unit of a symbol or of a word for one, millimetres; None for what is neither, or could be two."""
+    text = written.strip()[:_LONGEST].replace("\u00b5", "u").replace("\u00b2", "^2").replace("\u00b3", "^3")
+    found = Unit.parse(text) or Unit.parse(_POWER.sub(r"\1^\2", text))
+    if found is not None or not text:
+        return found
+    folded = text.casefold()
+    for word, prefix in PREFIX_WORDS.items():
+        if folded.startswith(word):
+            for name in _worded(folded.removeprefix(word)):
+                if prefix + name in symbols():
+                    return Unit.parse(prefix + name)
+    names = list(dict.fromkeys(_worded(folded)))
+    if len(names) == 1:
+        return Unit.parse(names[0])
+    per = re.fullmatch(r"(\w+)(?:\s+per\s+|/)(\w+)", folded)
+    parts = [worded_unit(part) for part in per.groups()] if per else []
+    return Unit.parse("/".join(part.name for part in parts if part)) if parts and all(parts) else None
+
+
 def _candidates(text: str) -> Iterator[str]:
     names = [*symbols(), *SHOWN, *SCALED]
     powers = _POWER.sub(r"\1^\2", text)  # m/s2

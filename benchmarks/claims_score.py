@@ -1,0 +1,142 @@
+# ruff: noqa: T201  what is printed is the answer
+"""How right the checker of documents is: precision and recall on the documents of tests/claims/corpus.
+
+    python benchmarks/claims_score.py [--wrong] FOLDER...
+
+A folder is seen-1, seen-2 or unseen. The README of the corpus says how it is counted, and who may look at what:
+--wrong, which lists what was missed and what was found wrongly, is refused for `unseen`.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from codegen.claims.reading import Reference
+from codegen.diagnostics import Diagnostic, Report
+from codegen.documents import check_documents, dialect_reference
+
+CORPUS = Path(__file__).resolve().parents[1] / "tests" / "claims" / "corpus"
+HIDDEN = "unseen"
+DIALECT = "ardupilotmega"
+
+
+Fault = dict[str, Any]
+"""A label: line, kind, message, field, claimed, dialect, sure."""
+
+
+@dataclass(frozen=True)
+class Score:
+    """What came of some documents: findings that are right, those that are wrong, faults found and all faults."""
+
+    right: int
+    wrong: int
+    found: int
+    faults: int
+
+    @property
+    def precision(self) -> float:
+        """The share of the findings that are right."""
+        return self.right / (self.right + self.wrong) if self.right + self.wrong else 1.0
+
+    @property
+    def recall(self) -> float:
+        """The share of the faults that are found."""
+        return self.found / self.faults if self.faults else 1.0
+
+    def __str__(self) -> str:
+        """Both, with the numbers that they are of."""
+        findings = self.right + self.wrong
+        return (
+            f"precision {100 * self.precision:.1f} % ({self.right} of {findings}), "
+            f"recall {100 * self.recall:.1f} % ({self.found} of {self.faults})"
+        )
+
+
+def findings_of(path: Path) -> list[Diagnostic]:
+    """Return what `codegen check` finds in a document, compared with the dialect."""
+    report = Report()
+    check_documents([str(path)], reference(), report)
+    return [*report]
+
+
+@cache
+def reference() -> Reference:
+    """Return the dialect of the corpus, without a project."""
+    found = dialect_reference(DIALECT, Report())
+    assert found is not None
+    return found
+
+
+def is_about(finding: Diagnostic, fault: Fault) -> bool:
+    """Return whether a finding names the line of a fault, and its message or its field."""
+    lines = {finding.place.line, *(place.line for place, _ in finding.related)}
+    names = [name for name in (fault["message"], fault["field"], fault["claimed"]) if name]
+    said = finding.message + (finding.hint or "")
+    return fault["line"] in lines and any(name in said for name in names)
+
+
+def judged(
+    findings: Iterable[Diagnostic], faults: list[Fault]
+) -> tuple[list[Diagnostic], list[Diagnostic], list[Fault]]:
+    """Return the findings that are right, those that are wrong, and the faults that were found.
+
+    Each finding finds one fault, first one of its own field, and with it those of the same kind and field on its line.
+    """
+    right, wrong, found = [], [], []
+    for finding in findings:
+        about = [fault for fault in faults if is_about(finding, fault)]
+        if not about:
+            wrong.append(finding)
+            continue
+        right.append(finding)
+        new = [fault for fault in about if fault not in found]
+        named = [fault for fault in new if fault["field"] and fault["field"] in finding.message]
+        for first in (named or new)[:1]:
+            same = [each for each in new if (each["kind"], each["field"]) == (first["kind"], first["field"])]
+            found += [first, *(each for each in same if each is not first and each["line"] == first["line"])]
+    return right, wrong, found
+
+
+def documents(folder: str) -> Iterator[tuple[Path, list[Fault]]]:
+    """Yield each document of a folder with its faults."""
+    for entry in yaml.safe_load((CORPUS / folder / "labels.yaml").read_text()):
+        yield CORPUS / folder / entry["file"], entry["faults"]
+
+
+def score(folders: Iterable[str], *, lists: bool = False) -> Score:
+    """Return what came of all documents of some folders; `lists` prints what is not as it should be."""
+    total = [0, 0, 0, 0]
+    for folder in folders:
+        for path, faults in documents(folder):
+            right, wrong, found = judged(findings_of(path), faults)
+            total = [a + b for a, b in zip(total, map(len, (right, wrong, found, faults)), strict=True)]
+            for finding in wrong if lists else ():
+                print(f"wrong   {folder}/{path.name}:{finding.place.line}: {finding.rule.id}: {finding.message}")
+            for fault in faults if lists else ():
+                if fault not in found:
+                    what = f"{fault['message']}.{fault['field'] or ''} {fault['claimed']} for {fault['dialect']}"
+                    print(f"missed  {folder}/{path.name}:{fault['line']}: {fault['kind']}: {what}")
+    return Score(*total)
+
+
+def main() -> int:
+    """Print the score of each folder."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folders", nargs="+", metavar="FOLDER", choices=("seen-1", "seen-2", HIDDEN))
+    parser.add_argument("--wrong", action="store_true", help="list what was missed and what was found wrongly")
+    arguments = parser.parse_args()
+    if arguments.wrong and HIDDEN in arguments.folders:
+        parser.error(f"nobody looks into {HIDDEN}")
+    for folder in arguments.folders:
+        print(f"{folder}: {score([folder], lists=arguments.wrong)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,178 @@
+"""Which field of which message a place in a text is about, and how far what is said of it reaches."""
+
+import re
+from collections.abc import Iterator, Sequence
+
+from codegen.claims.reading import Mention, Reading, between
+from codegen.frozen import dataclass
+from codegen.load.prose import CodeBlock, Passage, PassageKind
+from codegen.model.dialect import WireField, WireMessage
+
+_NAME = re.compile(r"(?<![\w./\-])[a-z][a-z0-9]*(?:_[a-z0-9]+)*(?![\w(/-])(?:\[\d{0,3}\])?")
+_QUALIFIED = re.compile(r"(?<![\w.])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})(?:\[\d{0,3}\])?")
+_OF = re.compile(r"\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
+_LEADS = re.compile(r"[\s|*>-]*(?:(?:the|field|fields|its) )?", re.IGNORECASE)
+_JOINS = re.compile(r"\s*(?:,|and|or|&|/|,\s*and|to|\.\.\.?)\s*")
+_LONGEST = 400
+"""How far what is said of a field reaches, in characters."""
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """What a passage says of a field: its name stands from ``start`` to ``end``, and what is said ends at ``until``.
+
+    ``is_named``: the message is named beside it, or by the heading. ``is_joined``: it is one of several names.
+    """
+
+    message: WireMessage
+    field: WireField
+    passage: Passage
+    start: int
+    end: int
+    until: int
+    is_named: bool
+    is_joined: bool = False
+
+    @property
+    def text(self) -> str:
+        """What is said."""
+        return self.passage.text[self.end : self.until]
+
+    @property
+    def name(self) -> str:
+        """``MESSAGE.field``."""
+        return f"{self.message.name}.{self.field.name}"
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The messages that the headings around a passage name, the nearest first, and those of its section before it."""
+
+    headings: tuple[WireMessage, ...]
+    earlier: tuple[WireMessage, ...]
+
+    @property
+    def first(self) -> WireMessage | None:
+        """The message that the passage is about if it names none."""
+        return next(iter((*self.headings, *self.earlier)), None)
+
+
+def surroundings(reading: Reading) -> Iterator[tuple[Passage | CodeBlock, Surroundings]]:
+    """Each part of a document with what stands around it."""
+    open_headings: list[tuple[int, tuple[WireMessage, ...]]] = []
+    earlier: list[WireMessage] = []
+    only = {name for _, name in reading.sightings}
+    alone = (reading.messages[next(iter(only))],) if len(only) == 1 else ()
+    for part in reading.prose.parts:
+        if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
+            named = tuple(dict.fromkeys(reading.messages[each.name] for each in reading.mentioned(part)))
+            open_headings = [each for each in open_headings if each[0] < part.level]
+            open_headings.append((part.level, named if len(named) == 1 else ()))
+            earlier = []
+        headings = tuple(message for _, named in reversed(open_headings) for message in named)
+        yield part, Surroundings(headings, tuple(dict.fromkeys((*reversed(earlier), *alone))))
+        if isinstance(part, Passage):
+            earlier += [reading.messages[each.name] for each in reading.mentioned(part)]
+
+
+def said_of_fields(reading: Reading) -> Iterator[Said]:
+    """Everything that passages say of fields, in order."""
+    for part, around in surroundings(reading):
+        if isinstance(part, Passage) and part.kind is not PassageKind.HEADING:
+            yield from said_in(reading, part, around)
+
+
+def said_in(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Said]:
+    """What one passage says of fields."""
+    found = list(_references(reading, passage, around))
+    for index, (start, end, message, field, is_named) in enumerate(found):
+        limit = found[index + 1][0] if index + 1 < len(found) else len(passage.text)
+        if index + 1 < len(found) and _JOINS.fullmatch(passage.text, end, limit):
+            later = next(
+                (place for place in range(index + 1, len(found)) if not _is_joined(passage, found, place)),
+                len(found) - 1,
+            )
+            end_of_names = found[later][1]
+            limit = found[later + 1][0] if later + 1 < len(found) else len(passage.text)
+            until = min(_end_of(passage, end_of_names), limit, end_of_names + _LONGEST)
+            yield Said(message, field, passage, start, end_of_names, max(until, end_of_names), is_named, is_joined=True)
+            continue
+        until = min(_end_of(passage, end), limit, end + _LONGEST)
+        yield Said(message, field, passage, start, end, max(until, end), is_named)
+
+
+_Reference = tuple[int, int, WireMessage, WireField, bool]
+
+
+def _is_joined(passage: Passage, found: Sequence[_Reference], place: int) -> bool:
+    """Whether only ``and`` or a comma stands between a name and the next one."""
+    if place + 1 >= len(found):
+        return False
+    return _JOINS.fullmatch(passage.text, found[place][1], found[place + 1][0]) is not None
+
+
+def _end_of(passage: Passage, end: int) -> int:
+    """Where the sentence ends, or, for a name that is a paragraph's beginning alone, the next one."""
+    if passage.kind is PassageKind.ROW:
+        return len(passage.text)
+    _, high = passage.sentence(end, end + 1)
+    return high
+
+
+def _references(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[_Reference]:
+    """The names of fields in a passage, each with its message."""
+    mentions = reading.mentioned(passage)
+    qualified = {found.start("field"): found for found in _QUALIFIED.finditer(passage.text)}
+    for found in qualified.values():
+        message = reading.messages.get(found["message"])
+        field = message.field(found["field"]) if message else None
+        if message is not None and field is not None:
+            yield found.start(), found.end(), message, field, True
+    if qualified:
+        return  # who writes MESSAGE.field once means something else by a bare word
+    leads = _LEADS.match(passage.text)
+    first = leads.end() if leads else 0
+    is_list = passage.kind in (PassageKind.ITEM, PassageKind.ROW)
+    for found in _NAME.finditer(passage.text):
+        name = found[0].partition("[")[0]
+        is_code = any(low <= found.start() and found.end() <= high for low, high in passage.codes)
+        if not is_code and "_" not in name and not (is_list and found.start() == first):
+            continue
+        resolved = _message_of(reading, passage, mentions, around, name, found.start(), found.end())
+        if resolved is not None:
+            message, is_named = resolved
+            field = message.field(name)
+            if field is not None:
+                yield found.start(), found.end(), message, field, is_named
+
+
+def _message_of(
+    reading: Reading,
+    passage: Passage,
+    mentions: Sequence[Mention],
+    around: Surroundings,
+    name: str,
+    start: int,
+    end: int,
+) -> tuple[WireMessage, bool] | None:
+    """The message that a name of a field belongs to: the one beside it, that of the heading, that of the section."""
+    of = _OF.match(passage.text, end)
+    if of is not None and of["message"] in reading.messages:
+        message = reading.messages[of["message"]]
+        return (message, True) if message.field(name) else None
+    low, high = passage.sentence(start, end)
+    beside = [reading.messages[each.name] for each in between(mentions, low, high)]
+    before = [reading.messages[each.name] for each in between(mentions, low, start)]
+    for message in reversed(before):
+        if message.field(name):
+            return message, len({each.name for each in beside}) == 1
+    inside = [reading.messages[each.name] for each in mentions]
+    for message in (*around.headings[:1], *beside, *reversed(inside)):
+        if message.field(name):
+            return message, True
+    if inside and not around.headings:
+        return None
+    for message in (*around.headings, *around.earlier):
+        if message.field(name):
+            return message, message in around.headings or len(around.earlier) == 1
+    return None

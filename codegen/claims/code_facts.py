@@ -1,0 +1,147 @@
+"""What lines of code state of messages, fields and entries: constants, and comments beside the fields of a struct."""
+
+import re
+from collections.abc import Iterator
+
+from codegen.claims.field_notes import field_notes
+from codegen.claims.identifier import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID
+from codegen.claims.reading import Reading
+from codegen.claims.sentinel import UNIT
+from codegen.claims.size import RULE as SIZE
+from codegen.diagnostics import Diagnostic
+from codegen.load.markdown_blocks import Line
+from codegen.load.prose import CodeBlock
+from codegen.model.dialect import WireMessage
+from codegen.model.nearest_unit import worded_unit
+from codegen.model.unit import Unit
+from codegen.source import Place
+
+_CONSTANT = re.compile(
+    r"^\s*(?:#define|(?:pub |export |static |constexpr )*(?:const|let|var)?)\s*(?P<name>[A-Z][A-Z0-9_]{2,80})"
+    r"(?:\s*:\s*\w+)?\s*=?\s+\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8})\)?\s*[;,]?\s*(?://.*|/\*.*|#.*)?$"
+)
+_ROLE = re.compile(
+    r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_)?(?P<message>\w+?)_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN)$"
+)
+_COMMENT = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60}),? (?:message )?id:? #?(?P<id>\d{1,6})\b")
+_QUOTED = re.compile(
+    r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})[\"']\s*[:,=]>?\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
+)
+_MEMBER = re.compile(
+    r"^\s*(?:pub |readonly |public |self\.)*(?P<field>[a-z][a-z0-9_]{0,60})\??\s*:\s*"
+    r"(?:number|bigint|float|int|f32|f64|[iu]\d\d?)"
+    r"(?:\s*=\s*[^;/#]{1,20})?\s*[;,]?\s*(?://|#)\s*(?P<unit>[^\s,;()]{1,16})(?=\s*(?:[,;(]|$))"
+)
+_NAMED = re.compile(r"(?:(?:export )?const|#)?\s*(?P<message>[A-Z][A-Z0-9_]{2,60})\s*(?::\s*\w+\s*)?=?\s*\{")
+_KEY = re.compile(
+    r"^\s*[\"']?(?P<key>id|crcExtra|crc_extra|minLength|min_length|maxLength|length)[\"']?\s*:\s*(?P<value>\d{1,6})\b"
+)
+
+
+def check(reading: Reading) -> Iterator[Diagnostic]:
+    """Every line of every block of code."""
+    entries = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
+    for code in reading.prose.code:
+        about: WireMessage | None = None
+        for line in code.lines:
+            yield from _constants(reading, line, entries)
+            yield from _comments(reading, line)
+            yield from _quoted(reading, line)
+            named = _NAMED.match(line.text)
+            if named is not None:
+                about = reading.messages.get(named["message"])
+            elif line.text.strip().startswith("}"):
+                about = None
+            elif about is not None:
+                yield from _keys(reading, line, about)
+        yield from _members(reading, code)
+    yield from _struct_units(reading)
+
+
+def _at(line: Line, offset: int) -> Place:
+    return line.place._replace(column=line.place.column + offset)
+
+
+def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterator[Diagnostic]:
+    found = _CONSTANT.match(line.text)
+    if found is None:
+        return
+    name, stated = found["name"], int(found["value"], 0)
+    place = _at(line, found.start("value"))
+    if name in entries:
+        if entries[name] != stated:
+            text = f"{name} is {entries[name]}, not {found['value']}"
+            yield reading.found(ENTRY_VALUE, place, f"{name} {stated}", text)
+        return
+    role = _ROLE.match(name)
+    message = reading.messages.get(role["message"]) if role else None
+    if role is None or message is None or message.id < 0:
+        return
+    yield from _stated(reading, message, role["role"].lower(), stated, place)
+
+
+def _stated(reading: Reading, message: WireMessage, role: str, stated: int, place: Place) -> Iterator[Diagnostic]:
+    if role == "id" and stated != message.id:
+        text = f"{message.name} has the id {message.id}, not {stated}"
+        yield reading.found(MESSAGE_ID, place, f"{message.name} id {stated}", text)
+    elif role in ("crc", "crc_extra", "extra", "crcextra") and stated != message.crc_extra:
+        text = f"{message.name} has the CRC_EXTRA {message.crc_extra}, not {stated}"
+        yield reading.found(CRC_EXTRA, place, f"{message.name} crc {stated}", text)
+    elif role in ("min_len", "minlength", "min_length") and stated != message.base_length:
+        text = f"{message.name} has a payload of {message.base_length} bytes without extensions, not {stated}"
+        yield reading.found(SIZE, place, f"{message.name} length {stated}", text)
+    elif role in ("len", "length", "payload_len", "maxlength") and stated not in (message.base_length, message.length):
+        both = f"{message.base_length} bytes, {message.length} with extensions"
+        yield reading.found(SIZE, place, f"{message.name} length {stated}", f"{message.name} has {both}, not {stated}")
+
+
+def _comments(reading: Reading, line: Line) -> Iterator[Diagnostic]:
+    found = _COMMENT.search(line.text)
+    message = reading.messages.get(found["message"]) if found else None
+    if found is not None and message is not None and message.id >= 0:
+        yield from _stated(reading, message, "id", int(found["id"]), _at(line, found.start("id")))
+
+
+def _keys(reading: Reading, line: Line, message: WireMessage) -> Iterator[Diagnostic]:
+    found = _KEY.match(line.text)
+    if found is not None and message.id >= 0:
+        yield from _stated(reading, message, found["key"].lower(), int(found["value"]), _at(line, found.start("value")))
+
+
+def _quoted(reading: Reading, line: Line) -> Iterator[Diagnostic]:
+    for found in _QUOTED.finditer(line.text):
+        message = reading.messages.get(found["message"])
+        if message is not None:
+            yield from _unit(reading, message, found["field"], found["unit"], _at(line, found.start("unit")))
+
+
+def _members(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+    """Members of an interface or a class, whose comments begin with a unit."""
+    found = [(line, _MEMBER.match(line.text)) for line in code.lines]
+    members = [(line, each) for line, each in found if each is not None]
+    about = reading.message_with([each["field"] for _, each in members], code.place.line) if len(members) > 1 else None
+    for line, each in members if about else ():
+        if about is not None:
+            yield from _unit(reading, about, each["field"], each["unit"], _at(line, each.start("unit")))
+
+
+def _struct_units(reading: Reading) -> Iterator[Diagnostic]:
+    """Comments of a struct that begin with a unit: ``float roll; // rad``."""
+    for notes in field_notes(reading):
+        for note, field in notes.pairs():
+            found = re.match(r"\s*(?://|/\*|#)\s*(?P<unit>[^\s,;()]{1,16})(?=\s*(?:[,;(*]|$))", note.text)
+            if found is not None and note.type is not None:
+                place = note.passage.place_at(note.start + found.start("unit"))
+                yield from _unit(reading, notes.message, field.name, found["unit"], place)
+
+
+def _unit(reading: Reading, message: WireMessage, name: str, stated: str, place: Place) -> Iterator[Diagnostic]:
+    field = message.field(name)
+    own = Unit.parse(field.definition.units) if field else None
+    unit = worded_unit(stated)
+    if field is None or own is None or unit is None or not unit.dimension:
+        return
+    if (unit.dimension, unit.scale, unit.pi) != (own.dimension, own.scale, own.pi):
+        about = f"{message.name}.{name}"
+        text = f"{about} is in {field.definition.units}, not {stated}"
+        yield reading.found(UNIT, place, f"{about} in {stated}", text)

@@ -1,0 +1,194 @@
+"""What sentences say of whole messages: ids, lengths, the order of fields, and names of fields that there are not."""
+
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+from itertools import pairwise
+
+from codegen.claims.about import Surroundings, surroundings
+from codegen.claims.identifier import MESSAGE_ID
+from codegen.claims.reading import Reading, between
+from codegen.claims.size import RULE as SIZE
+from codegen.diagnostics import Diagnostic, Rule, did_you_mean
+from codegen.load.prose import Passage, PassageKind
+from codegen.model.dialect import WireMessage
+from codegen.model.price import HEAD_V1, HEAD_V2
+
+ORDER = Rule(
+    "claim-wire-order",
+    "A document gives another order of the fields on the wire than the message has: the largest types come first, "
+    "fields of one size stay as they are, extensions come behind all others. Correct it.",
+)
+NO_FIELD = Rule(
+    "claim-no-field",
+    "A document names a field that its message does not have, and that looks like one that it has. Correct the name.",
+)
+NO_MESSAGE = Rule(
+    "claim-no-message",
+    "A document names a message that no dialect has, and that looks like one of them. Correct the name.",
+)
+
+_ID = re.compile(
+    r"\(message (?:no\.? |number |#)?(?P<held>\d{1,6})\)"
+    r"|,? (?:with the |the |its )?(?:message )?id(?: is|:)? #?(?P<named>\d{1,6})\b",
+    re.IGNORECASE,
+)
+_LENGTH = re.compile(
+    r"\b(?P<what>base payload|payload|frame|packet|message)s?\b(?P<between>[^.;|\d]{0,40}?)"
+    r"(?<![\w.,-])(?P<number>\d{1,3}) ?bytes?\b(?![ ]?(?:/|per\b|a second|of\b|for each))"
+    r"|(?<![\w.,-])(?P<each>\d{1,3}) ?bytes?(?:/| per | a )(?P<per>message|frame|packet)",
+    re.IGNORECASE,
+)
+_OTHER = re.compile(
+    r"\bplus\b|\band\b|\bid\b|header|buffer|only|bandwidth|\bup to|at most"
+    r"|more than|less than|at least|begin|first|last|each",
+    re.IGNORECASE,
+)
+_IS = re.compile(r"\b(?:has|have|is|are|takes?|needs?|length|size|long|of)\b", re.IGNORECASE)
+_CUT = re.compile(r"truncat|trimmed|\bcut\b|zeros? (?:at|are)|recorded|captur|shortened|often", re.IGNORECASE)
+_WIRE = re.compile(r"on the wire|wire order|in this order|order on|payload (?:begins|starts)", re.IGNORECASE)
+_XML = re.compile(r"\bXML\b|as (?:declared|defined|listed)|definition|dialect", re.IGNORECASE)
+_SENDS = re.compile(
+    r"\b(?:messages?|send|sends|sent|answers?|stream|streams|streamed|request|requests|requested|replies|receives?|telemetry|Hz)\b",
+    re.IGNORECASE,
+)
+_UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/]|\.[a-z]|\s*\()")
+_ALIKE = 0.72
+_SIGNATURE = 13
+
+
+def check(reading: Reading) -> Iterator[Diagnostic]:
+    """Every passage."""
+    known = {entry.name for enum in reading.enums.values() for entry in enum.entries} | set(reading.enums)
+    for part, around in surroundings(reading):
+        if isinstance(part, Passage):
+            yield from _ids(reading, part, around)
+            yield from _lengths(reading, part, around)
+            yield from _order(reading, part, around)
+            yield from _fields(reading, part, around)
+            yield from _messages(reading, part, known)
+
+
+def _about(reading: Reading, passage: Passage, around: Surroundings, start: int, end: int) -> WireMessage | None:
+    """The message that a statement is about: the only one of its sentence, of its passage, of the heading."""
+    mentions = reading.mentioned(passage)
+    low, high = passage.sentence(start, end)
+    for found in (between(mentions, low, high), mentions):
+        names = {mention.name for mention in found}
+        if names:
+            return reading.messages[names.pop()] if len(names) == 1 else None
+    return around.headings[0] if around.headings else around.earlier[0] if len(around.earlier) == 1 else None
+
+
+def _ids(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
+    for found in _ID.finditer(passage.text):
+        low, _ = passage.sentence(found.start(), found.end())
+        before = passage.text[low : found.start()]
+        message = _about(reading, passage, around, found.start(), found.end())
+        group = found.lastgroup or ""
+        if message is None or message.id < 0 or int(found[group]) == message.id:
+            continue
+        named = [each for each in reading.mentioned(passage) if low <= each.start < found.start()]
+        if (
+            re.search(r"component|system|array|compid|sysid|param|sensor|battery|camera|target", before, re.IGNORECASE)
+            or not named
+        ):
+            continue
+        text = f"{message.name} has the id {message.id}, not {found[group]}"
+        yield reading.found(MESSAGE_ID, passage.place_at(found.start(group)), f"{message.name} id {found[group]}", text)
+
+
+def _lengths(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
+    """ "The base payload has 12 bytes", "A frame is 24 bytes long in MAVLink 2", "41 bytes/message"."""
+    for found in _LENGTH.finditer(passage.text):
+        low, high = passage.sentence(found.start(), found.end())
+        sentence = passage.text[low:high]
+        message = _about(reading, passage, around, found.start(), found.end())
+        if message is None or message.id < 0 or _CUT.search(sentence) or _OTHER.search(found["between"] or ""):
+            continue
+        if (
+            found["what"]
+            and found["what"].lower() in ("message", "frame", "packet")
+            and not _IS.search(found["between"])
+        ):
+            continue
+        number = int(found["number"] or found["each"])
+        what = (found["what"] or found["per"]).lower()
+        base, full = message.base_length, message.length
+        frames = {HEAD_V2 + base, HEAD_V2 + full, HEAD_V1 + base}
+        frames |= {each + _SIGNATURE for each in frames}
+        wanted = {base} if what == "base payload" else {base, full} if what == "payload" else frames
+        if what == "message" or found["per"]:
+            wanted = {base, full} | frames
+        if number in wanted:
+            continue
+        group = "number" if found["number"] else "each"
+        own = f"a payload of {base} bytes" + (f", {full} with extensions" if full > base else "")
+        text = f"{message.name} has {own}, and frames of {HEAD_V2 + base} in MAVLink 2, not {number}"
+        words = passage.text[found.start() : found.end()]
+        yield reading.found(SIZE, passage.place_at(found.start(group)), words, text)
+
+
+def _order(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
+    """A list of fields in one sentence that says that it is the order on the wire."""
+    if not _WIRE.search(passage.text) or _XML.search(passage.text) or len(passage.codes) < 3:
+        return
+    message = _about(reading, passage, around, passage.codes[0][0], passage.codes[0][1])
+    if message is None:
+        return
+    found = [(message.field(passage.text[low:high]), low) for low, high in passage.codes]
+    fields = [(field, low) for field, low in found if field is not None]
+    if len(fields) < 3:
+        return
+    for (first, _), (second, low) in pairwise(fields):
+        if first.offset > second.offset:
+            order = ", ".join(field.name for field in message.fields)
+            text = f"{message.name}: {second.name} comes before {first.name} on the wire"
+            place = passage.place_at(fields[0][1])
+            yield reading.found(ORDER, place, f"{message.name} order {low}", text, f"on the wire: {order}")
+            return
+
+
+def _fields(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
+    """Names in code spans that look like a field of the message that the passage is about, and are none of any."""
+    mentioned = [reading.messages[each.name] for each in reading.mentioned(passage)]
+    candidates = list(dict.fromkeys([*mentioned, *around.headings, *around.earlier]))
+    for low, high in passage.codes:
+        name = passage.text[low:high]
+        if re.fullmatch(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+", name) is None:
+            continue
+        if any(message.field(name) for message in candidates):
+            continue
+        message = _about(reading, passage, around, low, high)
+        if message is None:
+            continue
+        names = [field.name for field in message.fields]
+        near = get_close_matches(name, names, n=1, cutoff=_ALIKE)
+        is_called = re.search(r"\bfields?\s+$", passage.text[max(low - 12, 0) : low], re.IGNORECASE)
+        is_cell = passage.kind is PassageKind.ROW and not passage.text[:low].strip(" |")
+        if near or (is_called and mentioned):
+            text = f"{message.name} has no field {name}"
+            hint = did_you_mean(name, names)
+            yield reading.found(NO_FIELD, passage.place_at(low), f"{message.name} {name}", text, hint)
+        elif is_cell:
+            continue
+
+
+def _messages(reading: Reading, passage: Passage, known: set[str]) -> Iterator[Diagnostic]:
+    """Names of messages that no dialect has, where the sentence is about messages."""
+    shipped = {each.name for each in reading.reference.listed}
+    for found in _UPPER.finditer(passage.text):
+        name = found[0]
+        if name in reading.messages or name in known or name in shipped:
+            continue
+        is_entry = name.startswith(tuple(f"{enum}_" for enum in reading.enums))
+        low, high = passage.sentence(found.start(), found.end())
+        mentions = between(reading.mentioned(passage), low, high)
+        is_row = passage.kind is PassageKind.ROW and not passage.text[: found.start()].strip(" |")
+        if is_entry or not (is_row or (mentions and _SENDS.search(passage.text, low, high))):
+            continue
+        near = get_close_matches(name, [each for each in reading.messages if "_" in each], n=1, cutoff=0.82)
+        is_kin = any(name.startswith(each) or each.startswith(name) for each in near)  # a proposal, or a family
+        if near and not is_kin and near[0].split("_")[0] == name.split("_")[0]:
+            text = f"there is no message {name}"
+            yield reading.found(NO_MESSAGE, passage.place_at(found.start()), name, text, f"did you mean {near[0]}?")

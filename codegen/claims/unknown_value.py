@@ -1,0 +1,37 @@
+"""What stands for unknown in a field: by the attribute of the dialect, or else by the words of its description."""
+
+import re
+
+from codegen.model.dialect import WireField
+from codegen.model.literals import named_number
+
+_VALUE = r"(?<![\w.+-])(?P<value>NaN|U?INT(?:8|16|32|64)_M(?:AX|IN)|-?\d{1,6})(?![\w.])"
+_WORDS = (
+    re.compile(
+        rf"{_VALUE}:? (?:if |when |for |means |is |= ?)?(?:it is |value is )?"
+        r"(?:unknown|invalid|not (?:known|available))"
+    ),
+    re.compile(rf"{_VALUE}: [^.;,]*\bnot\b"),
+    re.compile(
+        rf"(?:unknown|not known|invalid|not available),? (?:set to|set it to|use|is|=|send)[: ]+{_VALUE}", re.IGNORECASE
+    ),
+)
+
+
+def unknown_values(field: WireField) -> tuple[list[int | float], str] | None:
+    """The numbers that stand for unknown and how they are written; None where the dialect says nothing of it."""
+    if field.sentinel is not None:
+        return [value for value in field.sentinel.values if value is not None], field.sentinel.written
+    for form in _WORDS:
+        found = form.search(field.definition.description)
+        value = number_of(found["value"]) if found else None
+        if found is not None and value is not None:
+            return [value], found["value"]
+    return None
+
+
+def number_of(written: str) -> int | float | None:
+    """The number that a text names: ``UINT16_MAX``, ``NaN``, decimal, ``0xFFFF``."""
+    if re.fullmatch(r"0[xX][0-9a-fA-F]{1,16}", written):
+        return int(written, 16)
+    return named_number(written)
