@@ -61,7 +61,7 @@ def prepare(folder: Path) -> None:
 def _compile(folder: Path, sources: Path) -> None:
     folder.mkdir()
     for source in sources.glob("*.py"):
-        command = [measure.tool("mpy-cross"), "-s", source.name, "-o", str(folder / f"{source.stem}.mpy"), str(source)]
+        command = [measure.tool("mpy-cross"), "-s", source.stem, "-o", str(folder / f"{source.stem}.mpy"), str(source)]
         measure.said(command)
 
 
