@@ -89,57 +89,43 @@ _VEHICLE_LOAD_DPCT = const(4)
 _BATT_MONITOR = ("batt_monitor", "batt2_monitor")
 _BATT_VOLT_MULT = ("batt_volt_mult", "batt2_volt_mult")
 
-# What is known of the battery from the start: places and values, for each of them where it differs.
-_BATTERY_START = (
-    _BATTERY_COUNTED_FROM_FULL,
-    0,
-    _BATTERY_HEALTH_NUMBER,
-    2,
-    _BATTERY_FAILSAFE_NUMBER,
-    0,
-    _BATTERY_SWAPS_NUMBER,
-    0,
-    _BATTERY_MONITORED,
-    1,
-    _BATTERY_PROTECTED,
-    0,
-    _BATTERY_TREND_COUNT,
-    0,
-    _BATTERY_TREND_NEWER,
-    0,
-    _BATTERY_TREND_OLDER,
-    0,
-    _BATTERY_FAILURES,
-    0,
-    _BATTERY_IS_LOGGED,
-    0,
-    _BATTERY_CURRENT_FAILURES,
-    0,
-    _BATTERY_CURRENT_IS_LOGGED,
-    0,
-    _BATTERY_GONE,
-    0,
-)
-
-# What is known of the vehicle from the start: places and values.
-_VEHICLE_START = (
-    _VEHICLE_ARMED,
-    0,
-    _VEHICLE_READY,
-    0,
-    _VEHICLE_MODE_NUMBER,
-    0,
-    _VEHICLE_STATUS,
-    3,
-    _VEHICLE_LOAD_DPCT,
-    0,
-)
-
 
 class BatteryState(Component):
     """One battery of the rover."""
 
     NAME = "battery"
+    SIZE = _BATTERY_SIZE
+    # What is known from the start: places and values, for each of them where it differs.
+    START = (
+        _BATTERY_COUNTED_FROM_FULL,
+        0,
+        _BATTERY_HEALTH_NUMBER,
+        2,
+        _BATTERY_FAILSAFE_NUMBER,
+        0,
+        _BATTERY_SWAPS_NUMBER,
+        0,
+        _BATTERY_MONITORED,
+        1,
+        _BATTERY_PROTECTED,
+        0,
+        _BATTERY_TREND_COUNT,
+        0,
+        _BATTERY_TREND_NEWER,
+        0,
+        _BATTERY_TREND_OLDER,
+        0,
+        _BATTERY_FAILURES,
+        0,
+        _BATTERY_IS_LOGGED,
+        0,
+        _BATTERY_CURRENT_FAILURES,
+        0,
+        _BATTERY_CURRENT_IS_LOGGED,
+        0,
+        _BATTERY_GONE,
+        0,
+    )
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000)
@@ -208,9 +194,6 @@ class BatteryState(Component):
     # When the last good reading will be too old
     expires_ms = whole(_BATTERY_EXPIRES_MS)
 
-    def __init__(self, words=None, instance=0):
-        Component.__init__(self, _BATTERY_SIZE, _BATTERY_START, words, instance)
-
     @staticmethod
     def voltage_from_adc(adc, mult):
         """Return the volts that a count and a multiplier stand for, FR-00069.1."""
@@ -251,6 +234,20 @@ class VehicleState(Component):
     """The rover as a whole."""
 
     NAME = "vehicle"
+    SIZE = _VEHICLE_SIZE
+    # What is known from the start: places and values.
+    START = (
+        _VEHICLE_ARMED,
+        0,
+        _VEHICLE_READY,
+        0,
+        _VEHICLE_MODE_NUMBER,
+        0,
+        _VEHICLE_STATUS,
+        3,
+        _VEHICLE_LOAD_DPCT,
+        0,
+    )
     # Whether the motors may turn
     armed = truth(_VEHICLE_ARMED)
     # Whether the checks before arming pass
@@ -263,9 +260,6 @@ class VehicleState(Component):
     # Share of the main loop's time that is used [d%]
     # %, known from the start
     load_dpct, load = number(_VEHICLE_LOAD_DPCT, 0, 1000, "load", 10)
-
-    def __init__(self, words=None, instance=0):
-        Component.__init__(self, _VEHICLE_SIZE, _VEHICLE_START, words, instance)
 
 
 class SystemState:
