@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: b2dc8d34699d46c6
+# Inputs: 13bc4a6d461557ee
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -906,6 +906,10 @@ def battery_status_v2_frame(link, state, instance: int):
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
@@ -919,6 +923,16 @@ def battery_status_v2_frame(link, state, instance: int):
         flags |= 0x1
     value = (battery[_BATTERY_FAILSAFE_NUMBER] ^ sign) - sign
     if value >= 1:
+        flags |= 0x1
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value >= 12750:
+        flags |= 0x1
+    if value != _UNKNOWN and value < 9000:
+        flags |= 0x1
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value >= 6000:
+        flags |= 0x1
+    if value != _UNKNOWN and value < -2000:
         flags |= 0x1
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
     if value != _UNKNOWN and value < 0:

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 82c459850356c5e9
+# Inputs: cd91b0d19033a680
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
