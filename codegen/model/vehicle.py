@@ -244,7 +244,7 @@ class Quantity(Cited):
 class Returns:
     """``count`` goes up when ``gone`` was true at a good reading and is not at a later one; ``restarting`` begin anew.
 
-    A number begins with 0, if it is known, and a boolean with its initial value.
+    A sum begins with 0, if it is known, what has an initial value with that; anything else is unknown.
     """
 
     count: Quantity

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 5c6408f74fecdf45
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time

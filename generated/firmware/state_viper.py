@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 5c6408f74fecdf45
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -20,6 +20,7 @@ _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
 _BATTERY_TIME_LEFT_S = const(6)
 _BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
 _BATTERY_TREND_MV_S = const(9)
 _BATTERY_SWAPS_NUMBER = const(12)
 _BATTERY_MONITORED = const(13)
@@ -39,6 +40,7 @@ _BATTERY_TREND_COUNT = const(36)
 _BATTERY_TREND_NEWER = const(37)
 _BATTERY_TREND_OLDER = const(38)
 _BATTERY_TREND_READINGS = const(39)
+_BATTERY_CELLS_MV = const(79)
 
 
 @micropython.viper
@@ -94,6 +96,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     if (battery[_BATTERY_SWAPS_NUMBER] ^ sign) - sign == _UNKNOWN:
                         battery[_BATTERY_SWAPS_NUMBER] = 0
                     battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
+                    battery[_BATTERY_CURRENT_CA] = _UNKNOWN
                     if (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign != _UNKNOWN:
                         battery[_BATTERY_CONSUMED_MAH] = 0
                         battery[_BATTERY_CONSUMED_REST] = 180000
@@ -102,7 +105,15 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                         battery[_BATTERY_ENERGY_LOW] = 0
                         battery[_BATTERY_ENERGY_MIDDLE] = 0
                         battery[_BATTERY_ENERGY_HIGH] = 5000
+                    battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                    battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                    battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
                     battery[_BATTERY_COUNTED_FROM_FULL] = 0
+                    count = 0
+                    while count < 3:
+                        battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                        count += 1
+                    battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
                 battery[_BATTERY_GONE] = is_gone
                 # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
                 since = (battery[_BATTERY_WARNED_MS] ^ sign) - sign

@@ -216,16 +216,17 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     yield f"        {counted} = 0"
     yield f"    {counted} = {counted} + 1"
     for quantity in returns.restarting:
-        if quantity.derivation.sums:
-            yield f"    if {code.number_of(code.word(name, quantity.attribute))} != {UNKNOWN}:"
-            yield from indented(begun(quantity, code), 2)
-            continue
         word = code.word(name, quantity.attribute)
-        if quantity.initial is None:
+        if quantity.derivation.sums:
             yield f"    if {code.number_of(word)} != {UNKNOWN}:"
-            yield f"        {word} = 0"
+            yield from indented(begun(quantity, code), 2)
+        elif quantity.elements:
+            yield "    count = 0"  # done with: one more variable would put all on the heap in plain Python
+            yield f"    while count < {max(quantity.elements)}:"
+            yield f"        {code.half(quantity, 0, 'count')} = {UNKNOWN}"
+            yield "        count += 1"
         else:
-            yield f"    {word} = {quantity.initial}"
+            yield f"    {word} = {UNKNOWN if quantity.initial is None else quantity.initial}"
     yield f"{gone} = is_gone"
 
 
