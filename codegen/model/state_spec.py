@@ -55,7 +55,7 @@ class QuantitySpec(Written):
     )
     restarts_with: str | None = described(
         "The quantity of the same component that counts returns: with each of them this one begins anew. A sum is 0 "
-        "again if it was known, what has an initial value has that, and anything else is unknown.",
+        "again if it was known, what has an initial value has that; anything else is unknown as soon as it is gone.",
         default=None,
     )
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
@@ -64,8 +64,8 @@ class QuantitySpec(Written):
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps, "
-        "estimate, slope, returns.",
+        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, prefers, "
+        "calibration, gaps, estimate, slope, returns.",
         default_factory=dict,
     )
 
@@ -75,6 +75,7 @@ class QuantitySpec(Written):
         "warn_above",
         "invalid_after",
         "stale_after",
+        "prefers",
         "calibration",
         "gaps",
         "estimate",

@@ -222,7 +222,12 @@ class Quantity(Cited):
         What readings give is forgotten with these.
         """
         counts = self.derivation.ages_alone or self.derivation.ages_with is not None
-        return counts and self.trust.stale_after_ms is not None
+        return counts and self.trust.stale_after_ms is not None and not self.ages_by_readings
+
+    @property
+    def ages_by_readings(self) -> bool:
+        """Whether it is a list that the readings of its component forget: each of its values is set by itself."""
+        return isinstance(self.spec.elements, str) and self.trust.stale_after_ms is not None
 
     @property
     def lost(self) -> str:

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 7455055d0eca14e3
+# Inputs: 015cd21c1223113a
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -27,6 +27,10 @@ CASES = [
         "      count:\n        doc: More.\n        initial: 0\n        counts_returns_of: §absent\n      protected:\n",
         "one quantity that counts returns",
     ),
+    # what comes before a reading
+    Case("bad-preference", STATE, "prefers: cells", "prefers: §cels", "did you mean cells"),
+    Case("bad-preference", STATE, "prefers: cells", "prefers: §temperature", "temperature is no list of numbers"),
+    Case("bad-preference", STATE, "        stored: mV\n        elements: cells", "        elements: cells", "cells is not stored in mV", is_alone=False),
     # what begins anew
     Case("bad-return", STATE, f"{CHARGE}swaps", f"{CHARGE}§swap", "did you mean swaps"),
     Case("bad-return", STATE, f"{CHARGE}swaps", f"{CHARGE}§left", "left does not count returns"),

@@ -11,6 +11,8 @@ from types import ModuleType
 from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -77,3 +79,64 @@ def test_nothing_of_the_pack_before_is_told_of_another(wire: ModuleType, interpr
     assert status.temperature == latest.temperature == 32767
     assert math.isnan(latest.capacity_remaining)
     assert math.isnan(latest.state_of_charge)
+
+
+STEPS = st.lists(
+    st.one_of(
+        st.tuples(st.just("voltage"), st.sampled_from([3770, 3900, 3000, 2500, 0, -1])),
+        st.tuples(st.just("current"), st.sampled_from([1234, 900, -1])),
+        st.tuples(
+            st.just("cells"),
+            st.sampled_from([[4.1, 4.0, 4.1], [3.3, 3.2, 3.4], [4.1, None, 4.0], [None, None, None]]),
+        ),
+        st.tuples(st.just("left"), st.sampled_from([1200, 3, None])),
+        st.tuples(st.just("remaining"), st.sampled_from([36, 100, 0, None])),
+        st.tuples(st.just("wait"), st.sampled_from([1, 4, 8, 25])),
+    ),
+    min_size=10,
+    max_size=25,
+)
+
+
+def spread(events: list[tuple[str, Any]]) -> list[Step]:
+    """The steps of a course: waiting is so many readings without an event."""
+    return [step for event in events for step in ([[]] * event[1] if event[0] == "wait" else [[event]])]
+
+
+def assert_one_picture(basic: Any, status: Any, latest: Any) -> None:
+    """Voltage, current and charge are the same in all three within their resolution, or unknown in all."""
+    voltage = None if math.isnan(latest.voltage) else round(latest.voltage * 1000)
+    assert (None if basic.voltage_battery == 65535 else basic.voltage_battery) == voltage
+    assert millivolts(status) == voltage
+    current = -1 if math.isnan(latest.current) else round(latest.current * 100)
+    assert basic.current_battery == status.current_battery == current
+    share = -1 if math.isnan(latest.state_of_charge) else round(latest.state_of_charge)
+    assert basic.battery_remaining == status.battery_remaining == share
+    used = -1 if math.isnan(latest.capacity_consumed) else round(latest.capacity_consumed * 1000)
+    assert status.current_consumed == used
+
+
+@pytest.mark.requirement("FR-00068.3", "FR-00068.9", "FR-00072.4", "FR-00076.7")
+@pytest.mark.parametrize("monitor", [3, 4])
+@settings(max_examples=4, deadline=None, derandomize=True)
+@given(courses=st.lists(STEPS, min_size=15, max_size=15))
+def test_three_messages_tell_one_picture(wire: ModuleType, monitor: int, courses: list[Any]) -> None:
+    """Whatever becomes of the sources: set, stale, failed, returned."""
+    for steps in told(wire, [spread(course) for course in courses], monitor):
+        for basic, status, latest in steps:
+            assert_one_picture(basic, status, latest)
+
+
+@pytest.mark.requirement("FR-00068.3", "FR-00076.7")
+@pytest.mark.parametrize("interpreter", ["python", "micropython"])
+def test_cells_come_before_the_adc_while_they_are_fresh(wire: ModuleType, interpreter: str) -> None:
+    """Also where the ADC has failed; two seconds after they were set the ADC counts, or the voltage is unknown."""
+    cells: Step = [("cells", [4.1, 4.0, 4.1])]
+    working, failed = told(wire, [[cells, *[[]] * 21], [[("voltage", -1), *cells], *[[]] * 31]], 3, interpreter)
+    for steps, later in ((working, 12000), (failed, None)):
+        assert [millivolts(steps[at][1]) for at in (0, 8, 19)] == [12200] * 3
+        assert steps[19][1].voltages[:3] == [4100, 4000, 4100]
+        assert millivolts(steps[-1][1]) == later
+    for steps in (working, failed):
+        for basic, status, latest in steps:
+            assert_one_picture(basic, status, latest)
