@@ -133,7 +133,7 @@ def _take_battery(battery, now_ms):
         if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
             battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
             told |= 4
-    # The sum of battery.cells comes first while all of them are known (FR-00069.1).
+    # The sum of battery.cells comes first while all of them are known (FR-00067.3).
     value = 0
     count = 0
     while count < 3 and battery[_BATTERY_CELLS_MV + count] != _UNKNOWN:

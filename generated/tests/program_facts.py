@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 523a2bf043e9616f
+# Inputs: 77daf364adce1853
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

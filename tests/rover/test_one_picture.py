@@ -37,20 +37,31 @@ def wire() -> ModuleType:
     return module
 
 
-def told(wire: ModuleType, courses: list[list[Step]], monitor: int, interpreter: str = "python") -> list[list[Any]]:
-    """What the rover sends after each step of each course, as pymavlink decodes it: three messages a step."""
-    folders = [str(GENERATED / name) for name in ("firmware", "mocks", "tests")]
+def printed(script: str, given: str, names: tuple[str, ...], interpreter: str = "python") -> str:
+    """What a script beside this file prints, with generated folders on its path."""
+    folders = [str(GENERATED / name) for name in names]
     paths = {"PYTHONPATH": os.pathsep.join(folders), "MICROPYPATH": os.pathsep.join([".frozen", *folders])}
-    command = [str(BIN / interpreter), str(HERE / "picture_story.py")]
-    given = "".join(json.dumps({"course": course, "monitor": monitor}) + "\n" for course in courses)
+    command = [str(BIN / interpreter), str(HERE / script)]
     done = subprocess.run(
         command, input=given, env={**os.environ, **paths}, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def frames_of(courses: list[list[Step]], monitor: int, interpreter: str = "python") -> list[list[list[str]]]:
+    """What the rover sends after each step of each course, in hex: three messages a step."""
+    given = "".join(json.dumps({"course": course, "monitor": monitor}) + "\n" for course in courses)
+    lines = printed("picture_story.py", given, ("firmware", "mocks", "tests"), interpreter).splitlines()
+    return [json.loads(line) for line in lines]
+
+
+def told(wire: ModuleType, courses: list[list[Step]], monitor: int, interpreter: str = "python") -> list[list[Any]]:
+    """The same as pymavlink decodes it."""
     link = wire.MAVLink(None)
     return [
-        [[link.parse_buffer(bytes.fromhex(frame))[0] for frame in frames] for frames in json.loads(line)]
-        for line in done.stdout.splitlines()
+        [[link.parse_buffer(bytes.fromhex(frame))[0] for frame in frames] for frames in steps]
+        for steps in frames_of(courses, monitor, interpreter)
     ]
 
 
@@ -140,3 +151,30 @@ def test_cells_come_before_the_adc_while_they_are_fresh(wire: ModuleType, interp
     for steps in (working, failed):
         for basic, status, latest in steps:
             assert_one_picture(basic, status, latest)
+
+
+@pytest.mark.requirement("FR-00075.8", "FR-00073.8")
+@pytest.mark.parametrize("message", [1, 2], ids=MESSAGES[1:])
+def test_a_receiver_notices_another_pack_without_a_serial_number(message: int) -> None:
+    """The charge that was drawn begins anew; what the old pack's cells were is forgotten, and it counts once."""
+    drawn: list[Step] = [[("cells", [4.1, 4.0, 4.1])], *[[]] * 60]
+    swap: list[Step] = [[("voltage", 0)], [], [("voltage", 3900)], *[[]] * 10]
+    (steps,) = frames_of([[*drawn, *swap]], 4)
+    given = "".join(frames[message] + "\n" for frames in steps)
+    seen = json.loads(printed("picture_seen.py", given, ("receiver",)))
+    assert [each[0] for each in seen] == [0] * 63 + [1] * 11
+    assert seen[0][1] == ([4.1, 4.0, 4.1] if message == 1 else None)
+    assert seen[-1][1] is None
+    assert seen[-1][2] == pytest.approx(12.414)
+
+
+@pytest.mark.requirement("FR-00075.1")
+def test_charge_that_cannot_be_is_unknown(wire: ModuleType) -> None:
+    """130 % and less than nothing are no charge; all and nothing are."""
+    link = wire.MAVLink(None, srcSystem=1, srcComponent=1)
+    given = ""
+    for share, left in ((130.0, -1.0), (100.0, 0.0)):
+        message = wire.MAVLink_battery_status_v2_message(0, 32767, 12.0, math.nan, math.nan, left, share, 0)
+        given += message.pack(link).hex() + "\n"
+    seen = json.loads(printed("picture_seen.py", given, ("receiver",)))
+    assert [each[3:] for each in seen] == [[None, None], [100, 0]]

@@ -145,7 +145,7 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
         return
     listed = reading.component.quantities[measured.derivation.prefers]
     number = code.number_of(code.half(listed, 0, "count"))
-    yield f"# The sum of {listed.path} comes first while all of them are known{_cited(measured.cited('prefers'))}."
+    yield f"# The sum of {listed.path} comes first while all of them are known{_cited(measured.cited('stale_after'))}."
     yield "value = 0"
     yield "count = 0"
     yield f"while count < {code.count(listed)} and {number} != {UNKNOWN}:"
