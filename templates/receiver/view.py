@@ -186,9 +186,12 @@ class View:
         return is_another
 
     def _begins_anew(self, kind, said):
-        """Tell whether what was drawn counts from 0 again: less than a tenth of what the same message said before."""
+        """Tell whether what was drawn counts from 0 again: less than a tenth of what the same message said before.
+
+        One with a serial number is told by that alone.
+        """
         before = self._said[kind]
-        if not self.IS_COUNTED_ANEW or before is None:
+        if not self.IS_COUNTED_ANEW or before is None or [1 for known in self._identities if known and known[0]]:
             return False
         for name, factor in self.ROLES.get("consumed", ()):
             if said.get(name) is not None and before[name] is not None:
