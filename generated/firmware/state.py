@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 10f1f0633be914f0
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -32,10 +32,10 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(169)
+_SIZE = const(171)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(82)
+_BATTERY_SIZE = const(83)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -76,8 +76,9 @@ _BATTERY_TREND_COUNT = const(36)
 _BATTERY_TREND_NEWER = const(37)
 _BATTERY_TREND_OLDER = const(38)
 _BATTERY_TREND_READINGS = const(39)
-_BATTERY_CELLS_MV = const(79)
-_VEHICLE = const(164)
+_BATTERY_CELLS_MV_AGE = const(79)
+_BATTERY_CELLS_MV = const(80)
+_VEHICLE = const(166)
 _VEHICLE_SIZE = const(5)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
@@ -150,7 +151,7 @@ class BatteryState(Component):
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell. Unknown until code sets it [mV]
-    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv")
+    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv", age=_BATTERY_CELLS_MV_AGE)
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack. The rover has no sensor for it [cdegC]
     # degC, or None while it is unknown; FR-00068.6
@@ -337,8 +338,8 @@ class SystemState:
         new = old * measured / reading, FR-00069.6; it counts from the next start.
         """
         reading = self.battery[instance].voltage
-        if not reading or measured is None:
-            return False
+        if not reading or measured is None or None not in self.battery[instance].cells:
+            return False  # or it is a sum that calibrates nothing
         own = self.battery[instance].words[_BATTERY_MULTIPLIER]
         old = self.parameters.value(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], own)
         return self.parameters.set(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], old * measured / reading)

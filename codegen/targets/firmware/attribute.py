@@ -169,7 +169,9 @@ def _elements(quantity: Quantity, told: Reach, block: Block, above: str, behind:
         yield from _rows(quantity, told, place, inner, above, behind)
         return
     own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(elements) else ""
-    yield AttributeView(quantity.attribute, f"elements({_joined(place, max(elements), *told, inner, own)})", above, "")
+    age = f"age={block.constant(f'{quantity.attribute}_age')}" if quantity.ages_by_readings else ""
+    arguments = _joined(place, max(elements), *told, inner, own, age)
+    yield AttributeView(quantity.attribute, f"elements({arguments})", above, "")
     if quantity.attribute != quantity.name:
         numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
         steps = _joined(inner, numerator, denominator if denominator != 1 else "")
