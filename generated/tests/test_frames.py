@@ -15,18 +15,12 @@ import json
 import math
 
 import pytest
-from interpreters import CASES, HERE
-from oracle import dialects, message_class
+from interpreters import CASES
+from oracle import message_class
 from units import one
 
 DATA = json.loads(CASES.read_text(encoding="utf-8"))
 SENDER = {"srcSystem": 1, "srcComponent": 1}
-
-
-@pytest.fixture(scope="session")
-def modules():
-    """pymavlink's dialects, MAVLink 2 and 1."""
-    return dialects(DATA["dialect"], {case["message"] for case in DATA["messages"]}, HERE)
 
 
 def named(cases, mark=pytest.mark.requirement):
