@@ -22,8 +22,8 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "bench",
         parents=[common],
         description="Run the self-test of the program on the board that codegen deploy has brought it to: times, heap, "
-        "missed control slots, noise of the converter. The file that it writes is evidence for codegen trace --results. "
-        "The program runs meanwhile as it does always: wheels off the ground.",
+        "missed control slots, noise of the converter. The file that it writes is evidence for codegen trace "
+        "--results. The program runs meanwhile as it does always: wheels off the ground.",
     )
     add_board_options(parser)
     parser.add_argument(

@@ -15,6 +15,7 @@ BENCH_FORMAT = Rule(
     "since. Measure again.",
     unreadable=True,
 )
+_HINT = "codegen bench --out FILE"
 _TEXTS = ("project", "program", "codegen", "inputs", "firmware", "board", "micropython", "taken", "ports")
 
 
@@ -26,16 +27,20 @@ def decode_bench(path: str, report: Report) -> BenchRecord | None:
     try:
         stated = json.loads(text)
     except RecursionError:
-        return _refused(Place(path), "it is nested too deeply", report)
+        report.add(BENCH_FORMAT, Place(path), "it is nested too deeply", _HINT)
+        return None
     except ValueError as fault:
         line, column = getattr(fault, "lineno", 1), getattr(fault, "colno", 1)
-        return _refused(Place(path, line, column), f"it is no JSON: {getattr(fault, 'msg', fault)}", report)
+        report.add(BENCH_FORMAT, Place(path, line, column), f"it is no JSON: {getattr(fault, 'msg', fault)}", _HINT)
+        return None
     if not isinstance(stated, dict) or stated.get("format") != 1:
-        return _refused(Place(path), "it has no format 1", report)
+        report.add(BENCH_FORMAT, Place(path), "it has no format 1", _HINT)
+        return None
     wrong = [name for name in _TEXTS if not isinstance(stated.get(name), str)]
     measures = _numbers(stated.get("measures"))
     if wrong or measures is None:
-        return _refused(Place(path), f"it has no {(wrong or ['measures'])[0]}", report)
+        report.add(BENCH_FORMAT, Place(path), f"it has no {(wrong or ['measures'])[0]}", _HINT)
+        return None
     details, told = stated.get("details"), stated.get("told")
     return BenchRecord(
         **{("version" if name == "micropython" else name): stated[name] for name in _TEXTS},
@@ -52,7 +57,3 @@ def _numbers(stated: Any) -> Mapping[str, float] | None:
         return None
     are_numbers = all(isinstance(value, int | float) and not isinstance(value, bool) for value in stated.values())
     return stated if are_numbers else None
-
-
-def _refused(place: Place, message: str, report: Report) -> None:
-    report.add(BENCH_FORMAT, place, message, "codegen bench --out FILE")

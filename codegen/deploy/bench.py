@@ -55,7 +55,7 @@ def steps(facts: Mapping[str, object], seconds: float) -> Iterator[tuple[str, st
 def prepare_bench(connection: Connection, facts: Mapping[str, object]) -> None:
     """Let the board begin anew without its program, and bring what measures."""
     connection.begin_anew()
-    connection.run(f"FACTS = {dict(facts)!r}\n{copied('deploy/bench.py')}")
+    connection.run(f"{copied('deploy/bench.py')}\nFACTS.update({dict(facts)!r})")
 
 
 def measured(lines: Iterator[list[object]], seconds: float, *, has_loop: bool) -> Measured:

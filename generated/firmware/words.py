@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 944acfad6ddd3d68
+# Inputs: 334617f2b1288c64
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -175,8 +175,9 @@ class _Elements:
 
     width = 1  # words for each
 
-    def __init__(self, component, first, count, accessors):
+    def __init__(self, component, first, count, accessors, age=None):
         self.first = first
+        self._age = age
         self._component = component
         self._count = count
         self._accessors = accessors
@@ -189,6 +190,8 @@ class _Elements:
 
     def __setitem__(self, index, value):
         self._accessors[1](self._component, value, self._place(index))
+        if self._age is not None:
+            self._component.words[self._age] = 0
 
     def _place(self, index):
         if not -self._count <= index < self._count:
@@ -196,12 +199,15 @@ class _Elements:
         return self.first + index % self._count
 
 
-def elements(first, count, low, high, name, own=None):
-    """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count."""
+def elements(first, count, low, high, name, own=None, age=None):
+    """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count.
+
+    The word at `age`, which readings count up, begins anew when one of them is set.
+    """
     functions = accessors(first, low, high, name)
 
     def get(self):
-        return _Elements(self, first, count if own is None else self.words[own], functions)
+        return _Elements(self, first, count if own is None else self.words[own], functions, age)
 
     def put(self, values):
         _fill(get(self), values, 1, 1)

@@ -1,12 +1,14 @@
 """What `codegen bench` runs on the board, with the program that is there; nothing of it is stored.
 
-`FACTS` comes before: what the program has. Each call prints lines of JSON: [name, value] is a measure, [name, about,
+`FACTS` is filled first: what the program has. Each call prints lines of JSON: [name, value] is a measure, [name, about,
 value] one of several that such a measure sums up, ["", text] something to be told.
 """
 
 import gc
 import json
 import time
+
+FACTS = {}
 
 
 class Port:
@@ -196,30 +198,27 @@ def turns(count):
     from mavlink import Link
 
     link = Link(Port(), FACTS["system_id"], FACTS["component_id"])
-    turn(link, telemetry)
+    updates = [getattr(state, "update_" + name) for name in FACTS["components"]]
+    encoders = [(getattr(telemetry, "encode_" + name), about) for name, about in FACTS["messages"]]
+    turn(link, updates, encoders)
     gc.collect()
     gc.disable()
     before = gc.mem_alloc()
     for _ in range(count):
-        turn(link, telemetry)
+        turn(link, updates, encoders)
     taken = gc.mem_alloc() - before
     gc.enable()
     say("heap.steady_bytes", taken)
 
 
-def turn(link, telemetry):
+def turn(link, updates, encoders):
     """Read each component, and make each message."""
-    for name in FACTS["components"]:
-        getattr(state, UPDATES[name])(board)
-    for name, about in FACTS["messages"]:
-        encode = getattr(telemetry, ENCODERS[name])
+    for update in updates:
+        update(board)
+    for encode, about in encoders:
         if about == 2:
             encode(link, state, 0, 0)
         elif about == 1:
             encode(link, state, 0)
         else:
             encode(link, state)
-
-
-UPDATES = {name: "update_" + name for name in FACTS["components"]}
-ENCODERS = {name: "encode_" + name for name, _about in FACTS["messages"]}

@@ -46,9 +46,7 @@ def bench(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Any:
     def command(project: Path, image: Path, **settings: Any) -> tuple[int, Any, str]:
         out = tmp_path / "bench.json"
         with powered(Path(shutil.copy(image, tmp_path / "flash")), told=PICO, **settings) as board:
-            code = main(
-                ["bench", "--project", str(project), "--port", board.port, "--seconds", "1", "--out", str(out)]
-            )
+            code = main(["bench", "--project", str(project), "--port", board.port, "--seconds", "1", "--out", str(out)])
         told = capsys.readouterr()
         return code, json.loads(out.read_text()) if out.exists() else None, told.out + told.err
 
@@ -58,7 +56,7 @@ def bench(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Any:
 def test_board_is_measured_and_trace_takes_it(
     rover: tuple[Path, Path], bench: Any, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """Each measure is there, noise is that of the input, and a criterion is shown by it until the specification changes."""
+    """Each measure is there, noise is that of the input; a criterion is shown by it until the specification changes."""
     code, record, said = bench(*rover, counts=COUNTS)
     assert code == 0, said
     assert set(record["measures"]) == set(MEASURES)
