@@ -16,7 +16,7 @@ from codegen.model.bench_record import MEASURES
 ROOT = Path(__file__).resolve().parents[2]
 PICO = {"_machine": "Raspberry Pi Pico 2 W with RP2350"}
 COUNTS = [*[2000] * 5, *[2010] * 5]
-"""Readings are the mean of five: they lie ten counts apart."""
+"""Readings are the mean of five: there are two values, ten counts apart or, where fives of both are mixed, less."""
 
 
 def deployed(project: Path, image: Path) -> Path:
@@ -60,8 +60,7 @@ def test_board_is_measured_and_trace_takes_it(
     code, record, said = bench(*rover, counts=COUNTS)
     assert code == 0, said
     assert set(record["measures"]) == set(MEASURES)
-    assert record["measures"]["adc.noise_counts"] == 5
-    assert record["measures"]["adc.span_counts"] == 10
+    assert 0 < record["measures"]["adc.noise_counts"] == record["measures"]["adc.span_counts"] / 2 <= 5
     assert record["measures"]["heap.steady_bytes"] == 0
     assert record["measures"]["loop.seconds"] == 1
     assert set(record["details"]["frame.mean_us"]) >= {"heartbeat", "battery_status", "battery_cell_voltages"}
@@ -75,18 +74,15 @@ def test_board_is_measured_and_trace_takes_it(
     assert f"codegen bench on {PICO['_machine']}  (1 case; 1 passed)" in capsys.readouterr().out
     results.write_text(json.dumps({**record, "inputs": "0" * 16}))
     main(trace)
-    assert f"codegen bench on {PICO['_machine']}  (1 case; 1 stale)" in capsys.readouterr().out
+    assert f"codegen bench on {PICO['_machine']}  (1 case; 1 of another specification)" in capsys.readouterr().out
 
 
 def test_what_is_not_deployed_is_not_measured(rover: tuple[Path, Path], bench: Any, tmp_path: Path) -> None:
     """A board with other files than the specification makes says nothing about it."""
     project = tmp_path / "changed"
     shutil.copytree(rover[0], project)
-    streams = project / "specs" / "streams.yaml"
-    text = streams.read_text()
-    assert "default: 2" in (project / "specs" / "parameters.yaml").read_text() + text
     parameters = project / "specs" / "parameters.yaml"
-    parameters.write_text(parameters.read_text().replace("default: 2", "default: 3", 1))
+    parameters.write_text(parameters.read_text().replace("default: 3.95", "default: 4", 1))
     code, record, said = bench(project, rover[1], counts=COUNTS)
     assert code == 1
     assert record is None
@@ -110,3 +106,42 @@ def test_project_without_a_program_is_measured(bench: Any, tmp_path: Path) -> No
     assert {"frame.mean_us", "receive.mean_us", "set.mean_us", "heap.free_bytes"} <= set(record["measures"])
     assert record["measures"]["heap.steady_bytes"] == 0
     assert "loop.seconds" not in record["measures"]
+
+
+def test_page_lists_each_measure() -> None:
+    """docs/bench.md, which bench-measure names, has what can be compared."""
+    page = (ROOT / "docs" / "bench.md").read_text()
+    for name, words in MEASURES.items():
+        assert f"| `{name}` | {words} |" in page
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "error bench-format: it is no JSON"),
+        ("[" * 100_000, "error bench-format: it is nested too deeply"),
+        ("[1]", "error bench-format: it has no format 1"),
+        ('{"format": 1}', "error bench-format: it has no project"),
+    ],
+)
+def test_what_codegen_bench_has_not_written_is_refused(
+    text: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A file that ends with .json and is none of codegen bench's is told, and shows nothing."""
+    results = tmp_path / "bench.json"
+    results.write_text(text)
+    assert main(["trace", "--project", str(ROOT), "--results", str(results)]) == 2
+    assert message in capsys.readouterr().out
+
+
+def test_measure_that_does_not_exist_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A document that compares a misspelled measure would never be shown: it is a warning with the nearest name."""
+    shutil.copytree(ROOT / "specs", tmp_path / "specs")
+    document = tmp_path / "specs" / "requirements" / "FR-00068-battery-status-telemetry.md"
+    document.write_text(document.read_text().replace("`frame.mean_us < 100`", "`frame.mean_ms < 100`"))
+    record = {"format": 1, "measures": {"frame.mean_us": 90.0}, "inputs": "", "program": "", "project": "pico-trail"}
+    texts = dict.fromkeys(("codegen", "firmware", "board", "micropython", "taken", "ports"), "")
+    results = tmp_path / "bench.json"
+    results.write_text(json.dumps({**record, **texts}))
+    main(["trace", "--project", str(tmp_path), "--results", str(results)])
+    assert "warning bench-measure: codegen bench has no frame.mean_ms" in capsys.readouterr().out
