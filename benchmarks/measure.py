@@ -138,10 +138,18 @@ def project(source: Path, folder: Path) -> None:
 
 def rover(folder: Path, machine_code: bool = True) -> Path:
     """Build the rover in a folder of its own; return the folder of what was generated."""
-    rover_specs(folder)
     if not machine_code:
-        with (folder / "specs" / "codegen.yaml").open("a", encoding="utf-8") as file:
-            file.write("machine_code: false\n")
+        return without_machine_code(ROOT, folder)
+    rover_specs(folder)
+    said([tool("codegen"), "build"], cwd=folder)
+    return folder / "generated"
+
+
+def without_machine_code(source: Path, folder: Path) -> Path:
+    """Build a project in a folder of its own, with plain Python only; return the folder of what was generated."""
+    shutil.copytree(source / "specs", folder / "specs")
+    with (folder / "specs" / "codegen.yaml").open("a", encoding="utf-8") as file:
+        file.write("machine_code: false\n")
     said([tool("codegen"), "build"], cwd=folder)
     return folder / "generated"
 

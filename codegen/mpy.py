@@ -72,9 +72,12 @@ def has_machine_code(architecture: str) -> bool:
 
 
 def _compile(program: str, path: str, text: str, architecture: str) -> tuple[bytes, str]:
-    """The compiled module, and what mpy-cross said if it refused."""
+    """The compiled module, and what mpy-cross said if it refused.
+
+    Tracebacks call it by its module's name, which is on the board's heap already: that of a file would be another one.
+    """
     march = [] if architecture == BYTECODE else [f"-march={architecture}"]
-    command = [program, *march, "-s", path, "-"]
+    command = [program, *march, "-s", os.path.basename(path).removesuffix(".py"), "-"]
     done = subprocess.run(command, input=text.encode("utf-8"), capture_output=True, check=False)  # noqa: S603
     return done.stdout, "" if done.returncode == 0 else " ".join(done.stderr.decode("utf-8", "replace").split())
 

@@ -28,7 +28,7 @@ from codegen.model.dialect import Dialect
 from codegen.model.known import Known, Value, shown_value, stored_value
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
 from codegen.model.population_spec import FieldAnswer, Send
-from codegen.model.reading import Reading, scaled
+from codegen.model.reading import Reading, plausible, scaled
 from codegen.model.scaling import FLOAT_DIVISOR_MAX, Scaling, float_parts
 from codegen.model.step import Step
 from codegen.model.storage import SMALL_INT_MAX
@@ -234,6 +234,9 @@ class LiveAnswer(KindOfAnswer):
             f"element({got}, {covers.first})" if covers.field.is_array else got, to_unit(source, self.scaling)
         )
         enum = source.enum.name if source.kind is QuantityKind.ENUM and source.enum else ""
+        if source.kind is QuantityKind.NUMBER:
+            expression, judged = plausible(expression, source.spec.min, source.spec.max)
+            used = (*used, *judged)
         yield Reading(source.name, expression, source.unit.name, source.spec.doc, covers.label, enum, (*used, *uses))
 
     def read_back(self) -> Iterator[ReadBack]:

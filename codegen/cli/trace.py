@@ -26,7 +26,8 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--results",
         metavar="FILE",
         action="append",
-        help="results of tests in JUnit's format, as pytest --junit-xml=FILE writes them; may be repeated",
+        help="results of tests in JUnit's format, as pytest --junit-xml=FILE writes them, or a .json of codegen bench; "
+        "may be repeated",
     )
     parser.add_argument(
         "--format",

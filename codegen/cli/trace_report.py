@@ -6,12 +6,14 @@ from collections.abc import Sequence
 
 from codegen import pipeline
 from codegen.cli.findings import FORMATS, findings_text, print_findings
+from codegen.decode.bench_record import decode_bench
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report, did_you_mean
 from codegen.emit.file import write_file
 from codegen.model.system import System
 from codegen.model.test_record import TestResult
 from codegen.source import Place, shown_path
+from codegen.trace.bench import check_conditions, with_bench
 from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
 from codegen.trace.graph import Trace
@@ -28,7 +30,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     report = Report()
     trace = pipeline.read_trace(systems, report)
     lock = pipeline.read_trace_lock(project, report)
-    results = _results(arguments.results, trace, report)
+    trace, results = _results(arguments.results, trace, systems, report)
     if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
         print_findings(report)
         return report.exit_code
@@ -85,14 +87,24 @@ def chosen_names(names: Sequence[str], trace: Trace) -> set[str] | None:
     return chosen
 
 
-def _results(files: Sequence[str] | None, trace: Trace, report: Report) -> Results | None:
-    """The results of all files; one that cannot be read leaves a finding and says nothing."""
+def _results(
+    files: Sequence[str] | None, trace: Trace, systems: Sequence[System], report: Report
+) -> tuple[Trace, Results | None]:
+    """The results of all files, and the trace with boards as tests; what cannot be read leaves a finding."""
     if files is None:
-        return None
+        return trace, None
     found: list[TestResult] = []
+    records = []
     for path in files:
+        if path.endswith(".json"):
+            records.append(decode_bench(path, report))
+            continue
         decoded = decode_junit(path, report)
         if decoded is not None and unrelated(decoded, trace):
             report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
         found += decoded or ()
-    return results_of(found, trace.tests)
+    if records:
+        check_conditions(trace.requirements, report)
+        trace, shown = with_bench(trace, [each for each in records if each], pipeline.bench_inputs_of(systems), report)
+        found += shown
+    return trace, results_of(found, trace.tests)

@@ -1,7 +1,7 @@
 """What ``codegen --help`` says, written out: the answer is there before argparse would be imported."""
 
 COMMANDS = (
-    *("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "deploy", "watch"),
+    *("init", "build", "check", "diff", "explain", "trace", "import", "codec", "sim", "deploy", "bench", "watch"),
     "completion",
 )
 """Each is a module of this package with ``add_command``."""
@@ -50,6 +50,7 @@ commands:
                   without a specification
     sim           run the generated firmware on this host against a scenario
     deploy        bring the firmware to a board over USB: only what changed
+    bench         time the program on its board, and write down what it found
     watch         build and check again whenever a file changes
     completion    print what a shell needs to complete commands and options
 

@@ -60,14 +60,20 @@ class Connection:
             self.transport = SerialTransport(port, timeout=answer_s)
         except (TransportError, OSError) as fault:
             raise BoardFaultError(PORT_REFUSED, f"{port} cannot be opened: {fault}") from None
+        self._answer_s = answer_s
+        with self._closed_after_a_fault():
+            self.begin_anew()
+            self.run(copied("deploy/on_board.py"))
+
+    def begin_anew(self) -> None:
+        """Forget all that was run: the board begins anew, without its program."""
+        from mpremote.transport import TransportError  # noqa: PLC0415
+
         try:
             with redirect_stdout(StringIO()):  # it prints what it does not understand
-                self.transport.enter_raw_repl(timeout_overall=answer_s)
+                self.transport.enter_raw_repl(timeout_overall=self._answer_s)
         except (TransportError, OSError) as fault:
-            self.close()
-            raise BoardFaultError(BOARD_SILENT, f"no MicroPython answers at {port}: {fault}") from None
-        with self._closed_after_a_fault():
-            self.run(copied("deploy/on_board.py"))
+            raise BoardFaultError(BOARD_SILENT, f"no MicroPython answers at {self.port}: {fault}") from None
 
     def run(self, code: str) -> str:
         """What the code prints on the board."""

@@ -7,7 +7,14 @@ from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
-from codegen.model.derivation_spec import CountsReturnsSpec, FollowsSpec, IntegralSpec, MeasuredSpec
+from codegen.model.derivation_spec import (
+    CountsReturnsSpec,
+    FollowsSpec,
+    IntegralSpec,
+    LastsSpec,
+    LeftSpec,
+    MeasuredSpec,
+)
 from codegen.model.unit import NUMBER
 from codegen.model.vehicle import Quantity, QuantityKind
 
@@ -17,9 +24,12 @@ if TYPE_CHECKING:
 BAD_RETURN = Rule(
     "bad-return",
     "One quantity of a component counts returns: a number without a unit and with an initial value. It names a boolean "
-    "that follows a limit of what an ADC measures in the same component. What restarts with the count is a number that "
-    "can be 0, or a boolean with an initial value, and set by code alone.",
+    "that follows a limit of what an ADC measures in the same component. What restarts with the count is a sum or "
+    "what can be unknown or has an initial value, but not what is followed, nor what others decide at each moment.",
 )
+
+_BEGINNING = (MeasuredSpec, IntegralSpec, LeftSpec, LastsSpec)
+"""What can begin anew beside what only code sets."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,9 +103,20 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         around.bad("restarts_with", f"{count} does not count returns", BAD_RETURN, hint)
     if not is_sound:
         return  # what it is instead of a quantity that code sets has a fault of its own
-    derived = [each for each in spec.derivations if not isinstance(each, IntegralSpec)]
-    if derived or spec.elements is not None or kept.kind is QuantityKind.ENUM:
-        message = f"{name} is not a number or a boolean that only code sets, and no integral"
+    derived = [each for each in spec.derivations if not isinstance(each, _BEGINNING)]
+    if derived or kept.kind is QuantityKind.ENUM:
+        message = f"{name} is not what code sets, a reading, a sum, what is left of one, or how long that lasts"
         around.bad("restarts_with", message, BAD_RETURN)
-    elif kept.kind is QuantityKind.NUMBER and not kept.minimum <= 0 <= kept.maximum:
+    elif spec.written(MeasuredSpec) is not None and _is_followed(around):
+        around.bad("restarts_with", f"{name} tells whether it came back, so it cannot begin anew then", BAD_RETURN)
+    elif spec.written(IntegralSpec) is not None and not kept.minimum <= 0 <= kept.maximum:
         around.bad("restarts_with", f"{name} cannot be 0, from which it would start again", BAD_RETURN)
+
+
+def _is_followed(around: Surroundings) -> bool:
+    """Whether what counts looks at this very quantity."""
+    count = around.others.get(around.spec.restarts_with or "")
+    counts = count.written(CountsReturnsSpec) if count is not None else None
+    gone = around.others.get(counts.counts_returns_of) if counts is not None else None
+    follows = gone.written(FollowsSpec) if gone is not None else None
+    return follows is not None and follows.follows == around.name

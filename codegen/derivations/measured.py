@@ -28,6 +28,12 @@ VOLT = unit_named("V")
 
 UNKNOWN_ADC = Rule("unknown-adc", "A quantity names an ADC channel that board.yaml does not have.")
 
+BAD_PREFERENCE = Rule(
+    "bad-preference",
+    "What a measured quantity prefers is a list of the same component that code sets, in the same unit "
+    "and stored alike.",
+)
+
 ADC_FAULTS = {
     "fail": "ADC readings fail",
     "absent": "ADC absent",
@@ -39,10 +45,18 @@ ADC_FAULTS = {
 
 @dataclass(frozen=True, slots=True)
 class Measured(Derivation):
-    """Read from ``adc`` at the update rate of the component; ``warns`` above a threshold, or never."""
+    """Read from ``adc`` at the update rate of the component; ``warns`` above a threshold, or never.
+
+    The sum of ``first``, a list of the component, comes before what is read while all of it is known.
+    """
 
     adc: Conversion
     warns: Threshold | None
+    first: str | None
+
+    @property
+    def prefers(self) -> str | None:
+        return self.first
 
     @property
     def conversion(self) -> Conversion | None:
@@ -73,6 +87,8 @@ class Measured(Derivation):
         if adc.channel.when is not None:
             text = f"{text}, while {adc.channel.when[0].name} is {adc.channel.when[1]}"
         yield DerivationFact("measured", text, "adc")
+        if self.first is not None:
+            yield DerivationFact("prefers", f"the sum of {self.first}", "prefers")
         if self.warns is not None:
             above = ", ".join(f"{limit} {stored}".rstrip() for limit in dict.fromkeys(self.warns.above))
             yield DerivationFact("warns above", above, "warn_above", is_trust=True)
@@ -103,6 +119,8 @@ class Measured(Derivation):
     def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
         samples = f"mean of {self.adc.channel.samples} samples on GPIO {self._pins(quantity, system)}"
         yield "measured", f"{samples}, {self.adc.formula}"
+        if self.first is not None:
+            yield "rather", f"the sum of {self.first}, while all of them are known"
         if self.warns is not None:
             pause = "" if self.warns.every_ms is None else f", every {self.warns.every_ms} ms at most"
             limits = ", ".join(str(limit) for limit in dict.fromkeys(self.warns.above))
@@ -135,9 +153,27 @@ class Measured(Derivation):
 def resolve_measured(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Measured | None:
     """The conversion and the threshold; None after a finding."""
     warns, conversion = _threshold(written, kept, around), _conversion(written, kept, around)
-    if conversion is None:
+    if conversion is None or not _can_prefer(written, around):
         return None
-    return Measured(conversion, warns)
+    return Measured(conversion, warns, written.prefers)
+
+
+def _can_prefer(written: MeasuredSpec, around: Surroundings) -> bool:
+    """Whether what it prefers is a list of numbers that are stored alike; False after a finding."""
+    name = written.prefers
+    if name is None:
+        return True
+    other = around.others.get(name)
+    if other is None:
+        around.no_quantity("prefers", name, BAD_PREFERENCE)
+    elif other.elements is None or other.enum is not None:
+        around.bad("prefers", f"{name} is no list of numbers", BAD_PREFERENCE)
+    elif (other.unit, other.stored) != (around.spec.unit, around.spec.stored):
+        message = f"{name} is not stored in {around.spec.stored or around.spec.unit}, as {around.name} is"
+        around.bad("prefers", message, BAD_PREFERENCE)
+    elif other.derivations:
+        around.bad("prefers", f"{name} is not set by code", BAD_PREFERENCE)
+    return not around.failed
 
 
 def _conversion(written: MeasuredSpec, kept: Kept, around: Surroundings) -> Conversion | None:

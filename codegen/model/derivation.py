@@ -73,6 +73,11 @@ class Derivation(ABC):
         return None
 
     @property
+    def prefers(self) -> str | None:
+        """The list of the component whose sum comes before what is measured, while all of it is known."""
+        return None
+
+    @property
     def threshold(self) -> "Threshold | None":
         """Above what a warning is logged."""
         return None

@@ -136,6 +136,11 @@ class MeasuredSpec(DerivationSpec):
         "What is taken from the voltage at the ADC pin before that: a parameter in V, or an amount such as 0.5 V.",
         default=None,
     )
+    prefers: str | None = described(
+        "A list of the same component, such as the voltages of cells: while all of its values are known their sum is "
+        "the value, whatever the ADC reads, and whether it can be read.",
+        default=None,
+    )
     warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)
     warn_every: Amount | None = described("Shortest time between two such warnings, such as 10 s.", default=None)
 

@@ -149,7 +149,7 @@ class PopulationSpec(Written):
         default=Send.ALWAYS,
     )
     on_connection: bool = described(
-        "Send it at once when a link starts, and when a ground station is heard for the first time or after a silence.",
+        "Send it at once when a link starts, and when a component is heard for the first time or after a silence.",
         default=False,
     )
     on_change: str | None = described(

@@ -32,6 +32,14 @@ def scaled(expression: str, factor: Fraction) -> tuple[str, tuple[str, ...]]:
     return f"scaled({expression}, {factor.numerator}, {factor.denominator})", ("scaled",)
 
 
+def plausible(expression: str, low: Fraction | None, high: Fraction | None) -> tuple[str, tuple[str, ...]]:
+    """An expression that is unknown beyond the limits, of which each may be None, and what that uses."""
+    if low is None and high is None:
+        return expression, ()
+    ends = ("None" if end is None else str(int(end) if end.denominator == 1 else float(end)) for end in (low, high))
+    return f"plausible({expression}, {', '.join(ends)})", ("plausible",)
+
+
 def flag_names(field: WireField, enum: EnumDefinition) -> Reading:
     """The names of the bits that are set in a field."""
     expression = f'flags(enum_names.{enum.name}, get("{field.name}"))'

@@ -22,6 +22,11 @@ class RolesSpec(Written):
         default=(),
     )
     count: tuple[str, ...] = described("How many values a list of single ones has, such as cells.", default=())
+    counted_anew: bool = described(
+        "true: what was drawn counts from 0 with another one, so a fall to less than a tenth of at least 10 mAh says "
+        "that it is another one; a restart of the sender looks the same.",
+        default=False,
+    )
     charging: tuple[str, ...] = described("Entries of enums that say that it is being charged.", default=())
 
     def fields(self) -> Iterator[tuple[str, tuple[str, ...]]]:

@@ -54,8 +54,8 @@ class QuantitySpec(Written):
         default=None,
     )
     restarts_with: str | None = described(
-        "The quantity of the same component that counts returns: with each of them this one is 0 again, or what a "
-        "boolean is initially. What is unknown stays so.",
+        "The quantity of the same component that counts returns: with each of them this one begins anew. A sum is 0 "
+        "again if it was known, what has an initial value has that; anything else is unknown as soon as it is gone.",
         default=None,
     )
     invalid_after: int | None = described("Failed readings in a row after which it is unknown.", default=None)
@@ -64,8 +64,8 @@ class QuantitySpec(Written):
     )
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, calibration, gaps, "
-        "estimate, slope, returns.",
+        "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, "
+        "calibration, gaps, estimate, slope, returns.",
         default_factory=dict,
     )
 

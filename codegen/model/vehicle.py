@@ -222,7 +222,12 @@ class Quantity(Cited):
         What readings give is forgotten with these.
         """
         counts = self.derivation.ages_alone or self.derivation.ages_with is not None
-        return counts and self.trust.stale_after_ms is not None
+        return counts and self.trust.stale_after_ms is not None and not self.ages_by_readings
+
+    @property
+    def ages_by_readings(self) -> bool:
+        """Whether it is a list that the readings of its component forget: each of its values is set by itself."""
+        return isinstance(self.spec.elements, str) and self.trust.stale_after_ms is not None
 
     @property
     def lost(self) -> str:
@@ -244,7 +249,7 @@ class Quantity(Cited):
 class Returns:
     """``count`` goes up when ``gone`` was true at a good reading and is not at a later one; ``restarting`` begin anew.
 
-    A number begins with 0, if it is known, and a boolean with its initial value.
+    A sum begins with 0, if it is known, what has an initial value with that; anything else is unknown.
     """
 
     count: Quantity

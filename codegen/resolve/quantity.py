@@ -12,6 +12,7 @@ from codegen.derivations.surroundings import BAD_QUANTITY, Kept, Surroundings
 from codegen.diagnostics import did_you_mean
 from codegen.measure import UNIT_MISMATCH, read_time
 from codegen.model.derivation import Derivation
+from codegen.model.derivation_spec import MeasuredSpec
 from codegen.model.spec import Requirement
 from codegen.model.unit import Unit, read_measure, unit_named
 from codegen.model.vehicle import Quantity, QuantityKind, Trust
@@ -141,8 +142,8 @@ def _check_age(around: Surroundings) -> None:
         around.bad(
             "stale_after", f"{name} has an initial value in place of unknown, so stale_after says nothing", hint=hint
         )
-    elif isinstance(spec.elements, str):
-        text = f"{name} has elements, each of which is set by itself: stale_after cannot tell when"
+    elif isinstance(spec.elements, str) and not any(other.written(MeasuredSpec) for other in around.others.values()):
+        text = f"{name} has elements, each of which is set by itself: without an adc no reading forgets them"
         around.bad("stale_after", text, hint="elements: 4 is a list that is set as a whole")
 
 

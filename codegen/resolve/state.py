@@ -142,6 +142,6 @@ def _returns(quantities: Mapping[str, Quantity]) -> Returns | None:
     for count in quantities.values():
         gone = quantities.get(count.derivation.counts or "")
         if gone is not None:
-            restarting = tuple(each for each in quantities.values() if each.derivation.restarts_with == count.name)
+            restarting = tuple(each for each in quantities.values() if each.spec.restarts_with == count.name)
             return Returns(count, gone, restarting)
     return None

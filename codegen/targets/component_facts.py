@@ -236,11 +236,17 @@ def _returns(component: Component) -> ReturnsFacts | None:
         below=limits if limits and follows.deciding(0, None)["clear"] == limits[0] else (),
         count=returns.count.attribute,
         title=component.name.capitalize(),
-        restarting=tuple(
-            (each.attribute, str(bool(each.initial)) if each.kind is QuantityKind.BOOLEAN else "None")
-            for each in returns.restarting
-        ),
+        restarting=tuple((each.attribute, _anew(each)) for each in returns.restarting),
     )
+
+
+def _anew(quantity: Quantity) -> str:
+    """What a quantity begins anew with, in Python."""
+    if quantity.derivation.sums:
+        return "0"
+    if quantity.kind is QuantityKind.BOOLEAN:
+        return str(bool(quantity.initial))
+    return str(quantity.initial)
 
 
 def _measured(quantity: Quantity, component: Component, system: System) -> MeasuredFacts:

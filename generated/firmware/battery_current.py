@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 10f1f0633be914f0
 """The current of the battery: imported only where it is measured.
 
 The board gets `read_battery_current_adc()` by connect(), and behind() lets the state take readings

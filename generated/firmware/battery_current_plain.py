@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 10f1f0633be914f0
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 10f1f0633be914f0
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -32,10 +32,10 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(169)
+_SIZE = const(171)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(82)
+_BATTERY_SIZE = const(83)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -76,8 +76,9 @@ _BATTERY_TREND_COUNT = const(36)
 _BATTERY_TREND_NEWER = const(37)
 _BATTERY_TREND_OLDER = const(38)
 _BATTERY_TREND_READINGS = const(39)
-_BATTERY_CELLS_MV = const(79)
-_VEHICLE = const(164)
+_BATTERY_CELLS_MV_AGE = const(79)
+_BATTERY_CELLS_MV = const(80)
+_VEHICLE = const(166)
 _VEHICLE_SIZE = const(5)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
@@ -89,57 +90,43 @@ _VEHICLE_LOAD_DPCT = const(4)
 _BATT_MONITOR = ("batt_monitor", "batt2_monitor")
 _BATT_VOLT_MULT = ("batt_volt_mult", "batt2_volt_mult")
 
-# What is known of the battery from the start: places and values, for each of them where it differs.
-_BATTERY_START = (
-    _BATTERY_COUNTED_FROM_FULL,
-    0,
-    _BATTERY_HEALTH_NUMBER,
-    2,
-    _BATTERY_FAILSAFE_NUMBER,
-    0,
-    _BATTERY_SWAPS_NUMBER,
-    0,
-    _BATTERY_MONITORED,
-    1,
-    _BATTERY_PROTECTED,
-    0,
-    _BATTERY_TREND_COUNT,
-    0,
-    _BATTERY_TREND_NEWER,
-    0,
-    _BATTERY_TREND_OLDER,
-    0,
-    _BATTERY_FAILURES,
-    0,
-    _BATTERY_IS_LOGGED,
-    0,
-    _BATTERY_CURRENT_FAILURES,
-    0,
-    _BATTERY_CURRENT_IS_LOGGED,
-    0,
-    _BATTERY_GONE,
-    0,
-)
-
-# What is known of the vehicle from the start: places and values.
-_VEHICLE_START = (
-    _VEHICLE_ARMED,
-    0,
-    _VEHICLE_READY,
-    0,
-    _VEHICLE_MODE_NUMBER,
-    0,
-    _VEHICLE_STATUS,
-    3,
-    _VEHICLE_LOAD_DPCT,
-    0,
-)
-
 
 class BatteryState(Component):
     """One battery of the rover."""
 
     NAME = "battery"
+    SIZE = _BATTERY_SIZE
+    # What is known from the start: places and values, for each of them where it differs.
+    START = (
+        _BATTERY_COUNTED_FROM_FULL,
+        0,
+        _BATTERY_HEALTH_NUMBER,
+        2,
+        _BATTERY_FAILSAFE_NUMBER,
+        0,
+        _BATTERY_SWAPS_NUMBER,
+        0,
+        _BATTERY_MONITORED,
+        1,
+        _BATTERY_PROTECTED,
+        0,
+        _BATTERY_TREND_COUNT,
+        0,
+        _BATTERY_TREND_NEWER,
+        0,
+        _BATTERY_TREND_OLDER,
+        0,
+        _BATTERY_FAILURES,
+        0,
+        _BATTERY_IS_LOGGED,
+        0,
+        _BATTERY_CURRENT_FAILURES,
+        0,
+        _BATTERY_CURRENT_IS_LOGGED,
+        0,
+        _BATTERY_GONE,
+        0,
+    )
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000)
@@ -164,7 +151,7 @@ class BatteryState(Component):
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell. Unknown until code sets it [mV]
-    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv")
+    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv", age=_BATTERY_CELLS_MV_AGE)
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack. The rover has no sensor for it [cdegC]
     # degC, or None while it is unknown; FR-00068.6
@@ -208,9 +195,6 @@ class BatteryState(Component):
     # When the last good reading will be too old
     expires_ms = whole(_BATTERY_EXPIRES_MS)
 
-    def __init__(self, words=None, instance=0):
-        Component.__init__(self, _BATTERY_SIZE, _BATTERY_START, words, instance)
-
     @staticmethod
     def voltage_from_adc(adc, mult):
         """Return the volts that a count and a multiplier stand for, FR-00069.1."""
@@ -251,6 +235,20 @@ class VehicleState(Component):
     """The rover as a whole."""
 
     NAME = "vehicle"
+    SIZE = _VEHICLE_SIZE
+    # What is known from the start: places and values.
+    START = (
+        _VEHICLE_ARMED,
+        0,
+        _VEHICLE_READY,
+        0,
+        _VEHICLE_MODE_NUMBER,
+        0,
+        _VEHICLE_STATUS,
+        3,
+        _VEHICLE_LOAD_DPCT,
+        0,
+    )
     # Whether the motors may turn
     armed = truth(_VEHICLE_ARMED)
     # Whether the checks before arming pass
@@ -263,9 +261,6 @@ class VehicleState(Component):
     # Share of the main loop's time that is used [d%]
     # %, known from the start
     load_dpct, load = number(_VEHICLE_LOAD_DPCT, 0, 1000, "load", 10)
-
-    def __init__(self, words=None, instance=0):
-        Component.__init__(self, _VEHICLE_SIZE, _VEHICLE_START, words, instance)
 
 
 class SystemState:
@@ -343,8 +338,8 @@ class SystemState:
         new = old * measured / reading, FR-00069.6; it counts from the next start.
         """
         reading = self.battery[instance].voltage
-        if not reading or measured is None:
-            return False
+        if not reading or measured is None or None not in self.battery[instance].cells:
+            return False  # or it is a sum that calibrates nothing
         own = self.battery[instance].words[_BATTERY_MULTIPLIER]
         old = self.parameters.value(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], own)
         return self.parameters.set(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], old * measured / reading)

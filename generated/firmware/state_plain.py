@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 10f1f0633be914f0
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -14,6 +14,7 @@ _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
 _BATTERY_TIME_LEFT_S = const(6)
 _BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
 _BATTERY_TREND_MV_S = const(9)
 _BATTERY_SWAPS_NUMBER = const(12)
 _BATTERY_MONITORED = const(13)
@@ -33,6 +34,8 @@ _BATTERY_TREND_COUNT = const(36)
 _BATTERY_TREND_NEWER = const(37)
 _BATTERY_TREND_OLDER = const(38)
 _BATTERY_TREND_READINGS = const(39)
+_BATTERY_CELLS_MV_AGE = const(79)
+_BATTERY_CELLS_MV = const(80)
 
 
 def read_battery(words, every, board, ticks, first):
@@ -64,6 +67,15 @@ def _read_battery(battery, board, ticks, instance):
 
 
 def _take_battery(battery, now_ms):
+    # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
+    if battery[_BATTERY_CELLS_MV_AGE] != _UNKNOWN:
+        battery[_BATTERY_CELLS_MV_AGE] = battery[_BATTERY_CELLS_MV_AGE] + 1
+        if battery[_BATTERY_CELLS_MV_AGE] > 20:
+            battery[_BATTERY_CELLS_MV_AGE] = _UNKNOWN
+            count = 0
+            while count < 3:
+                battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                count += 1
     told = 0
     count = battery[_BATTERY_COUNT]
     if count < 0 or count > 4095:
@@ -89,6 +101,16 @@ def _take_battery(battery, now_ms):
         is_gone = 0
         if value != _UNKNOWN and value < 3000:
             is_gone = 1
+        if battery[_BATTERY_GONE] or is_gone:
+            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+            battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+            battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+            count = 0
+            while count < 3:
+                battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                count += 1
+            battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
         if battery[_BATTERY_GONE] and is_gone == 0:
             told |= 2
             if battery[_BATTERY_SWAPS_NUMBER] == _UNKNOWN:
@@ -111,6 +133,15 @@ def _take_battery(battery, now_ms):
         if value > 13000 and battery[_BATTERY_WARNED_MS] == _UNKNOWN:
             battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
             told |= 4
+    # The sum of battery.cells comes first while all of them are known (FR-00067.3).
+    value = 0
+    count = 0
+    while count < 3 and battery[_BATTERY_CELLS_MV + count] != _UNKNOWN:
+        value += battery[_BATTERY_CELLS_MV + count]
+        count += 1
+    if count == 3:
+        battery[_BATTERY_VOLTAGE_MV] = value
+        battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
     if battery[_BATTERY_VOLTAGE_MV] != _UNKNOWN:
         _change_battery(battery)
     return told

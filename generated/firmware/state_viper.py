@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: b4ee94023eefb00c
+# Inputs: 10f1f0633be914f0
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -11,7 +11,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(82)
+_BATTERY_SIZE = const(83)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -20,6 +20,7 @@ _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
 _BATTERY_TIME_LEFT_S = const(6)
 _BATTERY_COUNTED_FROM_FULL = const(7)
+_BATTERY_TEMPERATURE_CDEGC = const(8)
 _BATTERY_TREND_MV_S = const(9)
 _BATTERY_SWAPS_NUMBER = const(12)
 _BATTERY_MONITORED = const(13)
@@ -39,6 +40,8 @@ _BATTERY_TREND_COUNT = const(36)
 _BATTERY_TREND_NEWER = const(37)
 _BATTERY_TREND_OLDER = const(38)
 _BATTERY_TREND_READINGS = const(39)
+_BATTERY_CELLS_MV_AGE = const(79)
+_BATTERY_CELLS_MV = const(80)
 
 
 @micropython.viper
@@ -64,6 +67,15 @@ def read_battery(words, every, board, ticks, first: int) -> int:
             if first >= 0:
                 battery[_BATTERY_COUNT] = -1000000000
                 battery[_BATTERY_COUNT] = int(board.read_battery_adc(instance))
+            # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
+            if (battery[_BATTERY_CELLS_MV_AGE] ^ sign) - sign != _UNKNOWN:
+                battery[_BATTERY_CELLS_MV_AGE] = battery[_BATTERY_CELLS_MV_AGE] + 1
+                if battery[_BATTERY_CELLS_MV_AGE] > 20:
+                    battery[_BATTERY_CELLS_MV_AGE] = _UNKNOWN
+                    count = 0
+                    while count < 3:
+                        battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                        count += 1
             told = 0
             count = (battery[_BATTERY_COUNT] ^ sign) - sign
             if count < 0 or count > 4095:
@@ -89,6 +101,16 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                 is_gone = 0
                 if value != _UNKNOWN and value < 3000:
                     is_gone = 1
+                if battery[_BATTERY_GONE] or is_gone:
+                    battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+                    battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                    battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                    battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+                    count = 0
+                    while count < 3:
+                        battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                        count += 1
+                    battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
                 if battery[_BATTERY_GONE] and is_gone == 0:
                     told |= 2
                     if (battery[_BATTERY_SWAPS_NUMBER] ^ sign) - sign == _UNKNOWN:
@@ -111,6 +133,15 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                 if value > 13000 and (battery[_BATTERY_WARNED_MS] ^ sign) - sign == _UNKNOWN:
                     battery[_BATTERY_WARNED_MS] = now_ms & 0x3FFFFFFF
                     told |= 4
+            # The sum of battery.cells comes first while all of them are known (FR-00067.3).
+            value = 0
+            count = 0
+            while count < 3 and (battery[_BATTERY_CELLS_MV + count] ^ sign) - sign != _UNKNOWN:
+                value += (battery[_BATTERY_CELLS_MV + count] ^ sign) - sign
+                count += 1
+            if count == 3:
+                battery[_BATTERY_VOLTAGE_MV] = value
+                battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF
 
             if (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign != _UNKNOWN:
                 # The change per second: the sum of the newer 20 readings against that of the older ones (FR-00021.1).

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: b2dc8d34699d46c6
+# Inputs: 789e9a50a91695a3
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -30,7 +30,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(82)
+_BATTERY_SIZE = const(83)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -50,8 +50,8 @@ _BATTERY_CURRENT_EXPIRES_MS = const(28)
 _BATTERY_TREND_COUNT = const(36)
 _BATTERY_TREND_NEWER = const(37)
 _BATTERY_TREND_OLDER = const(38)
-_BATTERY_CELLS_MV = const(79)
-_VEHICLE = const(164)
+_BATTERY_CELLS_MV = const(80)
+_VEHICLE = const(166)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
 _VEHICLE_MODE_NUMBER = const(2)
@@ -906,6 +906,10 @@ def battery_status_v2_frame(link, state, instance: int):
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
@@ -919,6 +923,16 @@ def battery_status_v2_frame(link, state, instance: int):
         flags |= 0x1
     value = (battery[_BATTERY_FAILSAFE_NUMBER] ^ sign) - sign
     if value >= 1:
+        flags |= 0x1
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+    if value >= 12750:
+        flags |= 0x1
+    if value != _UNKNOWN and value < 9000:
+        flags |= 0x1
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value >= 6000:
+        flags |= 0x1
+    if value != _UNKNOWN and value < -2000:
         flags |= 0x1
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
     if value != _UNKNOWN and value < 0:

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 3eb79914951dab0e
+# Inputs: 015cd21c1223113a
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: 81531594789af6f7
+# Inputs: b48eee2ecfc59dfe
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -11,7 +11,7 @@ The inverse of the tables that the firmware of pico-trail is made from. README.m
 
 import enum_names
 import messages
-from readings import added, entry, flags, is_entry, is_set, joined, page, scaled, single, text, values_of
+from readings import added, entry, flags, is_entry, is_set, joined, page, plausible, scaled, single, text, values_of
 from view import Info, View
 from views import Views
 
@@ -27,8 +27,8 @@ def _read_battery_status(message):
         "current": scaled(get("current_battery"), 1, 100),  # A
         "battery_function": entry(enum_names.MAV_BATTERY_FUNCTION, get("battery_function")),
         "info.chemistry": entry(enum_names.MAV_BATTERY_TYPE, get("type")),
-        "remaining": get("battery_remaining"),  # %
-        "time_left": get("time_remaining"),  # s
+        "remaining": plausible(get("battery_remaining"), 0, 100),  # %
+        "time_left": plausible(get("time_remaining"), 0, 1000000),  # s
         "charge_state": entry(enum_names.MAV_BATTERY_CHARGE_STATE, get("charge_state")),
         "is_charging": is_entry(get("charge_state"), 7),
         "mode": entry(enum_names.MAV_BATTERY_MODE, get("mode")),
@@ -55,8 +55,8 @@ def _read_battery_status_v2(message):
         "voltage": get("voltage"),  # V
         "current": get("current"),  # A
         "consumed": scaled(get("capacity_consumed"), 1000, 1),  # mAh
-        "left": scaled(get("capacity_remaining"), 1000, 1),  # mAh
-        "remaining": get("state_of_charge"),  # %
+        "left": plausible(scaled(get("capacity_remaining"), 1000, 1), 0, None),  # mAh
+        "remaining": plausible(get("state_of_charge"), 0, 100),  # %
         "status_flags": flags(enum_names.MAV_BATTERY_STATUS_FLAGS, get("status_flags")),
         "charging": is_set(get("status_flags"), 0x2),
         "protected": is_set(get("status_flags"), 0x80),
@@ -241,7 +241,7 @@ class BatteryView(View):
     """One battery of the rover. Each attribute is None while unknown."""
 
     MESSAGES = ("BATTERY_STATUS", "BATTERY_STATUS_V2", "SMART_BATTERY_INFO", "BATTERY_INFO", "BATTERY_CELL_VOLTAGES")
-    STALE_MS = (10000, 10000, 60000, 60000, 0)
+    STALE_MS = (10000, 10000, 60000, 60000, 10000)
     SILENT_MS = 10000
     WINDOW_MS = 30000
     CARRIERS = {
@@ -290,6 +290,7 @@ class BatteryView(View):
         "voltage": (1, 0),
     }
     FLAGS = ("fault_bitmask", "status_flags")
+    IS_COUNTED_ANEW = True
     ROLES = {
         "charging": (("is_charging", 1),),
         "consumed": (("consumed", 0.001),),

@@ -1,5 +1,5 @@
 # Generated from templates/receiver/readings.py: do not edit.
-# Inputs: d4d73b2a96fc481a
+# Inputs: 92788cffbccdb9d6
 """What stands in a field, turned back into numbers, names and texts. None is unknown throughout."""
 
 TURN = 1 << 30  # ticks_ms() starts again after so many milliseconds, 12.4 days
@@ -19,6 +19,13 @@ def elapsed(now_ms, then_ms):
 def scaled(value, numerator, denominator):
     """Return a number in another unit."""
     return None if value is None else value * numerator / denominator
+
+
+def plausible(value, low, high):
+    """Return a number that lies within limits, each of which may be None: what nothing can be is unknown."""
+    if value is None or (low is not None and value < low) or (high is not None and value > high):
+        return None
+    return value
 
 
 def element(values, index):

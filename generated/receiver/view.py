@@ -1,10 +1,12 @@
 # Generated from templates/receiver/view.py: do not edit.
-# Inputs: ec2191c4ef367be8
+# Inputs: 6d9c25824aa1a329
 """What is known about one instance, from all messages that report it."""
 
 from consumption import Consumption
 from readings import elapsed
 
+_TOGETHER_MS = 1000  # pages that belong together follow each other as fast
+_COUNTED_AH = 0.01  # with less a count that begins anew is not told from noise
 _LONG_AGO_MS = 1 << 28  # three days: later the clock would have started again
 
 
@@ -17,11 +19,12 @@ class View:
     """
 
     MESSAGES = ()  # names, by kind
-    STALE_MS = ()  # age by kind from which on a message counts no more; 0: as long as others come
+    STALE_MS = ()  # age by kind from which on a message counts no more
     SILENT_MS = 0  # time without any message after which nothing is known
     WINDOW_MS = 0  # time over which the current is averaged
     CARRIERS = {}  # kinds of message that carry a quantity, the preferred one first
     FLAGS = ()  # names of the bitmasks
+    IS_COUNTED_ANEW = False  # whether what was drawn counts from 0 with another one
     ROLES = {}  # what plays a role for the time that remains: names, the first known one counts, and factors to A or Ah
 
     def __init__(self, receiver, system, number):
@@ -62,11 +65,21 @@ class View:
         """The names of the messages that count now, as a tuple."""
         return tuple([name for kind, name in enumerate(self.MESSAGES) if self._counts(kind)])
 
-    def age_ms(self, now_ms=None):
-        """Return the milliseconds since the last message; None after three days."""
-        if self._last_ms is None:
+    def age_ms(self, now_ms=None, of=None):
+        """Return the milliseconds since the last message; None after three days.
+
+        `of` is the name of a quantity: since the message that says it came, None while it is unknown.
+        """
+        heard_ms = self._last_ms if of is None else self._heard_of(of)
+        if heard_ms is None:
             return None
-        return elapsed(self._receiver.now_ms() if now_ms is None else now_ms, self._last_ms)
+        return elapsed(self._receiver.now_ms() if now_ms is None else now_ms, heard_ms)
+
+    def _heard_of(self, name):
+        for kind in self.CARRIERS[name]:
+            if self._counts(kind):
+                return None if self._said[kind][name] is None else self._heard_ms[kind]
+        return None
 
     def is_stale(self, now_ms=None):
         """Tell whether so long nothing came that nothing is known any more."""
@@ -118,28 +131,28 @@ class View:
 
     def take(self, kind, said, source, now_ms):
         """Take in what a message of a kind said, from a component."""
-        if self._is_another(kind, said):
+        if self._is_another(kind, said) or self._begins_anew(kind, said):
             self.swaps += 1
             self._said = [None] * len(self.MESSAGES)
             self._heard_ms = [None] * len(self.MESSAGES)
             self._consumption.forget()
-        self._keep_pages(kind, said)
+        self._keep_pages(kind, said, now_ms)
         self._said[kind] = said
         self._heard_ms[kind] = self._last_ms = now_ms
         self._sources[source] = now_ms
         self._consumption.note(now_ms, self._known("current"), self._known("consumed"))
 
-    def _keep_pages(self, kind, said):
-        """Add the pages that came before, but for those that are partly about the same values."""
-        before = self._said[kind]
+    def _keep_pages(self, kind, said, now_ms):
+        """Add the pages that came just before, unless one of them is about the same values: it begins anew then."""
+        before, heard_ms = self._said[kind], self._heard_ms[kind]
+        if before is None or heard_ms is None or elapsed(now_ms, heard_ms) > _TOGETHER_MS:
+            return
         for name, value in said.items():
-            if isinstance(value, dict) and before is not None:
+            if isinstance(value, dict):
                 pages = before[name]
-                for first, values in value.items():
-                    for other in [other for other in pages if first - len(pages[other]) < other < first + len(values)]:
-                        del pages[other]
-                    pages[first] = values
-                said[name] = pages
+                told = [(first, first + len(values)) for first, values in value.items()]
+                if not [other for other in pages for at, end in told if at - len(pages[other]) < other < end]:
+                    value.update(pages)
 
     def keep_time(self, now_ms):
         """Give up what is so old that the clock would soon have started again."""
@@ -174,6 +187,19 @@ class View:
         self._identities[kind] = (serial, cycles)
         return is_another
 
+    def _begins_anew(self, kind, said):
+        """Tell whether what was drawn counts from 0 again: less than a tenth of what the same message said before.
+
+        One with a serial number is told by that alone.
+        """
+        before = self._said[kind]
+        if not self.IS_COUNTED_ANEW or before is None or [1 for known in self._identities if known and known[0]]:
+            return False
+        for name, factor in self.ROLES.get("consumed", ()):
+            if said.get(name) is not None and before[name] is not None:
+                return before[name] * factor >= _COUNTED_AH and said[name] * 10 < before[name]
+        return False
+
     def _said_as(self, role, said):
         for name, _ in self.ROLES.get(role, ()):
             if said.get(name) is not None:
@@ -192,8 +218,7 @@ class View:
         heard = self._heard_ms[kind]
         if heard is None or self.is_stale():
             return False
-        limit = self.STALE_MS[kind]
-        return not limit or elapsed(self._receiver.now_ms(), heard) <= limit
+        return elapsed(self._receiver.now_ms(), heard) <= self.STALE_MS[kind]
 
     def _quantity(self, name):
         for kind in self.CARRIERS[name]:

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 82c459850356c5e9
+# Inputs: 4415520036ee1e78
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -161,7 +161,17 @@ MEASURED = (
             "below": [3000, 3000],
             "count": "swaps_number",
             "title": "Battery",
-            "restarting": [("consumed_mah", None), ("energy_hj", None), ("counted_from_full", False)],
+            "restarting": [
+                ("current_ca", None),
+                ("consumed_mah", 0),
+                ("energy_hj", 0),
+                ("remaining_pct", None),
+                ("left_mah", None),
+                ("time_left_s", None),
+                ("counted_from_full", False),
+                ("cells_mv", None),
+                ("temperature_cdegc", None),
+            ],
         },
         "trend": "trend_mv_s",
         "trend_half": 20,

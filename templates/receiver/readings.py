@@ -19,6 +19,13 @@ def scaled(value, numerator, denominator):
     return None if value is None else value * numerator / denominator
 
 
+def plausible(value, low, high):
+    """Return a number that lies within limits, each of which may be None: what nothing can be is unknown."""
+    if value is None or (low is not None and value < low) or (high is not None and value > high):
+        return None
+    return value
+
+
 def element(values, index):
     """Return one element of an array, which may be unknown as a whole."""
     return None if values is None else values[index]

@@ -6,6 +6,7 @@ called requirement, and in codegen-inputs the hash of the specification that the
 
 import json
 import os
+import re
 import time
 from functools import cache
 
@@ -32,6 +33,17 @@ def pytest_collection_modifyitems(items):
 def results(request):
     """What the firmware made of all cases, in one run of each interpreter."""
     return json.loads(run_under(request.param, "runner.py", str(CASES), heap="64m"))
+
+
+@pytest.fixture(scope="session")
+def modules():
+    """pymavlink's dialects, MAVLink 2 and 1, with what the firmware sends and receives."""
+    from oracle import dialects  # noqa: PLC0415  most tests need none of it, and it takes a while
+
+    cases = json.loads(CASES.read_text(encoding="utf-8"))
+    classes = (HERE.parent / "firmware" / "messages.py").read_text(encoding="utf-8")
+    names = {case["message"] for case in cases["messages"]} | set(re.findall(r'^    NAME = "(\w+)"$', classes, re.M))
+    return dialects(cases["dialect"], names, HERE)
 
 
 @pytest.fixture(scope="session")

@@ -27,13 +27,24 @@ CASES = [
         "      count:\n        doc: More.\n        initial: 0\n        counts_returns_of: §absent\n      protected:\n",
         "one quantity that counts returns",
     ),
+    # what comes before a reading
+    Case("bad-preference", STATE, "prefers: cells", "prefers: §cels", "did you mean cells"),
+    Case("bad-preference", STATE, "prefers: cells", "prefers: §temperature", "temperature is no list of numbers"),
+    Case("bad-preference", STATE, "        stored: mV\n        elements: cells", "        elements: cells", "cells is not stored in mV", is_alone=False),
     # what begins anew
     Case("bad-return", STATE, f"{CHARGE}swaps", f"{CHARGE}§swap", "did you mean swaps"),
     Case("bad-return", STATE, f"{CHARGE}swaps", f"{CHARGE}§left", "left does not count returns"),
     Case("bad-return", STATE, f"{CHARGE}swaps", f"{CHARGE}§swaps\n        min: 1", "cannot be 0"),
-    Case("bad-return", STATE, "        trend_of: voltage\n", "        trend_of: voltage\n        restarts_with: §swaps\n", "trend is not a number"),
-    Case("bad-return", STATE, "        while_known: voltage\n", "        while_known: voltage\n        restarts_with: §swaps\n", "healthy is not a number"),
-    Case("bad-return", STATE, COUNTS, f"{COUNTS}\n        restarts_with: §swaps", "swaps is not a number"),
+    Case("bad-return", STATE, "        trend_of: voltage\n", "        trend_of: voltage\n        restarts_with: §swaps\n", "trend is not what code sets"),
+    Case("bad-return", STATE, "        while_known: voltage\n", "        while_known: voltage\n        restarts_with: §swaps\n", "healthy is not what code sets"),
+    Case("bad-return", STATE, COUNTS, f"{COUNTS}\n        restarts_with: §swaps", "swaps is not what code sets"),
+    Case(
+        "bad-return",
+        STATE,
+        "        adc: battery_voltage\n",
+        "        adc: battery_voltage\n        restarts_with: §swaps\n",
+        "voltage tells whether it came back",
+    ),
 ]  # fmt: skip
 
 

@@ -66,7 +66,7 @@ assert view_of(three, None, pages) == three
 assert view_of(None, 7, pages[:1]) == (None, None, None, None, 3.5, 3.6, None), "the first page is missing"
 assert view_of(None, None, ((0, (0, 0, 0, 0)),)) is None
 newer = (pages[0], pages[1], (4, (3000, 3000, 3000, 0)))
-assert view_of(None, None, newer) == (3.1, 3.2, None, 3.4, 3.0, 3.0, 3.0), "a page comes again"
+assert view_of(None, None, newer) == (None,) * 4 + (3.0,) * 3, "a page comes again: it begins anew"
 assert view_of(None, None, ((0, (3100, 3200, 0, 3400)), (300, (3000, 0, 0, 0)))) == (3.1, 3.2, None, 3.4), "too many"
 odd = tuple((first, (3000, 3000, 3000, 3000)) for first in range(250))
 assert view_of(None, None, odd) == (None,) * 249 + (3.0,) * 4, "of pages that overlap the newest stays"

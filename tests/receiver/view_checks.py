@@ -221,6 +221,18 @@ def a_swap_is_noticed():
     assert view.swaps == 1
 
 
+def what_cannot_be_is_unknown():
+    """More than all of the charge is no number, and has no age."""
+    packs = Packs()
+    feed(packs, status_v2(state_of_charge=130, voltage=12), 0)
+    view = packs.view(7, 0)
+    assert view.charge is None
+    packs.tell(300)
+    assert (view.age_ms(of="voltage"), view.age_ms(of="charge")) == (300, None)
+    feed(packs, status_v2(state_of_charge=100), SECOND)
+    assert view.charge == 100
+
+
 def cycles_tell_packs_apart():
     """Without a serial number: one cycle more is the same pack after a charge, fewer or several more are another."""
     packs = Packs()
@@ -366,6 +378,7 @@ CHECKS = (
     no_time_without_a_reason,
     several_batteries_last_together,
     a_swap_is_noticed,
+    what_cannot_be_is_unknown,
     cycles_tell_packs_apart,
     contested_numbers_are_told,
     systems_are_apart,

@@ -89,8 +89,8 @@ def test_another_pack_is_counted_from_its_own_beginning(told: Any) -> None:
     """Nothing of the old one is left over: not its charge, its energy, nor what was less than a step of either."""
     without, after = told["swapped"][:5], told["swapped"][5:]
     assert [each[:5] for each in without] == [[0, *counted(36)]] * 5
-    # The first reading with the pack stands for the time since the last one without it.
-    assert [each[:5] for each in after] == [[CENTIAMPERES, *counted(number + 1)] for number in range(30)]
+    # The current before was none of this pack's, so its first reading stands for no time.
+    assert [each[:5] for each in after] == [[CENTIAMPERES, *counted(number)] for number in range(30)]
     assert [each[4] for each in after[:2]] == [100, 100]
 
 

@@ -16,7 +16,7 @@ VIEWS = {
     **dict.fromkeys(("integers", "shown_integers", "floats", "aging_row"), "rows"),
     "text": "letters",
     "ticking": "clock_plain",
-    "aging": "ages",
+    **dict.fromkeys(("aging", "aged_number"), "ages"),
 }
 """The modules of those views that are there only where something needs them, by the view; rows needs wide."""
 
@@ -40,17 +40,22 @@ def attributes(component: Component, block: Block, told: Mapping[str, Reach]) ->
 
 
 def _broken(view: AttributeView) -> AttributeView:
-    """The same, with the arguments in a line of their own where one line has no room, as the formatter has them."""
+    """The same, with the arguments in a line or lines of their own where one has no room, as the formatter has them."""
     if len(f"    {view.name} = {view.expression}") <= LONGEST:
         return view
-    called, _, arguments = view.expression.partition("(")
-    return replace(view, expression=f"{called}(\n        {arguments.removesuffix(')')}\n    )")
+    called, _, rest = view.expression.partition("(")
+    arguments = rest.removesuffix(")")
+    if len(f"        {arguments}") > LONGEST:
+        arguments = arguments.replace(", ", ",\n        ") + ","
+    return replace(view, expression=f"{called}(\n        {arguments}\n    )")
 
 
 def _attributes(component: Component, block: Block, told: Mapping[str, Reach]) -> Iterator[AttributeView]:
     for quantity in component.quantities.values():
         views = _views(quantity, component, block, told[quantity.path])
-        if quantity.ages:
+        if quantity.ages and _is_plain(quantity):
+            yield from (_aged_number(view, quantity, block) for view in views)
+        elif quantity.ages:
             yield from (each for view in views for each in _aging(view, quantity, block))
         elif quantity.derivation.counts_time:
             yield from (each for view in views for each in _ticking(view))
@@ -129,7 +134,7 @@ def _views(quantity: Quantity, component: Component, block: Block, told: Reach) 
     numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
     steps = f"{numerator}, {denominator}" if denominator != 1 else str(numerator)
     shown = quantity.unit.name or "A number"
-    inner = "_" if quantity.ages else ""
+    inner = "_" if quantity.ages and not _is_plain(quantity) else ""
     if quantity.elements is not None:
         yield from _elements(quantity, told, block, above, f"{shown} each, or None while it is unknown{cited}")
         return
@@ -164,7 +169,9 @@ def _elements(quantity: Quantity, told: Reach, block: Block, above: str, behind:
         yield from _rows(quantity, told, place, inner, above, behind)
         return
     own = f"own={block.constant(f'{quantity.attribute}_count')}" if differ(elements) else ""
-    yield AttributeView(quantity.attribute, f"elements({_joined(place, max(elements), *told, inner, own)})", above, "")
+    age = f"age={block.constant(f'{quantity.attribute}_age')}" if quantity.ages_by_readings else ""
+    arguments = _joined(place, max(elements), *told, inner, own, age)
+    yield AttributeView(quantity.attribute, f"elements({arguments})", above, "")
     if quantity.attribute != quantity.name:
         numerator, denominator = quantity.steps.numerator, quantity.steps.denominator
         steps = _joined(inner, numerator, denominator if denominator != 1 else "")
@@ -190,6 +197,21 @@ def _ticking(view: AttributeView) -> Iterator[AttributeView]:
     inner = f"_{view.name}"
     yield AttributeView(inner, view.expression, view.above, view.behind)
     yield AttributeView(view.name, f'ticking("{inner}")', "", "")
+
+
+def _is_plain(quantity: Quantity) -> bool:
+    """Whether its attributes are two views of one word, which one call makes and can make forgettable."""
+    is_number = quantity.kind is QuantityKind.NUMBER and quantity.attribute != quantity.name
+    is_kept = quantity.elements is None and quantity.storage is Storage.SMALL
+    return is_number and is_kept and not quantity.derivation.kept_readings and quantity.derivation.follows is None
+
+
+def _aged_number(view: AttributeView, quantity: Quantity, block: Block) -> AttributeView:
+    """The attributes of words.number() that are forgotten."""
+    arguments = view.expression.removeprefix("number(").removesuffix(")")
+    steps = "" if quantity.steps.denominator != 1 else "1"
+    own = _joined(arguments, steps, block.constant(age_word(quantity)), quantity.trust.stale_after_ms)
+    return replace(view, expression=f"aged_number({own})")
 
 
 def _aging(view: AttributeView, quantity: Quantity, block: Block) -> Iterator[AttributeView]:

@@ -37,6 +37,7 @@ class MeasuredView:
     warn_text: str
     invalid_after: int | None
     stale_after_ms: int | None
+    prefers: str
     cited: Mapping[str, str]
 
 
@@ -133,6 +134,7 @@ def measured_view(reading: Reading, block: Block, parameters: str = "self.parame
         warn_text=warn_text,
         invalid_after=quantity.trust.invalid_after,
         stale_after_ms=quantity.trust.stale_after_ms,
+        prefers=quantity.derivation.prefers or "",
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )
 

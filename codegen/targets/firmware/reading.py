@@ -1,5 +1,6 @@
 """Statements that take a reading over into the words of a component, and forget one that has become too old."""
 
+import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
@@ -109,6 +110,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
         good += _above(reading, threshold, code)
     lasts = _until(lasting) + _cited(measured.cited("invalid_after"))
     return [
+        *(_aged(reading, code) if reading.is_first else ()),
         "told = 0",
         f"count = {code.number_of(code.word(name, reading.word('count')))}",
         f"if count < 0 or count > {full_scale}:",
@@ -116,6 +118,53 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
         *indented(failed),
         "else:",
         *indented(good),
+        *_preferred(reading, code),
+    ]
+
+
+def _aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
+    """Forget the lists whose values nothing has set for a while: readings count how long ago it was."""
+    component = reading.component
+    for quantity in component.quantities.values():
+        if not quantity.ages_by_readings:
+            continue
+        stale_ms = quantity.trust.stale_after_ms
+        age = code.word(component.name, f"{quantity.attribute}_age")
+        yield f"# {quantity.path} is forgotten {stale_ms} ms after one was set{_cited(quantity.cited('stale_after'))}."
+        yield f"if {code.number_of(age)} != {UNKNOWN}:"
+        yield f"    {age} = {age} + 1"
+        yield f"    if {age} > {math.ceil((stale_ms or 0) / (component.period_ms or 100))}:"
+        yield f"        {age} = {UNKNOWN}"
+        yield from indented(_all_unknown(quantity, code), 2)
+
+
+def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
+    """Take what comes before a reading, where all of it is known."""
+    measured, name = reading.quantity, reading.component.name
+    if measured.derivation.prefers is None:
+        return
+    listed = reading.component.quantities[measured.derivation.prefers]
+    number = code.number_of(code.half(listed, 0, "count"))
+    yield f"# The sum of {listed.path} comes first while all of them are known{_cited(measured.cited('stale_after'))}."
+    yield "value = 0"
+    yield "count = 0"
+    yield f"while count < {code.count(listed)} and {number} != {UNKNOWN}:"
+    yield f"    value += {number}"
+    yield "    count += 1"
+    yield f"if count == {code.count(listed)}:"
+    yield f"    {code.word(name, measured.attribute)} = value"
+    if measured.trust.stale_after_ms is not None:
+        later = f"now_ms - {(1 << 30) - measured.trust.stale_after_ms} & {CLOCK_MASK}"
+        yield f"    {code.word(name, reading.word('expires_ms'))} = {later}"
+
+
+def _all_unknown(quantity: Quantity, code: SpelledCode) -> list[str]:
+    """Make a list unknown; ``count`` counts its values, since one more variable would put all on the heap."""
+    return [
+        "count = 0",
+        f"while count < {max(quantity.elements or (0,))}:",
+        f"    {code.half(quantity, 0, 'count')} = {UNKNOWN}",
+        "    count += 1",
     ]
 
 
@@ -210,23 +259,30 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     assert source
     yield f"if {condition}:"
     yield "    is_gone = 1"
+    forgotten = [quantity for quantity in returns.restarting if _is_forgotten(quantity)]
+    if forgotten:
+        yield f"if {gone} or is_gone:"
+    for quantity in forgotten:
+        word = code.word(name, quantity.attribute)
+        yield from indented(_all_unknown(quantity, code) if quantity.elements else [f"{word} = {UNKNOWN}"])
     yield f"if {gone} and is_gone == 0:"
     yield f"    told |= {RETURNED}"
     yield f"    if {code.number_of(counted)} == {UNKNOWN}:"
     yield f"        {counted} = 0"
     yield f"    {counted} = {counted} + 1"
     for quantity in returns.restarting:
-        if quantity.derivation.sums:
-            yield f"    if {code.number_of(code.word(name, quantity.attribute))} != {UNKNOWN}:"
-            yield from indented(begun(quantity, code), 2)
-            continue
         word = code.word(name, quantity.attribute)
-        if quantity.initial is None:
+        if quantity.derivation.sums:
             yield f"    if {code.number_of(word)} != {UNKNOWN}:"
-            yield f"        {word} = 0"
-        else:
+            yield from indented(begun(quantity, code), 2)
+        elif not _is_forgotten(quantity):
             yield f"    {word} = {quantity.initial}"
     yield f"{gone} = is_gone"
+
+
+def _is_forgotten(quantity: Quantity) -> bool:
+    """Whether it is unknown while what it belongs to is gone; sums and what has an initial value stay until another."""
+    return quantity.initial is None and not quantity.derivation.sums
 
 
 def _above(reading: Reading, threshold: Threshold, code: SpelledCode) -> Iterator[str]:

@@ -15,8 +15,8 @@ class SentView:
 
     ``way`` is what sends all instances and pages of what ``encoder`` makes, or one. ``never`` is for the generation
     that was not chosen for good. ``is_alone``: no other table is of the same message, so that frames with its id are
-    its own. ``telling`` are the statements of a function called ``tells`` that returns whether it is not withheld, if
-    it may be.
+    its own. ``tells`` is called to know whether it is not withheld, None where it never is: what builds it, or a
+    function that has to be made, whose statements are ``telling``.
     """
 
     id: int
@@ -29,7 +29,7 @@ class SentView:
     component: str | None
     never: bool
     is_alone: bool
-    tells: str
+    tells: str | None
     telling: str
     enabled: str | None
 
@@ -70,8 +70,8 @@ def sent_view(message: PopulatedMessage, system: System, *, never: bool) -> Sent
         component=component.name if component else None,
         never=never,
         is_alone=len(system.tables(message.wire.name)) == 1,
-        tells=f"tells_{message.name.lower()}",
-        telling=_telling(message) if message.withheld_for else "",
+        tells=_tells(message),
+        telling=_telling(message) if message.withheld_for and message_about(message) else "",
         enabled=enabled,
     )
 
@@ -136,6 +136,13 @@ def shortest_us(message: PopulatedMessage, system: System) -> int:
     if message.stream is not None:
         return 1000000 // max(1, int(message.stream.fastest))
     return round(1000000 / system.program.fastest) if system.program else 0
+
+
+def _tells(message: PopulatedMessage) -> str | None:
+    """What is called with the state to know whether anything of a message would go out, None where it always does."""
+    if not message.withheld_for:
+        return None
+    return f"_tells_{message.name.lower()}" if message_about(message) else f"telemetry.{builder_name(message)}"
 
 
 def _telling(message: PopulatedMessage) -> str:

@@ -119,8 +119,8 @@ def streams_view(system: System) -> StreamsView:
         periods=_periods(streams),
         messages=messages,
         ways=ways(messages),
-        withheld=tuple(message for message in messages if message.telling),
-        tells=_names(f"_{each.tells}" if each.telling else "None" for each in messages),
+        withheld=tuple(message for message in messages if message.tells),
+        tells=_names(each.tells or "None" for each in messages),
         parameters=tuple(parameters),
         parameter_steps=tuple(
             one_by_one("        return ", (f"parameters.{name}" for name in parameters), brackets="[]")

@@ -107,9 +107,16 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
     yield from _of_readings(component)
     for quantity in quantities:
         if quantity.elements is not None:
-            if differ(quantity.elements):
-                yield f"{quantity.attribute}_count", 1
-            yield quantity.attribute, quantity.storage.words * max(quantity.elements)
+            yield from _of_list(quantity, quantity.elements)
+
+
+def _of_list(quantity: Quantity, elements: tuple[int, ...]) -> Iterator[tuple[str, int]]:
+    """The words of a list: those beside its values come first."""
+    if differ(elements):
+        yield f"{quantity.attribute}_count", 1
+    if quantity.ages_by_readings:
+        yield f"{quantity.attribute}_age", 1
+    yield quantity.attribute, quantity.storage.words * max(elements)
 
 
 def age_word(quantity: Quantity) -> str:

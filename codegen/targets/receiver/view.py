@@ -116,6 +116,7 @@ class ReceiverView:
     carriers: tuple[tuple[str, str], ...]
     flags: str
     roles: tuple[RoleView, ...]
+    is_counted_anew: bool
     names: str
     stale_by_kind: str
     functions: tuple[str, ...]
@@ -178,6 +179,7 @@ def receiver_view(system: System, receiver: Receiver) -> ReceiverView:
         carriers=_carriers(receiver, ranked),
         flags=_tuple(sorted({quoted(reading.name) for reading in readings if "flags" in reading.uses})),
         roles=_roles(readings, spoken),
+        is_counted_anew=spoken.counted_anew,
         names=_tuple(quoted(message.wire.name) for message in receiver.messages),
         stale_by_kind=_tuple(str(stale_after_ms(message, receiver)) for message in receiver.messages),
         functions=tuple(sorted(uses - enums)),
@@ -223,12 +225,9 @@ def _number_field(message: PopulatedMessage) -> str:
 
 
 def stale_after_ms(message: PopulatedMessage, receiver: Receiver) -> int:
-    """Age from which on a message counts no more: a slow one has longer, one on request as long as others come (0)."""
-    stream = message.stream
-    if stream is None:
-        return 0
-    rate = stream.default_rate
-    return max(receiver.stale_after_ms, math.ceil(MISSED * 1000 / rate)) if rate else 0
+    """Age from which on a message counts no more: a slow one has longer."""
+    rate = message.stream.default_rate if message.stream else 0
+    return max(receiver.stale_after_ms, math.ceil(MISSED * 1000 / rate)) if rate else receiver.stale_after_ms
 
 
 def _ranked(

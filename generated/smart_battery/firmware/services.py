@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: ccf45b0d39cca97d
+# Inputs: 0fa10d22d109a1da
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -26,6 +26,7 @@ _REQUEST_DATA_STREAM_REQ_MESSAGE_RATE_AT = const(0)
 _REQUEST_DATA_STREAM_REQ_STREAM_ID_AT = const(4)
 _REQUEST_DATA_STREAM_START_STOP_AT = const(5)
 
+_COMPONENTS = const(12)  # that are told apart on one link
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
 
@@ -68,7 +69,8 @@ class Services:
     """The services of one connection.
 
     `ground_station` is (system, component) of the ground station that was heard last, None before the first, and
-    `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all that are heard.
+    `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all ground stations that are heard,
+    `components` all components: to each that appears goes what is sent on connection.
     What arrives goes to those who take it: take() adds one.
     """
 
@@ -79,6 +81,7 @@ class Services:
         self.ground_station = None
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
+        self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
@@ -136,11 +139,14 @@ class Services:
         return target == 0 or target == self._connection.component_id  # noqa: PLR1714  as above
 
     def _hear(self, message):
+        system, component = message.source_system, message.source_component
+        now_ms = time.ticks_ms()
         if message.wire[_HEARTBEAT_TYPE_AT] == _MAV_TYPE_GCS:
-            self.ground_station = (message.source_system, message.source_component)
-            self.heard_ms = time.ticks_ms()
-            if self.listeners.hear(message.source_system, message.source_component, self.heard_ms):
-                self._connection.streams.connect()
+            self.ground_station = (system, component)
+            self.heard_ms = now_ms
+            self.listeners.hear(system, component, now_ms)
+        if self.components.hear(system, component, now_ms):
+            self._connection.streams.connect()
 
     def _answer_ping(self, message):
         # An addressed PING is the answer to one: it has come back, and is not answered again.

@@ -48,33 +48,33 @@ _BATTERY_WARNED_MS = const(20)
 _BATTERY_GONE = const(21)
 _BATTERY_CELLS_MV = const(22)
 
-# What is known of the battery from the start: places and values.
-_BATTERY_START = (
-    _BATTERY_COUNTED_FROM_FULL,
-    0,
-    _BATTERY_SWAPS_NUMBER,
-    0,
-    _BATTERY_MONITORED,
-    1,
-    _BATTERY_USED_UP,
-    0,
-    _BATTERY_PROTECTED,
-    0,
-    _BATTERY_NUMBER,
-    0,
-    _BATTERY_FAILURES,
-    0,
-    _BATTERY_IS_LOGGED,
-    0,
-    _BATTERY_GONE,
-    0,
-)
-
 
 class BatteryState(Component):
     """The pack that this board is part of."""
 
     NAME = "battery"
+    SIZE = _BATTERY_SIZE
+    # What is known from the start: places and values.
+    START = (
+        _BATTERY_COUNTED_FROM_FULL,
+        0,
+        _BATTERY_SWAPS_NUMBER,
+        0,
+        _BATTERY_MONITORED,
+        1,
+        _BATTERY_USED_UP,
+        0,
+        _BATTERY_PROTECTED,
+        0,
+        _BATTERY_NUMBER,
+        0,
+        _BATTERY_FAILURES,
+        0,
+        _BATTERY_IS_LOGGED,
+        0,
+        _BATTERY_GONE,
+        0,
+    )
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 655340, "voltage", 1000)
@@ -136,9 +136,6 @@ class BatteryState(Component):
     failures = whole(_BATTERY_FAILURES)
     # When the last good reading will be too old
     expires_ms = whole(_BATTERY_EXPIRES_MS)
-
-    def __init__(self, words=None, instance=0):
-        Component.__init__(self, _BATTERY_SIZE, _BATTERY_START, words, instance)
 
     @staticmethod
     def voltage_from_adc(adc, mult):

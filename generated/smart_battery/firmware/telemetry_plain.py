@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: c9a1d4a7fe0d462f
+# Inputs: ab238a7e60e029a8
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -522,6 +522,10 @@ def write_battery_status_v2(value, place, wire, words, instance):
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
@@ -537,6 +541,15 @@ def write_battery_status_v2(value, place, wire, words, instance):
     if value != _UNKNOWN and value < 9900:
         wire[20] |= 0x1
     if words[_BATTERY + _BATTERY_USED_UP]:
+        wire[20] |= 0x1
+    if value >= 12750:
+        wire[20] |= 0x1
+    if value != _UNKNOWN and value < 9000:
+        wire[20] |= 0x1
+    value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
+    if value >= 6000:
+        wire[20] |= 0x1
+    if value != _UNKNOWN and value < -2000:
         wire[20] |= 0x1
     value = words[_BATTERY + _BATTERY_CURRENT_CA]
     if value != _UNKNOWN and value < 0:

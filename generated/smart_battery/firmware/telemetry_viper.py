@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: c9a1d4a7fe0d462f
+# Inputs: ab238a7e60e029a8
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -667,6 +667,10 @@ def battery_status_v2_frame(link, state, instance: int):
     # status_flags: (FR-00072.5)
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.unhealthy
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
@@ -679,6 +683,15 @@ def battery_status_v2_frame(link, state, instance: int):
     if value != _UNKNOWN and value < 9900:
         flags |= 0x1
     if battery[_BATTERY_USED_UP]:
+        flags |= 0x1
+    if value >= 12750:
+        flags |= 0x1
+    if value != _UNKNOWN and value < 9000:
+        flags |= 0x1
+    value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
+    if value >= 6000:
+        flags |= 0x1
+    if value != _UNKNOWN and value < -2000:
         flags |= 0x1
     value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
     if value != _UNKNOWN and value < 0:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: eb96ae214a566ee8
+# Inputs: 334617f2b1288c64
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -20,15 +20,19 @@ UNKNOWN = -1073741824
 class Component:
     """Base of a part of the state; `words` are its part of the array, or an array of its own.
 
-    Of several instances the first can be used as a list of all of them.
+    A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values. Of several
+    instances the first can be used as a list of all of them.
     """
 
-    def __init__(self, size, start, words=None, instance=0):
-        self.words = array("i", [UNKNOWN] * size) if words is None else words
+    START = ()
+
+    def __init__(self, words=None, instance=0):
+        self.words = array("i", [UNKNOWN] * self.SIZE) if words is None else words
         self.limited = {}
         self._all = (self,)
         self._log = print
         self.beyond = {}  # the places of what is beyond its limits
+        start = self.START
         for at in range(0, len(start), 2):
             values = start[at + 1]
             self.words[start[at]] = values[instance] if isinstance(values, tuple) else values
@@ -68,7 +72,7 @@ def together(cls, words, base, size, instances, log):
     return every[0]
 
 
-def _accessors(place, low, high, name):
+def accessors(place, low, high, name):
     """Return what gets and sets a whole number; `name` is what texts call it."""
 
     def get(self, place=place):
@@ -96,7 +100,7 @@ def whole(place, low=-LARGEST, high=LARGEST, name=""):
 
     What is beyond a word becomes the largest that it holds; messages limit it further.
     """
-    return property(*_accessors(place, low, high, name))
+    return property(*accessors(place, low, high, name))
 
 
 def number(place, low, high, name, numerator, denominator=1):
@@ -104,7 +108,7 @@ def number(place, low, high, name, numerator, denominator=1):
 
     `numerator` / `denominator` steps make one unit.
     """
-    get, put = _accessors(place, low, high, name)
+    get, put = accessors(place, low, high, name)
 
     def in_units(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]
@@ -171,8 +175,9 @@ class _Elements:
 
     width = 1  # words for each
 
-    def __init__(self, component, first, count, accessors):
+    def __init__(self, component, first, count, accessors, age=None):
         self.first = first
+        self._age = age
         self._component = component
         self._count = count
         self._accessors = accessors
@@ -185,6 +190,8 @@ class _Elements:
 
     def __setitem__(self, index, value):
         self._accessors[1](self._component, value, self._place(index))
+        if self._age is not None:
+            self._component.words[self._age] = 0
 
     def _place(self, index):
         if not -self._count <= index < self._count:
@@ -192,12 +199,15 @@ class _Elements:
         return self.first + index % self._count
 
 
-def elements(first, count, low, high, name, own=None):
-    """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count."""
-    accessors = _accessors(first, low, high, name)
+def elements(first, count, low, high, name, own=None, age=None):
+    """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count.
+
+    The word at `age`, which readings count up, begins anew when one of them is set.
+    """
+    functions = accessors(first, low, high, name)
 
     def get(self):
-        return _Elements(self, first, count if own is None else self.words[own], accessors)
+        return _Elements(self, first, count if own is None else self.words[own], functions, age)
 
     def put(self, values):
         _fill(get(self), values, 1, 1)

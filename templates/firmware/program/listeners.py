@@ -1,44 +1,57 @@
-"""Who listens at the other end of a link: the ground stations whose HEARTBEAT arrives."""
+"""Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
 
 import time
 from array import array
 
 from micropython import const
 
-_STATIONS = const(4)  # that are told apart; of more, the one that has been silent for longest is forgotten
+_PLACES = const(4)  # ground stations that are told apart; of more, the one silent for longest is forgotten
 
 
 class Listeners:
-    """Ground stations of one link; one that is silent for `silence_ms` is gone.
+    """Ground stations or components of one link; one that is silent for `silence_ms` is gone.
 
-    `names` has system << 8 | component of each, and 0 for nobody.
+    `names` has system << 8 | component of each, and 0 for nobody. There are as many places as ground stations need.
     """
 
-    def __init__(self, silence_ms):
+    def __init__(self, silence_ms, places=_PLACES):
         self._silence_ms = silence_ms
-        self.names = array("H", [0] * _STATIONS)
-        self._heard_ms = [0] * _STATIONS
+        self.names = array("H", [0] * places)
+        self._heard_ms = [0] * places
+        self._looked_at = 0
 
     def hear(self, system, component, now_ms):
-        """Note a HEARTBEAT; return whether it is the first of this ground station, or the first after a silence."""
+        """Note a HEARTBEAT; return whether it is the first of its sender, or the first after a silence.
+
+        Who takes the place of another is not called new: of more senders than places each would be, again and again.
+        """
         self.forget_silent(now_ms)
         name = system << 8 | component
         oldest = 0
-        for place in range(_STATIONS):
+        for place in range(len(self.names)):
             if self.names[place] == name:
                 self._heard_ms[place] = now_ms
                 return False
             if self._age_ms(place, now_ms) > self._age_ms(oldest, now_ms):
                 oldest = place
+        is_new = self.names[oldest] == 0
         self.names[oldest] = name
         self._heard_ms[oldest] = now_ms
-        return True
+        return is_new
 
     def forget_silent(self, now_ms):
         """Forget who is gone; call it at least once in a few days, since clocks of boards start again after 12."""
-        for place in range(_STATIONS):
+        for place in range(len(self.names)):
             if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
                 self.names[place] = 0
+
+    def forget_one(self, now_ms):
+        """As forget_silent(), for one place in each call: enough for who is asked about in hear() alone."""
+        place = self._looked_at
+        if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
+            self.names[place] = 0
+        place += 1
+        self._looked_at = place if place < len(self.names) else 0
 
     def _age_ms(self, place, now_ms):
         return time.ticks_diff(now_ms, self._heard_ms[place]) if self.names[place] else 0x3FFFFFFF

@@ -10,6 +10,7 @@ from listeners import Listeners
 from micropython import const
 from parameter_service import ParameterService
 
+_COMPONENTS = const(12)  # that are told apart on one link
 _HEAD = const(12)  # bytes of an FTP payload before its data: sequence (2), session, opcode, size, request's opcode, ...
 
 
@@ -52,7 +53,8 @@ class Services:
     """The services of one connection.
 
     `ground_station` is (system, component) of the ground station that was heard last, None before the first, and
-    `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all that are heard.
+    `heard_ms` the time.ticks_ms() of its last HEARTBEAT. `listeners` are all ground stations that are heard,
+    `components` all components: to each that appears goes what is sent on connection.
     What arrives goes to those who take it: take() adds one.
     """
 
@@ -63,6 +65,7 @@ class Services:
         self.ground_station = None
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
+        self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
         self._pong = messages.Ping(unknown=False)
         self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
@@ -120,11 +123,14 @@ class Services:
         return target == 0 or target == self._connection.component_id  # noqa: PLR1714  as above
 
     def _hear(self, message):
+        system, component = message.source_system, message.source_component
+        now_ms = time.ticks_ms()
         if message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS:
-            self.ground_station = (message.source_system, message.source_component)
-            self.heard_ms = time.ticks_ms()
-            if self.listeners.hear(message.source_system, message.source_component, self.heard_ms):
-                self._connection.streams.connect()
+            self.ground_station = (system, component)
+            self.heard_ms = now_ms
+            self.listeners.hear(system, component, now_ms)
+        if self.components.hear(system, component, now_ms):
+            self._connection.streams.connect()
 
     def _answer_ping(self, message):
         # An addressed PING is the answer to one: it has come back, and is not answered again.

@@ -18,6 +18,7 @@ from program_facts import GENERATIONS, MESSAGES, SILENCE_MS
 
 import dialect
 
+ONBOARD_CONTROLLER = 18  # MAV_TYPE_ONBOARD_CONTROLLER of MAVLink's minimal.xml
 STEP_US = 10000
 LONG_US = 3 * SECOND_US // 2  # enough for every announcement, one in a pass
 
@@ -74,18 +75,17 @@ def told_at_the_start():
 
 
 def told_to_who_appears():
-    """The first HEARTBEAT of a ground station, not the next ones; a second ground station; never other vehicles."""
+    """The first HEARTBEAT of a component, whatever its type, not the next ones; so does a second one."""
     for at_us in (0, TURN_MS_US - 3 * SECOND_US):
         ports = [Port(), Port()]
         craft = _craft(ports=ports, at_us=at_us)
         _quiet(craft, ports)
         station, other = GroundStation(ports[0]), GroundStation(ports[0], system_id=254)
         for who, kind, is_told in (
-            (station, dialect.MAV_TYPE_GCS + 1, False),
-            (station, dialect.MAV_TYPE_GCS, True),
-            (station, dialect.MAV_TYPE_GCS, False),
+            (station, ONBOARD_CONTROLLER, True),
+            (station, ONBOARD_CONTROLLER, False),
             (other, dialect.MAV_TYPE_GCS, True),
-            (station, dialect.MAV_TYPE_GCS, False),
+            (station, ONBOARD_CONTROLLER, False),
             (other, dialect.MAV_TYPE_GCS, False),
         ):
             _beat(who, kind)
@@ -93,6 +93,22 @@ def told_to_who_appears():
             run(craft, LONG_US)
             assert _announced(ports[0]) == (_expected(craft) if is_told else []), (kind, is_told)
         assert _announced(ports[1]) == [], "the other link was told"
+
+
+def many_are_told_once():
+    """More components than there are places for: the last ones wait for the stream, none is told twice."""
+    port = Port()
+    craft = _craft(ports=[port])
+    _quiet(craft, [port])
+    crowd = [GroundStation(port, system_id=100 + number) for number in range(14)]
+    for turn in range(2):
+        told = 0
+        for member in crowd:
+            port.frames = []
+            _beat(member, ONBOARD_CONTROLLER)
+            run(craft, 2 * STEP_US * len(_expected(craft)), STEP_US)
+            told += _announced(port) == _expected(craft)
+        assert told == (0 if turn else 12), (turn, told)
 
 
 def told_again_after_a_silence():
@@ -276,6 +292,7 @@ def told_besides():
 CHECKS = (
     (told_at_the_start, "message.connection"),
     (told_to_who_appears, "message.connection"),
+    (many_are_told_once, "message.connection"),
     (told_again_after_a_silence, "message.connection"),
     (told_after_days_of_silence, "message.connection"),
     (a_port_that_takes_nothing_loses_none, "message.connection"),

@@ -136,7 +136,7 @@ def put_in_after_the_start():
 
 
 def counting_begins_anew():
-    """Back, and not before: a number is 0, a boolean as at first; what is unknown, and what others have, stays."""
+    """Back, a sum is 0, what has an initial value has that; all else is unknown once it is gone. Others keep theirs."""
     for measured in _returning():
         restarting = measured["returns"]["restarting"]
         needs(restarting, "something that begins anew")
@@ -144,20 +144,35 @@ def counting_begins_anew():
         for is_known in (True, False):
             craft = start()
             run(craft, SECOND_US)
-            for attribute, initial in restarting:
-                if not is_known and initial is not None:
+            for attribute, anew in restarting:
+                if not is_known and isinstance(anew, bool):
                     continue  # a boolean is never unknown
-                before = (WORTH if initial is None else not initial) if is_known else None
-                after = (0 if is_known else None) if initial is None else initial
+                before = ((not anew) if isinstance(anew, bool) else WORTH) if is_known else None
+                after = anew if is_known or anew != 0 else None
                 for instance in range(len(inputs)):
-                    setattr(_owner(craft, measured, instance), attribute, before)
+                    _set(_owner(craft, measured, instance), attribute, before)
                 expected = [before] * len(inputs)
                 for source in (0, good_count(measured)):
                     inputs[0].source = source
                     run(craft, SECOND_US)
-                    expected[0] = before if source == 0 else after
-                    found = [getattr(_owner(craft, measured, place), attribute) for place in range(len(inputs))]
+                    expected[0] = before if source == 0 and anew is not None else after
+                    found = [_value(_owner(craft, measured, place), attribute) for place in range(len(inputs))]
                     assert found == expected, (attribute, source, found)
+
+
+def _set(owner, attribute, value):
+    if hasattr(getattr(owner, attribute), "__len__"):
+        value = [value] * len(getattr(owner, attribute))
+    setattr(owner, attribute, value)
+
+
+def _value(owner, attribute):
+    """Return a value; of a list what all elements are."""
+    value = getattr(owner, attribute)
+    if not hasattr(value, "__len__"):
+        return value
+    values = list(value)
+    return values[0] if values == [values[0]] * len(values) else values
 
 
 def its_info_is_sent_at_once():

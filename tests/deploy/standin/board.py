@@ -4,6 +4,7 @@ The unix port of MicroPython runs it: `board.py IMAGE SETTINGS`, the terminal be
 the flash while the power is off. SETTINGS is JSON: `told`, what sys.implementation says in place of the host's own;
 `writes`, after how many blocks written the power goes; `path`, folders of the host whose modules it has besides;
 `deaf`, that it answers nothing.
+`counts`: what ADC.read_u16() gives, one after the other, again and again; without it there is no ADC.
 `starts`: that a restart runs main.py. With power it waits, as if Ctrl-C had come; what runs cannot be interrupted.
 """
 
@@ -45,10 +46,26 @@ class Reset(Exception):
     """machine.reset() was called."""
 
 
+class Adc:
+    """An input of a converter."""
+
+    def __init__(self, _pin):
+        self._turn = 0
+
+    def read_u16(self):
+        counts = SETTINGS["counts"]
+        self._turn += 1
+        return counts[self._turn % len(counts)] << 4
+
+
 class Machine:
     """What the unix port lacks of `machine`."""
 
+    Pin = int
+
     def __getattr__(self, name):
+        if name == "ADC" and "counts" in SETTINGS:
+            return Adc
         return getattr(MACHINE, name)
 
     @staticmethod

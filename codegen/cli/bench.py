@@ -1,0 +1,126 @@
+"""``codegen bench``: run the self-test of the program on the board that has it, and write down what was measured."""
+
+import argparse
+import sys
+from typing import TYPE_CHECKING, Any
+
+from codegen.cli.deploy import add_board_options, board_files, chosen_system
+
+if TYPE_CHECKING:
+    from codegen.deploy.connection import Connection
+    from codegen.diagnostics import Report
+    from codegen.model.bench_record import BenchRecord
+    from codegen.model.system import System
+
+RUN_S = 10.0
+OUT = "bench.json"
+
+
+def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
+    """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
+    parser = commands.add_parser(
+        "bench",
+        parents=[common],
+        description="Run the self-test of the program on the board that codegen deploy has brought it to: times, heap, "
+        "missed control slots, noise of the converter. The file that it writes is evidence for codegen trace "
+        "--results. The program runs meanwhile as it does always: wheels off the ground.",
+    )
+    add_board_options(parser)
+    parser.add_argument(
+        "--seconds",
+        metavar="S",
+        type=float,
+        default=RUN_S,
+        help=f"for how many seconds the main loop runs (default: {RUN_S:g})",
+    )
+    parser.add_argument("--out", metavar="FILE", default=OUT, help=f"where the results go (default: {OUT})")
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Do it, and return the exit code."""
+    from codegen.cli.findings import print_findings
+    from codegen.cli.project import project_file, report_no_project
+    from codegen.deploy.bench import bench_text
+    from codegen.deploy.findings import BoardFaultError
+    from codegen.diagnostics import Report
+    from codegen.emit.file import write_file
+
+    if not 0 < arguments.seconds <= 3600:
+        print("codegen bench: --seconds is more than 0 and at most 3600", file=sys.stderr)
+        return 2
+    project = project_file(arguments)
+    if project is None:
+        return report_no_project()
+    report = Report()
+    system = chosen_system("bench", project, arguments.program, report)
+    if isinstance(system, int):
+        return system
+    port, record = arguments.port or project, None
+    try:
+        from codegen.deploy.connection import Connection, find_port
+
+        port = find_port(arguments.port)
+        connection = Connection(port)
+        try:
+            record = _bench(connection, system, arguments.seconds, report)
+            connection.restart()
+        finally:
+            connection.close()
+    except BoardFaultError as fault:
+        fault.tell(port, report)
+    if record is not None and write_file(arguments.out, bench_text(record), report):
+        _show(record, arguments.out)
+    print_findings(report)
+    return report.exit_code
+
+
+def _bench(connection: "Connection", system: "System", seconds: float, report: "Report") -> "BenchRecord | None":
+    """What was measured; None after a finding."""
+    from codegen import pipeline
+    from codegen.deploy.bench import NOT_DEPLOYED, measured, prepare_bench, record_of, steps
+    from codegen.deploy.prepared import prepare
+    from codegen.deploy.transfer import identified
+    from codegen.source import Place
+
+    board = identified(connection)
+    print(f"{board.words} ({connection.port})", file=sys.stderr)
+    files = board_files(system, board, connection.port, report)
+    prepared = None if report.has_errors else prepare(connection, board, system, files, report)
+    if prepared is None:
+        return None
+    if not prepared.plan.is_empty:
+        names = [*prepared.plan.copies, *(each.path for each in prepared.plan.removals)]
+        others = f" and {len(names) - 1} more" if len(names) > 1 else ""
+        message = f"the board has not what the specification makes now: {names[0]}{others}"
+        report.add(NOT_DEPLOYED, Place(connection.port), message, "codegen deploy")
+        return None
+    facts, inputs = pipeline.facts_for_bench(system)
+    prepare_bench(connection, facts)
+    lines: list[list[object]] = []
+    for name, call in steps(facts, seconds):
+        if sys.stderr.isatty():
+            print(f"\r{name:<60}", end="", file=sys.stderr, flush=True)
+        lines += _lines(connection.run(call))
+    if sys.stderr.isatty():
+        print(f"\r{'':<60}\r", end="", file=sys.stderr, flush=True)
+    found = measured(iter(lines), seconds, has_loop=bool(facts["program"]))
+    about = {"project": system.spec.project.project, "program": system.spec.program, "inputs": inputs}
+    return record_of(board, about, found, prepared.files, own_ports=bool(facts["own_ports"]))
+
+
+def _lines(printed: str) -> list[list[object]]:
+    """What the self-test has printed, among what the program may print."""
+    import json
+
+    return [json.loads(line) for line in printed.splitlines() if line.startswith('["')]
+
+
+def _show(record: "BenchRecord", path: str) -> None:
+    """The measures, as a table, and where they are."""
+    width = max(map(len, record.measures), default=0)
+    for name, value in record.measures.items():
+        print(f"{name:<{width}}  {value:>12,.{0 if value == int(value) else 1}f}")
+    for text in record.told:
+        print(f"note: {text}")
+    print(f"written to {path}", file=sys.stderr)

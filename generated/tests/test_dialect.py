@@ -1,0 +1,114 @@
+# Generated from templates/tests/test_dialect.py: do not edit.
+# Inputs: 3f8aa86b8d6f8e87
+"""Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
+
+What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
+which the tests make it, were they wrong.
+"""
+
+import ast
+import importlib
+import inspect
+import json
+import struct
+
+import pytest
+from interpreters import CASES, HERE
+from oracle import message_class
+from pymavlink.mavutil import x25crc
+
+ABOUT = json.loads(CASES.read_text(encoding="utf-8"))["dialect"]
+TARGETS = ("target_system", "target", "target_component")
+
+
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def laid_out(request, printed):
+    """What the firmware says of each message, by name; see dialect_run.py."""
+    found = printed(request.param, "dialect_run.py")
+    assert "" not in found, found[""]
+    return found
+
+
+def fields_of(known):
+    """Return the fields of a message of pymavlink in wire order, each with its name, its form for struct, its place."""
+    places, found = 0, []
+    forms = struct_forms(known)
+    for name, form in zip(known.ordered_fieldnames, forms, strict=True):
+        found.append([name, form, places])
+        places += struct.calcsize("<" + form)
+    return found
+
+
+def struct_forms(known):
+    """Return struct's form of each field in wire order, such as "I", "10H", and "16s"; a character is text, too."""
+    text = known.unpacker.format.lstrip("<").replace("c", "s")
+    forms, count = [], ""
+    for character in text:
+        count += character
+        if not character.isdigit():
+            forms.append(count)
+            count = ""
+    return forms
+
+
+def crc_extra(known, length):
+    """Return the CRC_EXTRA of a message whose fields without the extensions take `length` bytes, by MAVLink's rule."""
+    kinds = dict(zip(known.fieldnames, known.fieldtypes, strict=True))
+    counts = dict(zip(known.ordered_fieldnames, known.array_lengths, strict=True))
+    crc = x25crc()
+    crc.accumulate_str(known.msgname + " ")
+    for name, _form, place in fields_of(known):
+        if place < length:
+            crc.accumulate_str(f"{kinds[name]} {name} ")
+            crc.accumulate([counts[name]] if counts[name] else [])
+    return (crc.crc & 0xFF) ^ (crc.crc >> 8)
+
+
+def test_messages(laid_out, modules):
+    """Id, CRC_EXTRA, lengths, fields and targets of every message are those of the dialect."""
+    for name, (number, extra, base, length, targets, first, fields) in laid_out.items():
+        known = message_class(modules[0], name)
+        assert known, f"pymavlink has no {name}"
+        assert [number, extra, length] == [known.id, known.crc_extra, known.unpacker.size], name
+        assert fields == fields_of(known), name
+        assert base in (*(place for _name, _form, place in fields), length), name  # an extension begins there
+        assert crc_extra(known, base) == extra, (name, "bytes without extension fields")
+        assert targets == [place for target in TARGETS for field, _form, place in fields if field == target], name
+        encode = getattr(modules[0].MAVLink, known.msgname.lower() + "_encode")
+        defaults = {key: each.default for key, each in inspect.signature(encode).parameters.items()}
+        assert first == {key: defaults[key] for key in first}, name
+
+
+def constants():
+    """Return file, name and number of each constant of the firmware: `NAME = 5`, or with const()."""
+    for path in sorted((HERE.parent / "firmware").glob("*.py")):
+        for statement in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
+                value = statement.value
+                value = value.args[0] if ast.unparse(value).startswith("const(") else value
+                if isinstance(value, ast.Constant) and isinstance(value.value, int):
+                    yield path.name, statement.targets[0].id.lstrip("_"), value.value
+
+
+def numbers_of(modules):
+    """Return the numbers of the dialect by name: entries of its enums, and the places of fields as PING_SEQ_AT."""
+    shipped = ABOUT["shipped"] and importlib.import_module(f"pymavlink.dialects.v20.{ABOUT['shipped']}")
+    numbers = {
+        entry.name: value
+        for module in (shipped, modules[0])  # enums that are shipped are only in the first one
+        for entries in (module.enums.values() if module else ())
+        for value, entry in entries.items()
+    }
+    changed = {each["entry"]: int(each["set"]["value"], 0) for each in ABOUT.get("corrections", ()) if "entry" in each}
+    for known in modules[0].mavlink_map.values():
+        for field, _form, place in fields_of(known):
+            numbers[f"{known.msgname}_{field}_AT".upper()] = place
+    return {**numbers, **changed}
+
+
+def test_numbers(modules):
+    """A constant with the name of an entry or of a field's place has the dialect's number; dialect.py has no other."""
+    numbers = numbers_of(modules)
+    found = list(constants())
+    assert [each for each in found if each[2] != numbers.get(each[1], each[2])] == []
+    assert [name for file, name, _value in found if file == "dialect.py" and name not in numbers] == []
