@@ -43,12 +43,17 @@ def project_documents(systems: Iterable[System]) -> list[str]:
 
 
 def check_documents(paths: Iterable[str], reference: Reference, report: Report) -> list[str]:
-    """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read."""
+    """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read.
+
+    Of a place that has a finding already, such as a cell that differs from the population table, nothing is said again.
+    """
     read = []
+    told = {finding.place for finding in report}
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = read_text(path, report)
         if text is not None:
-            report.extend(check_claims(_with_other_dialects(read_document(text, path, reference))))
+            found = check_claims(_with_other_dialects(read_document(text, path, reference)))
+            report.extend(finding for finding in found if finding.place not in told)
             read.append(path)
     return read
 

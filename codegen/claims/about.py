@@ -1,6 +1,7 @@
 """Which field of which message a place in a text is about, and how far what is said of it reaches."""
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
 from codegen.claims.reading import Mention, Reading, between
@@ -60,19 +61,20 @@ class Surroundings:
 def surroundings(reading: Reading) -> Iterator[tuple[Passage | CodeBlock, Surroundings]]:
     """Each part of a document with what stands around it."""
     open_headings: list[tuple[int, tuple[WireMessage, ...]]] = []
-    earlier: list[WireMessage] = []
+    earlier: dict[str, WireMessage] = {}
     only = {name for _, name in reading.sightings}
     alone = (reading.messages[next(iter(only))],) if len(only) == 1 else ()
     for part in reading.prose.parts:
         if isinstance(part, Passage) and part.kind is PassageKind.HEADING:
-            named = tuple(dict.fromkeys(reading.messages[each.name] for each in reading.mentioned(part)))
+            named = reading.named(part)
             open_headings = [each for each in open_headings if each[0] < part.level]
             open_headings.append((part.level, named if len(named) == 1 else ()))
-            earlier = []
+            earlier = {}
         headings = tuple(message for _, named in reversed(open_headings) for message in named)
-        yield part, Surroundings(headings, tuple(dict.fromkeys((*reversed(earlier), *alone))))
-        if isinstance(part, Passage):
-            earlier += [reading.messages[each.name] for each in reading.mentioned(part)]
+        yield part, Surroundings(headings, tuple(dict.fromkeys((*reversed(earlier.values()), *alone))))
+        for message in reversed(reading.named(part)) if isinstance(part, Passage) else ():
+            earlier.pop(message.name, None)
+            earlier[message.name] = message
 
 
 def said_of_fields(reading: Reading) -> Iterator[Said]:
@@ -85,30 +87,19 @@ def said_of_fields(reading: Reading) -> Iterator[Said]:
 def said_in(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Said]:
     """What one passage says of fields."""
     found = list(_references(reading, passage, around))
-    for index, (start, end, message, field, is_named) in enumerate(found):
-        limit = found[index + 1][0] if index + 1 < len(found) else len(passage.text)
-        if index + 1 < len(found) and _JOINS.fullmatch(passage.text, end, limit):
-            later = next(
-                (place for place in range(index + 1, len(found)) if not _is_joined(passage, found, place)),
-                len(found) - 1,
-            )
-            end_of_names = found[later][1]
-            limit = found[later + 1][0] if later + 1 < len(found) else len(passage.text)
-            until = min(_end_of(passage, end_of_names), limit, end_of_names + _LONGEST)
-            yield Said(message, field, passage, start, end_of_names, max(until, end_of_names), is_named, is_joined=True)
-            continue
-        until = min(_end_of(passage, end), limit, end + _LONGEST)
-        yield Said(message, field, passage, start, end, max(until, end), is_named)
+    last_of = list(range(len(found)))  # by name the last one of its list of names
+    for index in range(len(found) - 2, -1, -1):
+        if _JOINS.fullmatch(passage.text, found[index][1], found[index + 1][0]):
+            last_of[index] = last_of[index + 1]
+    for index, (start, _, message, field, is_named) in enumerate(found):
+        last = last_of[index]
+        end = found[last][1]
+        limit = found[last + 1][0] if last + 1 < len(found) else len(passage.text)
+        until = max(min(_end_of(passage, end), limit, end + _LONGEST), end)
+        yield Said(message, field, passage, start, end, until, is_named, is_joined=last != index)
 
 
 _Reference = tuple[int, int, WireMessage, WireField, bool]
-
-
-def _is_joined(passage: Passage, found: Sequence[_Reference], place: int) -> bool:
-    """Whether only ``and`` or a comma stands between a name and the next one."""
-    if place + 1 >= len(found):
-        return False
-    return _JOINS.fullmatch(passage.text, found[place][1], found[place + 1][0]) is not None
 
 
 def _end_of(passage: Passage, end: int) -> int:
@@ -135,7 +126,8 @@ def _references(reading: Reading, passage: Passage, around: Surroundings) -> Ite
     is_list = passage.kind in (PassageKind.ITEM, PassageKind.ROW)
     for found in _NAME.finditer(passage.text):
         name = found[0].partition("[")[0]
-        is_code = any(low <= found.start() and found.end() <= high for low, high in passage.codes)
+        code = bisect_right(passage.codes, (found.start(), len(passage.text))) - 1
+        is_code = code >= 0 and found.end() <= passage.codes[code][1]
         if not is_code and "_" not in name and not (is_list and found.start() == first):
             continue
         resolved = _message_of(reading, passage, mentions, around, name, found.start(), found.end())
@@ -166,8 +158,8 @@ def _message_of(
     for message in reversed(before):
         if message.field(name):
             return message, len({each.name for each in beside}) == 1
-    inside = [reading.messages[each.name] for each in mentions]
-    for message in (*around.headings[:1], *beside, *reversed(inside)):
+    inside = reading.named(passage)
+    for message in (*around.headings[:1], *beside, *inside):
         if message.field(name):
             return message, True
     if inside and not around.headings:

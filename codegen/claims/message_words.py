@@ -1,7 +1,7 @@
 """What sentences say of whole messages: ids, lengths, the order of fields, and names of fields that there are not."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import pairwise
 
@@ -52,6 +52,8 @@ _SENDS = re.compile(
     r"\b(?:messages?|send|sends|sent|answers?|stream|streams|streamed|request|requests|requested|replies|receives?|telemetry|Hz)\b",
     re.IGNORECASE,
 )
+_SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+_FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
 _UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/]|\.[a-z]|\s*\()")
 _ALIKE = 0.72
 _SIGNATURE = 13
@@ -60,23 +62,32 @@ _SIGNATURE = 13
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every passage."""
     known = {entry.name for enum in reading.enums.values() for entry in enum.entries} | set(reading.enums)
+    known |= {each.name for each in reading.reference.listed}
+    named = dict.fromkeys(name for _, name in reading.sightings)
+    fields = {field.name for name in named for field in reading.messages[name].fields}
+    families: dict[str, list[str]] = {}
+    for name in reading.messages:
+        if "_" in name:
+            families.setdefault(name.partition("_")[0], []).append(name)
     for part, around in surroundings(reading):
         if isinstance(part, Passage):
             yield from _ids(reading, part, around)
             yield from _lengths(reading, part, around)
             yield from _order(reading, part, around)
-            yield from _fields(reading, part, around)
-            yield from _messages(reading, part, known)
+            yield from _fields(reading, part, around, fields)
+            yield from _messages(reading, part, known, families)
 
 
 def _about(reading: Reading, passage: Passage, around: Surroundings, start: int, end: int) -> WireMessage | None:
     """The message that a statement is about: the only one of its sentence, of its passage, of the heading."""
     mentions = reading.mentioned(passage)
     low, high = passage.sentence(start, end)
-    for found in (between(mentions, low, high), mentions):
-        names = {mention.name for mention in found}
-        if names:
-            return reading.messages[names.pop()] if len(names) == 1 else None
+    beside = {mention.name for mention in between(mentions, low, high)}
+    if beside:
+        return reading.messages[beside.pop()] if len(beside) == 1 else None
+    inside = reading.named(passage)
+    if inside:
+        return inside[0] if len(inside) == 1 else None
     return around.headings[0] if around.headings else around.earlier[0] if len(around.earlier) == 1 else None
 
 
@@ -88,7 +99,7 @@ def _ids(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[D
         group = found.lastgroup or ""
         if message is None or message.id < 0 or int(found[group]) == message.id:
             continue
-        named = [each for each in reading.mentioned(passage) if low <= each.start < found.start()]
+        named = between(reading.mentioned(passage), low, found.start())
         if (
             re.search(r"component|system|array|compid|sysid|param|sensor|battery|camera|target", before, re.IGNORECASE)
             or not named
@@ -149,46 +160,46 @@ def _order(reading: Reading, passage: Passage, around: Surroundings) -> Iterator
             return
 
 
-def _fields(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
-    """Names in code spans that look like a field of the message that the passage is about, and are none of any."""
-    mentioned = [reading.messages[each.name] for each in reading.mentioned(passage)]
-    candidates = list(dict.fromkeys([*mentioned, *around.headings, *around.earlier]))
+def _fields(reading: Reading, passage: Passage, around: Surroundings, fields: Collection[str]) -> Iterator[Diagnostic]:
+    """Names in code spans that look like a field of the message that the passage is about.
+
+    ``fields`` has those of all messages that the document names: what one of them has is no misspelling.
+    """
     for low, high in passage.codes:
         name = passage.text[low:high]
-        if re.fullmatch(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+", name) is None:
-            continue
-        if any(message.field(name) for message in candidates):
+        if name in fields or _SNAKE.fullmatch(name) is None:
             continue
         message = _about(reading, passage, around, low, high)
         if message is None:
             continue
         names = [field.name for field in message.fields]
         near = get_close_matches(name, names, n=1, cutoff=_ALIKE)
-        is_called = re.search(r"\bfields?\s+$", passage.text[max(low - 12, 0) : low], re.IGNORECASE)
-        is_cell = passage.kind is PassageKind.ROW and not passage.text[:low].strip(" |")
-        if near or (is_called and mentioned):
+        is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
+        if near or (is_called and reading.named(passage)):
             text = f"{message.name} has no field {name}"
             hint = did_you_mean(name, names)
             yield reading.found(NO_FIELD, passage.place_at(low), f"{message.name} {name}", text, hint)
-        elif is_cell:
-            continue
 
 
-def _messages(reading: Reading, passage: Passage, known: set[str]) -> Iterator[Diagnostic]:
-    """Names of messages that no dialect has, where the sentence is about messages."""
-    shipped = {each.name for each in reading.reference.listed}
+def _messages(
+    reading: Reading, passage: Passage, known: Collection[str], families: Mapping[str, Sequence[str]]
+) -> Iterator[Diagnostic]:
+    """Names of messages that no dialect has, where the sentence is about messages.
+
+    ``families`` has the names of all messages by their first words.
+    """
     for found in _UPPER.finditer(passage.text):
         name = found[0]
-        if name in reading.messages or name in known or name in shipped:
+        first = name.partition("_")[0]
+        if name in reading.messages or name in known or first not in families:
             continue
-        is_entry = name.startswith(tuple(f"{enum}_" for enum in reading.enums))
         low, high = passage.sentence(found.start(), found.end())
         mentions = between(reading.mentioned(passage), low, high)
         is_row = passage.kind is PassageKind.ROW and not passage.text[: found.start()].strip(" |")
-        if is_entry or not (is_row or (mentions and _SENDS.search(passage.text, low, high))):
+        if not (is_row or (mentions and _SENDS.search(passage.text, low, high))):
             continue
-        near = get_close_matches(name, [each for each in reading.messages if "_" in each], n=1, cutoff=0.82)
+        near = get_close_matches(name, families[first], n=1, cutoff=0.82)
         is_kin = any(name.startswith(each) or each.startswith(name) for each in near)  # a proposal, or a family
-        if near and not is_kin and near[0].split("_")[0] == name.split("_")[0]:
+        if near and not is_kin and not any(name.startswith(f"{enum}_") for enum in reading.enums):
             text = f"there is no message {name}"
             yield reading.found(NO_MESSAGE, passage.place_at(found.start()), name, text, f"did you mean {near[0]}?")

@@ -66,11 +66,16 @@ class Reading:
     messages: Mapping[str, WireMessage]
     enums: Mapping[str, EnumDefinition]
     mentions: Mapping[int, tuple[Mention, ...]]
+    once: Mapping[int, tuple[WireMessage, ...]]
     sightings: tuple[tuple[int, str], ...]
 
     def mentioned(self, passage: Passage) -> tuple[Mention, ...]:
         """The messages that a passage names, in order."""
         return self.mentions.get(id(passage), ())
+
+    def named(self, passage: Passage) -> tuple[WireMessage, ...]:
+        """The messages that a passage names, each once, the last one first."""
+        return self.once.get(id(passage), ())
 
     def passages_with_messages(self) -> Iterator[tuple[Passage, tuple[Mention, ...]]]:
         """The passages that name a message, with the mentions."""
@@ -137,6 +142,11 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
         messages=messages,
         enums=enums,
         mentions={key: found for key, found in mentions.items() if found},
+        once={
+            key: tuple(messages[name] for name in dict.fromkeys(each.name for each in reversed(found)))
+            for key, found in mentions.items()
+            if found
+        },
         sightings=tuple(sorted(seen)),
     )
 

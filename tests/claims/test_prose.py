@@ -100,6 +100,9 @@ def test_no_document_stops_the_check(check: Any, text: str) -> None:
         "BATTERY_STATUS is 41 bytes at 2 Hz = 82 bytes/s, ", "= 1 ", "(1+", "1 + 2 = 4, ", "[", "`a", "[a](", "\\",
         "*a", "BATTERY_STATUS allow more than 65V ", "|a|b\n",
         "```c\n// message #147\nuint8_t id;\n```\nBATTERY_STATUS\n\n",
+        "`voltages`, ", "BATTERY_STATUS `voltages` ", "`battery_statux` BATTERY_STATUS. ", "BATTERY_STATUS id 5, ",
+        "BATTERY_STATUZ sends BATTERY_STATUS ", "BATTERY_STATUS.voltages 5 (X), ", "- `voltages`\n",
+        "| `voltages` | 1 |\n",
     ],
 )  # fmt: skip
 def test_a_hostile_text_costs_what_it_is_long(check: Any, unit: str) -> None:
