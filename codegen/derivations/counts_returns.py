@@ -106,7 +106,9 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         return  # what it is instead of a quantity that code sets has a fault of its own
     derived = [each for each in spec.derivations if not isinstance(each, _BEGINNING)]
     if derived or kept.kind is QuantityKind.ENUM:
-        message = f"{name} is not what code sets, a reading, an estimate, a sum, what is left of one, or how long that lasts"
+        message = (
+            f"{name} is not what code sets, a reading, an estimate, a sum, what is left of one, or how long that lasts"
+        )
         around.bad("restarts_with", message, BAD_RETURN)
     elif spec.written(MeasuredSpec) is not None and _is_followed(around):
         around.bad("restarts_with", f"{name} tells whether it came back, so it cannot begin anew then", BAD_RETURN)
