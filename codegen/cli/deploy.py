@@ -185,17 +185,21 @@ def _show_progress(text: str) -> None:
 
 
 def _show_log(connection: "Connection", system: "System", seconds: float, board: "Board", report: "Report") -> None:
-    """What the program says; that it ended with an exception is a finding."""
+    """What the program says; an exception is a finding, whether the program ends with it or not."""
     from codegen.deploy.findings import PROGRAM_ENDED
     from codegen.source import Place
 
     if any(link.spec.usb for link in system.links):
         print("the USB port is a link now: there is no log to see", file=sys.stderr)
         return
-    ended, last = False, ""
+    is_traced, raised, is_over = False, "", False
     for line in connection.said(seconds):
         print(line, flush=True)
-        ended = ended or line.startswith("Traceback (most recent call last)")
-        last = line if ended and line.strip() and not line.startswith((" ", "MicroPython", "Type ", ">>>")) else last
-    if ended:
-        report.add(PROGRAM_ENDED, Place(connection.port), f"the program ended: {last}", f"it runs on {board.machine}")
+        if line.startswith("Traceback (most recent call last)"):
+            is_traced = True
+        elif is_traced and not raised and line.strip() and not line.startswith(" "):
+            raised = line
+        is_over = is_over or (is_traced and line.startswith(("MicroPython v", ">>>")))
+    if raised:
+        said = "the program ended" if is_over else "an exception, with which the program runs on"
+        report.add(PROGRAM_ENDED, Place(connection.port), f"{said}: {raised}", f"it runs on {board.machine}")

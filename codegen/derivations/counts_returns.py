@@ -9,6 +9,7 @@ from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import (
     CountsReturnsSpec,
+    EstimateSpec,
     FollowsSpec,
     IntegralSpec,
     LastsSpec,
@@ -28,7 +29,7 @@ BAD_RETURN = Rule(
     "what can be unknown or has an initial value, but not what is followed, nor what others decide at each moment.",
 )
 
-_BEGINNING = (MeasuredSpec, IntegralSpec, LeftSpec, LastsSpec)
+_BEGINNING = (MeasuredSpec, EstimateSpec, IntegralSpec, LeftSpec, LastsSpec)
 """What can begin anew beside what only code sets."""
 
 
@@ -105,7 +106,9 @@ def check_restart(kept: Kept, around: Surroundings) -> None:
         return  # what it is instead of a quantity that code sets has a fault of its own
     derived = [each for each in spec.derivations if not isinstance(each, _BEGINNING)]
     if derived or kept.kind is QuantityKind.ENUM:
-        message = f"{name} is not what code sets, a reading, a sum, what is left of one, or how long that lasts"
+        message = (
+            f"{name} is not what code sets, a reading, an estimate, a sum, what is left of one, or how long that lasts"
+        )
         around.bad("restarts_with", message, BAD_RETURN)
     elif spec.written(MeasuredSpec) is not None and _is_followed(around):
         around.bad("restarts_with", f"{name} tells whether it came back, so it cannot begin anew then", BAD_RETURN)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: 470283e714c681d1
+# Inputs: f1e70dbb1e50f990
 """Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
 
 import time
@@ -27,13 +27,16 @@ class Listeners:
 
         Who takes the place of another is not called new: of more senders than places each would be, again and again.
         """
-        self.forget_silent(now_ms)
         name = system << 8 | component
-        oldest = 0
         for place in range(len(self.names)):
             if self.names[place] == name:
+                is_new = self._age_ms(place, now_ms) >= self._silence_ms
                 self._heard_ms[place] = now_ms
-                return False
+                return is_new
+        oldest = 0
+        for place in range(len(self.names)):
+            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
+                self.names[place] = 0
             if self._age_ms(place, now_ms) > self._age_ms(oldest, now_ms):
                 oldest = place
         is_new = self.names[oldest] == 0
@@ -42,13 +45,7 @@ class Listeners:
         return is_new
 
     def forget_silent(self, now_ms):
-        """Forget who is gone; call it at least once in a few days, since clocks of boards start again after 12."""
-        for place in range(len(self.names)):
-            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
-                self.names[place] = 0
-
-    def forget_one(self, now_ms):
-        """As forget_silent(), for one place in each call: enough for who is asked about in hear() alone."""
+        """Forget one of those who are gone; for each pass. Clocks of boards start again after 12 days."""
         place = self._looked_at
         if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
             self.names[place] = 0

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: e4a29692d940a232
+# Inputs: 00721392cef82164
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -166,7 +166,7 @@ def health_is_told_after_days():
 
 
 def estimated():
-    """What is estimated follows its curve and is unknown with the value; what could be and is not stays unknown."""
+    """What is estimated follows its curve, and is unknown with the value and once it is gone; what is not stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         points = measured["estimate_points"]
@@ -177,9 +177,15 @@ def estimated():
         if not points:
             continue
         multiplier = next(each["default"] for each in PARAMETERS if each["attribute"] == measured["multiplier"])
+        returns = measured["returns"]
+        begins_anew = returns and any(name == measured["estimate"] for name, _ in returns["restarting"])
+        gone = returns["gone"] if begins_anew else None
         for count in range(0, measured["full_scale"] + 1, 5):
             component.set_count(count, multiplier)
             value, found = getattr(component, measured["attribute"]), getattr(component, measured["estimate"])
+            if gone and getattr(component, gone):
+                assert found is None, (value, found)
+                continue
             assert value > points[0][0] or found == points[0][1], (value, found)
             assert value < points[-1][0] or found == points[-1][1], (value, found)
             for (low, one), (high, other) in zip(points, points[1:]):  # noqa: B905, RUF007  MicroPython has neither

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/return_checks.py: do not edit.
-# Inputs: ca784ae32f7b391e
+# Inputs: fe71721aa0ba05d5
 """What was gone and comes back, such as a pack that is exchanged: it counts once, is told, and counting begins anew."""
 
 from generation_checks import is_chosen
@@ -140,7 +140,7 @@ def put_in_after_the_start():
 def counting_begins_anew():
     """Back, a sum is 0, what has an initial value has that; all else is unknown once it is gone. Others keep theirs."""
     for measured in _returning():
-        restarting = measured["returns"]["restarting"]
+        restarting = [each for each in measured["returns"]["restarting"] if each[0] != measured["estimate"]]
         needs(restarting, "something that begins anew")
         start, inputs = _inputs(measured)
         for is_known in (True, False):

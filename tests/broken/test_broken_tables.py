@@ -505,9 +505,9 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §temperature"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:117:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:125:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:117:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:125:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
@@ -517,7 +517,7 @@ CASES = [
         "    update_rate: 10 Hz\n",
         "",
         "needs an update_rate",
-        at="state.yaml:117:17",
+        at="state.yaml:125:17",
         is_alone=False,
     ),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
@@ -588,7 +588,7 @@ CASES = [
     ),
 ]
 
-ESTIMATE = "state.yaml:75:16"
+ESTIMATE = "state.yaml:77:16"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 POINTS = "        {4.20 V: 100, 4.15 V: 95"
 ESTIMATES = [

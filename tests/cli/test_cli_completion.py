@@ -20,7 +20,7 @@ def test_bash_completes_commands_options_and_their_values(run: Any) -> None:
     code, script, _ = run("completion", "bash")
     assert code == 0
     assert offered(script, "") >= {*COMMANDS, "--project"}
-    assert offered(script, "b") == {"build"}
+    assert offered(script, "b") == {"bench", "build"}
     assert offered(script, "build", "--d") == {"--debug", "--depfile", "--depfile-target", "--diff", "--dry-run"}
     assert offered(script, "init", "--from", "b") == {"boat"}
     assert offered(script, "--debug", "check", "--format", "s") == {"sarif"}

@@ -141,9 +141,10 @@ from words import Component
 
 class Wheels(Component):
     NAME = "wheels"
+    SIZE = 4
     distance = floating(0, 4, "distance")
 
-wheels = Wheels(4, ())
+wheels = Wheels()
 wheels._log = lambda _: None
 for value in (16777217, -(10**39), -(2**1024), 0.5, 2**1024):
     wheels.distance = value

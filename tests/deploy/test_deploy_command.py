@@ -182,7 +182,7 @@ def test_an_exception_of_the_program_is_a_finding(
     finally:
         (project / "pump.py").write_text(pump)
     assert code == 1
-    assert "error program-ended: the program ended: ValueError: no water" in said
+    assert "error program-ended: an exception, with which the program runs on: ValueError: no water" in said
 
 
 def test_a_module_of_yours_with_a_generated_name(board: Board, run: Any, project: Path) -> None:

@@ -156,7 +156,7 @@ def test_drift_of_the_table_names_both_places(run: Run, project: Path) -> None:
     code, out, _ = run("check")
     assert code == 1
     assert out[out.index(FR) :].splitlines() == [
-        f"{FR}:61:35: error document-drift: BATTERY_STATUS.temperature is {{state: battery.temperature}} here, but unknown in the population table",
+        f"{FR}:62:35: error document-drift: BATTERY_STATUS.temperature is {{state: battery.temperature}} here, but unknown in the population table",
         "  hint: correct the one that is out of date",
         "  specs/messages/battery_status.yaml:10:3: the population table answers here",
     ]

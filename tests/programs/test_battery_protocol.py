@@ -25,12 +25,13 @@ def check(generated: Path, interpreter: str, cells: int) -> None:
     assert {name: outcome for name, outcome in outcomes.items() if outcome is not None} == {}
 
 
-def built(folder: Path, file: str, old: str, new: str) -> Path:
-    """The shipped project with one change, built; its generated files."""
+def built(folder: Path, *changes: tuple[str, str, str]) -> Path:
+    """The shipped project with changes (file, old, new), built; its generated files."""
     shutil.copytree(ROOT / "specs", folder / "specs")
-    text = (folder / file).read_text()
-    assert text.count(old) == 1
-    (folder / file).write_text(text.replace(old, new))
+    for file, old, new in changes:
+        text = (folder / file).read_text()
+        assert text.count(old) == 1
+        (folder / file).write_text(text.replace(old, new))
     command = [sys.executable, "-m", "codegen", "build"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -54,8 +55,12 @@ def test_the_rover_reports_its_batteries(interpreter: str) -> None:
 @pytest.mark.requirement("FR-00076.7", "FR-00068.3")
 @pytest.mark.parametrize(("cells", "interpreter"), [(14, "cpython"), (28, "micropython")])
 def test_cells_of_a_large_pack(cells: int, interpreter: str, tmp_path: Path) -> None:
-    """14 cells are what BATTERY_STATUS has room for, and two pages; 28 are three pages."""
-    generated = built(tmp_path, "specs/board.yaml", "    cells: 3\n", f"    cells: {cells}\n")
+    """14 cells are what BATTERY_STATUS has room for, and two pages; 28 are three pages.
+
+    Behind a divider of its own: one that shows less than 1 V of each cell would be no pack at all.
+    """
+    divider = ("specs/parameters.yaml", "    default: 3.95\n", "    default: 10\n")
+    generated = built(tmp_path, ("specs/board.yaml", "    cells: 3\n", f"    cells: {cells}\n"), divider)
     check(generated, interpreter, cells)
     frames_are_green(tmp_path, "BATTERY_STATUS or BATTERY_CELL_VOLTAGES")
 
@@ -79,7 +84,7 @@ def shown(case: dict[str, Any], policy: str) -> tuple[int, int]:
 @pytest.mark.parametrize("policy", ["first: true", "lowest: remaining"])
 def test_which_battery_sys_status_shows(policy: str, tmp_path: Path) -> None:
     """The other two policies that a table can declare, the first one or the one with the least charge."""
-    generated = built(tmp_path, SYS_STATUS, POLICY, f"represents: {{battery: {{{policy}}}}}")
+    generated = built(tmp_path, (SYS_STATUS, POLICY, f"represents: {{battery: {{{policy}}}}}"))
     cases = json.loads((generated / "tests" / "cases.json").read_text())["messages"]
     about = [case for case in cases if case["name"].startswith("SYS_STATUS.represents")]
     found = {case["name"]: (case["expect"]["voltage_battery"], case["expect"]["battery_remaining"]) for case in about}

@@ -81,7 +81,7 @@ def test_batteries_that_are_on_with_more_cells(project):
     apply(project, "board.yaml", "    cells: 3\n", "    cells: 4\n")
     suite_is_green(project, f"micropython and (behaviour or {ANYWHERE})")
     state = (project / "generated" / "firmware" / "state.py").read_text()
-    assert "    _BATTERY_WARN_ABOVE,\n    (17333, 8667, 17333),\n" in state
+    assert "        _BATTERY_WARN_ABOVE,\n        (17333, 8667, 17333),\n" in state
 
 
 def test_fewer_cells_are_one_number(project):

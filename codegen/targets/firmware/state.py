@@ -34,9 +34,13 @@ from codegen.targets.naming import parameter_attribute, parameter_expression, pr
 
 @dataclass(frozen=True, slots=True)
 class EstimateView:
-    """What is estimated from what is measured: its word, and the curve of each instance."""
+    """What is estimated from what is measured: its word, and the curve of each instance.
+
+    ``gone`` is the word that tells whether what it belongs to is gone, where it begins anew with another one.
+    """
 
     word: str
+    gone: str | None
     constant: str
     each: str
     text: str
@@ -264,4 +268,5 @@ def _estimate(quantity: Quantity, component: Component, block: Block) -> Estimat
     constant = f"_{component.name.upper()}_CURVE{'S' if several else ''}"
     each = f"{constant}[self._instance]" if several else constant
     text = repr(curves if several else curves[0])
-    return EstimateView(block.constant(quantity.attribute), constant, each, text, quantity.name)
+    gone = block.constant("gone") if quantity.spec.restarts_with else None
+    return EstimateView(block.constant(quantity.attribute), gone, constant, each, text, quantity.name)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 6ba588b860e9d8f6
+# Inputs: edd30680ffef6d29
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -149,7 +149,7 @@ class Connection:
             if self._stations is None or self._is_answered(message, now_ms):
                 self.services.handle(message)
         self.services.listeners.forget_silent(now_ms)
-        self.services.components.forget_one(now_ms)
+        self.services.components.forget_silent(now_ms)
         if self._stations is not None:
             self._stations.forget_silent(now_ms)
 

@@ -144,7 +144,7 @@ class Connection:
             if self._stations is None or self._is_answered(message, now_ms):
                 self.services.handle(message)
         self.services.listeners.forget_silent(now_ms)
-        self.services.components.forget_one(now_ms)
+        self.services.components.forget_silent(now_ms)
         if self._stations is not None:
             self._stations.forget_silent(now_ms)
 

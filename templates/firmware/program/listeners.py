@@ -25,13 +25,16 @@ class Listeners:
 
         Who takes the place of another is not called new: of more senders than places each would be, again and again.
         """
-        self.forget_silent(now_ms)
         name = system << 8 | component
-        oldest = 0
         for place in range(len(self.names)):
             if self.names[place] == name:
+                is_new = self._age_ms(place, now_ms) >= self._silence_ms
                 self._heard_ms[place] = now_ms
-                return False
+                return is_new
+        oldest = 0
+        for place in range(len(self.names)):
+            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
+                self.names[place] = 0
             if self._age_ms(place, now_ms) > self._age_ms(oldest, now_ms):
                 oldest = place
         is_new = self.names[oldest] == 0
@@ -40,13 +43,7 @@ class Listeners:
         return is_new
 
     def forget_silent(self, now_ms):
-        """Forget who is gone; call it at least once in a few days, since clocks of boards start again after 12."""
-        for place in range(len(self.names)):
-            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
-                self.names[place] = 0
-
-    def forget_one(self, now_ms):
-        """As forget_silent(), for one place in each call: enough for who is asked about in hear() alone."""
+        """Forget one of those who are gone; for each pass. Clocks of boards start again after 12 days."""
         place = self._looked_at
         if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
             self.names[place] = 0
