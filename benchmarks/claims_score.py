@@ -1,7 +1,7 @@
 # ruff: noqa: T201  what is printed is the answer
 """How right the checker of documents is: precision and recall on the documents of tests/claims/corpus.
 
-    python benchmarks/claims_score.py [--wrong] FOLDER...
+    python benchmarks/claims_score.py [--wrong] [--kinds] FOLDER...
 
 A folder is seen-1, seen-2 or unseen. The README of the corpus says how it is counted, and who may look at what:
 --wrong, which lists what was missed and what was found wrongly, is refused for `unseen`.
@@ -125,16 +125,30 @@ def score(folders: Iterable[str], *, lists: bool = False) -> Score:
     return Score(*total)
 
 
+def kinds(folder: str) -> dict[str, tuple[int, int]]:
+    """Return by kind of fault how many of a folder are found, and how many there are."""
+    counted: dict[str, tuple[int, int]] = {}
+    for path, faults in documents(folder):
+        _, _, found = judged(findings_of(path), faults)
+        for fault in faults:
+            some, all_of = counted.get(fault["kind"], (0, 0))
+            counted[fault["kind"]] = (some + (fault in found), all_of + 1)
+    return dict(sorted(counted.items()))
+
+
 def main() -> int:
     """Print the score of each folder."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folders", nargs="+", metavar="FOLDER", choices=("seen-1", "seen-2", HIDDEN))
     parser.add_argument("--wrong", action="store_true", help="list what was missed and what was found wrongly")
+    parser.add_argument("--kinds", action="store_true", help="tell how many faults of each kind are found")
     arguments = parser.parse_args()
     if arguments.wrong and HIDDEN in arguments.folders:
         parser.error(f"nobody looks into {HIDDEN}")
     for folder in arguments.folders:
         print(f"{folder}: {score([folder], lists=arguments.wrong)}")
+        for kind, (found, faults) in kinds(folder).items() if arguments.kinds else ():
+            print(f"  {kind:<16}{found:>3} of {faults}")
     return 0
 
 

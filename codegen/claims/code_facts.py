@@ -23,6 +23,7 @@ _CONSTANT = re.compile(
 _ROLE = re.compile(
     r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_)?(?P<message>\w+?)_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN)$"
 )
+_NUMBERED = "MAVLINK_MSG_ID_"
 _COMMENT = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60}),? (?:message )?id:? #?(?P<id>\d{1,6})\b")
 _QUOTED = re.compile(
     r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})[\"']\s*[:,=]>?\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
@@ -73,11 +74,11 @@ def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterato
             text = f"{name} is {entries[name]}, not {found['value']}"
             yield reading.found(ENTRY_VALUE, place, f"{name} {stated}", text)
         return
+    numbered = reading.messages.get(name.removeprefix(_NUMBERED)) if name.startswith(_NUMBERED) else None
     role = _ROLE.match(name)
-    message = reading.messages.get(role["message"]) if role else None
-    if role is None or message is None or message.id < 0:
-        return
-    yield from _stated(reading, message, role["role"].lower(), stated, place)
+    message = numbered or (reading.messages.get(role["message"]) if role else None)
+    if message is not None and message.id >= 0:
+        yield from _stated(reading, message, "id" if numbered or not role else role["role"].lower(), stated, place)
 
 
 def _stated(reading: Reading, message: WireMessage, role: str, stated: int, place: Place) -> Iterator[Diagnostic]:

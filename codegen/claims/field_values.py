@@ -15,11 +15,13 @@ from codegen.model.literals import same_number
 
 _ENTRY = re.compile(
     r"(?<![\w.\-+])(?P<value>\d{1,3})\s*(?:=|:|\(|\u2013|-)?\s*"
-    r"(?P<words>(?:(?:is|are|for|means|an?|the) )*[A-Za-z][A-Za-z0-9 /-]{1,44}?(?: \([a-z ]{3,20}\))?)"
+    r"(?P<words>(?:(?:is|are|for|means|an?|the) )*(?:\dD )?[A-Za-z][A-Za-z0-9 /-]{1,44}?(?: \([a-z ]{3,20}\))?)"
     r"\)?(?=\s*(?:[,.;:|)]|$| and \d| or \d))"
 )
 _NAMED = re.compile(r"(?<![\w.])(?P<value>\d{1,3})\s*\((?P<name>[A-Z][A-Z0-9_]{3,80})\)")
-_ITEM = re.compile(r"\s*(?P<value>\d{1,3})\s*(?:=|:|\u2013|-)?\s*(?P<words>[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*$")
+_ITEM = re.compile(
+    r"\s*(?P<value>\d{1,3})\s*(?:=|:|\u2013|-)?\s*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*$"
+)
 _IDLE = frozenset(
     [
         "a",

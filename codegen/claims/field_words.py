@@ -45,15 +45,25 @@ _SCALED = re.compile(
 )
 _NEAR = 12
 """Characters behind a unit in which words may say that the value is scaled."""
+_VERB = len("multiplied ")
+"""Characters before the name of a field in which ``divide`` may stand."""
 _NUMBER = r"(?P<number>\d{1,3}(?:[ ,]?\d{3})*(?:\.\d+)?(?:[eE]-?\d{1,2})?|10\^\d{1,2})"
 _FACTOR = re.compile(
-    rf"\b(?P<how>divid\w*|multipl\w*)(?: it| them| the value)? (?:by|with) {_NUMBER}(?: (?:for|to get|gives?|is|makes?)"
-    rf"(?: (?:the|a|an|whole))? ?(?P<unit>{_UNIT}))",
+    rf"\b(?P<how>divid\w*|multipl\w*)(?: it| them| the value| [a-z]\w{{0,60}})? (?:by|with) {_NUMBER}"
+    rf"(?: (?:for|to get|gives?|is|makes?)(?: (?:the|a|an|whole))? ?(?P<unit>{_UNIT}))",
     re.IGNORECASE,
 )
 _TIMES = re.compile(rf"\bin (?P<unit>{_UNIT}) (?:times|\*|x) {_NUMBER}(?![\w])", re.IGNORECASE)
 _PARTS = re.compile(rf"\bin (?P<part>tenths|hundredths|thousandths) of (?:an? )?(?P<unit>{_UNIT})", re.IGNORECASE)
 _SHARES = {"tenths": 10, "hundredths": 100, "thousandths": 1000}
+_NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "ten": 10, "twelve": 12}
+_COUNT = rf"(?:\d{{1,3}}|{'|'.join(_NUMBERS)})"
+_ELEMENTS = re.compile(
+    rf"\barray (?:with|of) (?P<exact>{_COUNT}) (?:entries|elements|values|floats|numbers)\b"
+    rf"|\b(?:all|up to|at most) (?:its |the )?(?P<most>{_COUNT}) "
+    r"(?:entries|elements|values|floats|numbers|sectors|characters|places)\b",
+    re.IGNORECASE,
+)
 _IS_EXTENSION = re.compile(
     r"[\s,]*(?:is|are)(?: all| both)? (?P<no>not )?(?:an? )?(?:(?:MAVLink ?2 )?extensions?|extension fields?)\b",
     re.IGNORECASE,
@@ -69,9 +79,23 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         declared = _DECLARED.match(said.passage.text, said.end, said.until)
         if declared is not None:
             yield from _types(reading, said, declared)
+        if not said.is_joined:
+            yield from _lengths(reading, said)
         yield from _units(reading, said, declared)
         yield from _scalings(reading, said)
         yield from _extensions(reading, said)
+
+
+def _lengths(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """ "An array with four entries", "all 36 sectors", "up to 64 floats": the elements of an array."""
+    found = _ELEMENTS.search(said.passage.text, said.end, said.until) if said.field.is_array else None
+    if found is None:
+        return
+    written = found["exact"] or found["most"]
+    number = _NUMBERS.get(written.lower()) or int(written)
+    if number != said.field.count:
+        text = f"{said.name} has {said.field.count} elements, not {written}"
+        yield reading.found(TYPE, said.passage.place_at(found.start()), f"{said.name} {found[0]}", text)
 
 
 def _types(reading: Reading, said: Said, found: "re.Match[str]") -> Iterator[Diagnostic]:
@@ -122,8 +146,9 @@ def _scalings(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     own = Unit.parse(said.field.definition.units)
     text = said.passage.text
     for form in (_FACTOR, _TIMES, _PARTS) if own else ():
-        found = form.search(text, said.end, said.until)
-        unit = worded_unit(found["unit"]) if found else None
+        start = max(said.start - _VERB, 0) if form is _FACTOR else said.end
+        found = form.search(text, start, said.until)
+        unit = worded_unit(found["unit"]) if found and found.end() > said.end else None
         if found is None or unit is None or own is None:
             continue
         if unit.name == "deg" and own.dimension == unit_named("degC").dimension:

@@ -54,6 +54,11 @@ _SENDS = re.compile(
 )
 _SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
 _FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
+_ELSE = re.compile(
+    r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
+    r"|signal|script|module|column|table|key)s?\s+$",
+    re.IGNORECASE,
+)
 _UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/]|\.[a-z]|\s*\()")
 _ALIKE = 0.72
 _SIGNATURE = 13
@@ -65,6 +70,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     known |= {each.name for each in reading.reference.listed}
     named = dict.fromkeys(name for _, name in reading.sightings)
     fields = {field.name for name in named for field in reading.messages[name].fields}
+    followed = set(_followed(reading))
     families: dict[str, list[str]] = {}
     for name in reading.messages:
         if "_" in name:
@@ -74,7 +80,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             yield from _ids(reading, part, around)
             yield from _lengths(reading, part, around)
             yield from _order(reading, part, around)
-            yield from _fields(reading, part, around, fields)
+            yield from _fields(reading, part, around, fields, followed)
             yield from _messages(reading, part, known, families)
 
 
@@ -160,17 +166,28 @@ def _order(reading: Reading, passage: Passage, around: Surroundings) -> Iterator
             return
 
 
-def _fields(reading: Reading, passage: Passage, around: Surroundings, fields: Collection[str]) -> Iterator[Diagnostic]:
+def _followed(reading: Reading) -> Iterator[str]:
+    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``."""
+    for passage in reading.prose.passages:
+        for found in _UPPER.finditer(passage.text):
+            words = found[0].split("_") if found[0] not in reading.messages else []
+            yield from (name for end in range(1, len(words)) if (name := "_".join(words[:end])) in reading.messages)
+
+
+def _fields(
+    reading: Reading, passage: Passage, around: Surroundings, fields: Collection[str], followed: Collection[str]
+) -> Iterator[Diagnostic]:
     """Names in code spans that look like a field of the message that the passage is about.
 
-    ``fields`` has those of all messages that the document names: what one of them has is no misspelling.
+    ``fields`` has those of all messages that the document names: what one of them has is no misspelling. Nor is a new
+    name of a message with a successor (``followed``), whose field it may be.
     """
     for low, high in passage.codes:
         name = passage.text[low:high]
         if name in fields or _SNAKE.fullmatch(name) is None:
             continue
         message = _about(reading, passage, around, low, high)
-        if message is None:
+        if message is None or message.name in followed or _ELSE.search(passage.text, max(low - 12, 0), low):
             continue
         names = [field.name for field in message.fields]
         near = get_close_matches(name, names, n=1, cutoff=_ALIKE)
