@@ -21,7 +21,7 @@ _CONSTANT = re.compile(
     r"(?:\s*:\s*\w+)?\s*=?\s+\(?(?P<value>0x[0-9a-fA-F]{1,8}|\d{1,8})\)?\s*[;,]?\s*(?://.*|/\*.*|#.*)?$"
 )
 _ROLE = re.compile(
-    r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_)?(?P<message>\w+?)_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN)$"
+    r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_|(?P<first>CRC_EXTRA|CRC|LENGTH|LEN|ID)_)?(?P<message>\w+?)(?:_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN))?$"
 )
 _NUMBERED = "MAVLINK_MSG_ID_"
 _COMMENT = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60}),? (?:message )?id:? #?(?P<id>\d{1,6})\b")
@@ -67,46 +67,50 @@ def _constants(reading: Reading, line: Line, entries: dict[str, int]) -> Iterato
     found = _CONSTANT.match(line.text)
     if found is None:
         return
-    name, stated = found["name"], int(found["value"], 0)
+    name, number = found["name"], int(found["value"], 0)
     place = _at(line, found.start("value"))
     if name in entries:
-        if entries[name] != stated:
+        if entries[name] != number:
             text = f"{name} is {entries[name]}, not {found['value']}"
-            yield reading.found(ENTRY_VALUE, place, f"{name} {stated}", text)
+            yield reading.found(ENTRY_VALUE, place, f"{name} {number}", text)
         return
     numbered = reading.messages.get(name.removeprefix(_NUMBERED)) if name.startswith(_NUMBERED) else None
-    role = _ROLE.match(name)
-    message = numbered or (reading.messages.get(role["message"]) if role else None)
-    if message is not None and message.id >= 0:
-        yield from _stated(reading, message, "id" if numbered or not role else role["role"].lower(), stated, place)
+    parts = _ROLE.match(name)
+    role = "id" if numbered else ((parts["role"] or parts["first"]) if parts else None)
+    message = numbered or (reading.messages.get(parts["message"]) if parts else None)
+    if role is not None and message is not None and message.id >= 0:
+        yield from number_claims(reading, message, role.lower(), number, place)
 
 
-def _stated(reading: Reading, message: WireMessage, role: str, stated: int, place: Place) -> Iterator[Diagnostic]:
-    if role == "id" and stated != message.id:
-        text = f"{message.name} has the id {message.id}, not {stated}"
-        yield reading.found(MESSAGE_ID, place, f"{message.name} id {stated}", text)
-    elif role in ("crc", "crc_extra", "extra", "crcextra") and stated != message.crc_extra:
-        text = f"{message.name} has the CRC_EXTRA {message.crc_extra}, not {stated}"
-        yield reading.found(CRC_EXTRA, place, f"{message.name} crc {stated}", text)
-    elif role in ("min_len", "minlength", "min_length") and stated != message.base_length:
-        text = f"{message.name} has a payload of {message.base_length} bytes without extensions, not {stated}"
-        yield reading.found(SIZE, place, f"{message.name} length {stated}", text)
-    elif role in ("len", "length", "payload_len", "maxlength") and stated not in (message.base_length, message.length):
+def number_claims(reading: Reading, message: WireMessage, role: str, number: int, place: Place) -> Iterator[Diagnostic]:
+    """What is wrong with the id, CRC_EXTRA or length that is given to a message."""
+    if role == "id" and number != message.id:
+        text = f"{message.name} has the id {message.id}, not {number}"
+        yield reading.found(MESSAGE_ID, place, f"{message.name} id {number}", text)
+    elif role in ("crc", "crc_extra", "extra", "crcextra") and number != message.crc_extra:
+        text = f"{message.name} has the CRC_EXTRA {message.crc_extra}, not {number}"
+        yield reading.found(CRC_EXTRA, place, f"{message.name} crc {number}", text)
+    elif role in ("min_len", "minlength", "min_length") and number != message.base_length:
+        text = f"{message.name} has a payload of {message.base_length} bytes without extensions, not {number}"
+        yield reading.found(SIZE, place, f"{message.name} length {number}", text)
+    elif role in ("len", "length", "payload_len", "maxlength") and number not in (message.base_length, message.length):
         both = f"{message.base_length} bytes, {message.length} with extensions"
-        yield reading.found(SIZE, place, f"{message.name} length {stated}", f"{message.name} has {both}, not {stated}")
+        yield reading.found(SIZE, place, f"{message.name} length {number}", f"{message.name} has {both}, not {number}")
 
 
 def _comments(reading: Reading, line: Line) -> Iterator[Diagnostic]:
     found = _COMMENT.search(line.text)
     message = reading.messages.get(found["message"]) if found else None
     if found is not None and message is not None and message.id >= 0:
-        yield from _stated(reading, message, "id", int(found["id"]), _at(line, found.start("id")))
+        yield from number_claims(reading, message, "id", int(found["id"]), _at(line, found.start("id")))
 
 
 def _keys(reading: Reading, line: Line, message: WireMessage) -> Iterator[Diagnostic]:
     found = _KEY.match(line.text)
     if found is not None and message.id >= 0:
-        yield from _stated(reading, message, found["key"].lower(), int(found["value"]), _at(line, found.start("value")))
+        yield from number_claims(
+            reading, message, found["key"].lower(), int(found["value"]), _at(line, found.start("value"))
+        )
 
 
 def _quoted(reading: Reading, line: Line) -> Iterator[Diagnostic]:

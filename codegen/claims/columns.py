@@ -37,7 +37,7 @@ _ENTRY = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){1,}")
 _WHOLE = re.compile(r"#?(\d{1,5})(?: bytes?| B)?")
 _HEADS = {
     "id": re.compile(r"(?:message |msg )?(?:id|number|no\.?|#)", re.IGNORECASE),
-    "crc": re.compile(r"crc(?:[ _]extra)?(?: \(seed\))?|crc seed|seed", re.IGNORECASE),
+    "crc": re.compile(r"crc(?:[ _-]?extra)?(?: \(seed\))?|extra crc|crc seed|seed", re.IGNORECASE),
     "base": re.compile(
         r"(?:base|min(?:imum)?)(?: (?:payload|length|size|len))?(?: \(bytes\))?|without extensions?"
         r"|(?:v1|mavlink 1)(?: payload)?",
@@ -48,7 +48,9 @@ _HEADS = {
         r"(?: (?:payload|length|size|len))?(?: \(bytes\))?",
         re.IGNORECASE,
     ),
-    "payload": re.compile(r"(?:payload|length|size)(?: (?:bytes|length|size))?(?: \(bytes\)|, bytes)?", re.IGNORECASE),
+    "payload": re.compile(
+        r"(?:payload|length|len|size)(?: (?:bytes|length|len|size))?(?: \(bytes\)|, bytes)?", re.IGNORECASE
+    ),
     "frame": re.compile(r"frames?(?: (?:length|size|bytes))?(?: \(bytes\)|, bytes)?", re.IGNORECASE),
     "field": re.compile(r"fields?|field name|name|member|key", re.IGNORECASE),
     "unit": re.compile(r"units?", re.IGNORECASE),
@@ -78,10 +80,13 @@ def _table(reading: Reading, rows: Sequence[Passage], around: Surroundings) -> I
         own = cells(row)
         if len(own) < 2:
             continue
-        first = own[0][0].strip()
-        named = _NAME.fullmatch(first)
-        if named is not None and named["message"] in reading.messages:
-            yield from _message(reading, row, own, columns, reading.messages[named["message"]])
+        message = _named(reading, own)
+        if message is not None:
+            part = next((message.field(own[index][0].strip()) for index in columns["field"] if index < len(own)), None)
+            if part is not None:
+                yield from _of_field(reading, row, own, columns, message, part)
+            else:
+                yield from _message(reading, row, own, columns, message)
             continue
         if columns["value"]:
             yield from _entry(reading, row, own, columns["value"][0])
@@ -90,6 +95,16 @@ def _table(reading: Reading, rows: Sequence[Passage], around: Surroundings) -> I
         about = _field(reading, around, found["message"], found["field"]) if found else None
         if about is not None:
             yield from _of_field(reading, row, own, columns, *about)
+
+
+def _named(reading: Reading, own: Sequence[tuple[str, int]]) -> WireMessage | None:
+    """The message that a row is about: that of its first cell, or the only one that a cell names."""
+    named = [found["message"] for text, _ in own if (found := _NAME.fullmatch(text.strip())) is not None]
+    known = [reading.messages[name] for name in named if name in reading.messages]
+    first = _NAME.fullmatch(own[0][0].strip())
+    if first is not None and first["message"] in reading.messages:
+        return reading.messages[first["message"]]
+    return known[0] if len(known) == 1 else None
 
 
 def _field(
@@ -124,7 +139,7 @@ def _message(
     }
     for key, (numbers, rule, words) in wanted.items():
         for index in columns[key]:
-            found = _WHOLE.fullmatch(own[index][0].strip()) if 0 < index < len(own) else None
+            found = _WHOLE.fullmatch(own[index][0].strip()) if index < len(own) else None
             if found is not None and int(found[1]) not in numbers and message.id >= 0:
                 place = row.place_at(own[index][1])
                 yield reading.found(

@@ -37,7 +37,8 @@ _NUMBER = r"(?:0[xX][0-9a-fA-F]{1,16}|\d{1,20})"
 _VALUE_AFTER = re.compile(rf"\s*\(\s*({_NUMBER})\s*\)|\s*=\s*({_NUMBER})(?![\w.])")
 _VALUE_BEFORE = re.compile(rf"(?:^|[|:=,]|\bis|\bto|\bor|\bvalue)\s*({_NUMBER})\s*\(\s*$")
 _CRC = re.compile(
-    r"\bCRC[_ ]EXTRA\b(?:\s+(?:byte|of|is|for|value|[A-Z][A-Z0-9_]{2,60}))*[\s:=(]{1,3}(0x[0-9a-f]{1,2}\b|\d{1,3}\b)",
+    r"\b(?:CRC[_ -]?EXTRA|extra CRC|(?:CRC[_ ])?seed)\b"
+    r"(?:\s+(?:byte|of|is|for|value|[A-Z][A-Z0-9_]{2,60}))*[\s:=(]{1,3}(0x[0-9a-f]{1,2}\b|\d{1,3}\b)",
     re.IGNORECASE,
 )
 

@@ -28,13 +28,28 @@ NO_MESSAGE = Rule(
     "A document names a message that no dialect has, and that looks like one of them. Correct the name.",
 )
 
-_ID = re.compile(
-    r"\(message (?:no\.? |number |#)?(?P<held>\d{1,6})\)"
-    r"|,? (?:with the |the |its )?(?:message )?id(?: is|:)? #?(?P<named>\d{1,6})\b",
-    re.IGNORECASE,
+_MESSAGE = r"(?P<message>[A-Z][A-Z0-9_]{2,60})"
+_N = r"#?(?P<number>\d{1,6})(?![\w.]\d|\w| ?(?:Hz|bytes?|times|ms|s|per|%)\b)"
+_IDS = tuple(
+    re.compile(form, re.IGNORECASE)
+    for form in (
+        rf"(?-i:{_MESSAGE}),? (?:(?:is|has|uses|with|as) )?(?:(?:the|a) )?(?:MAVLink )?"
+        rf"(?P<word>(?:message|msg|packet) (?:number|no\.?|id)|msgid|number|id)(?: is)?:? ?=?{_N}",
+        rf"(?-i:{_MESSAGE}),? (?:is )?(?P<word>message|msg|packet) {_N}(?=\s*(?:[,.;:)|]|$|is\b|has\b|in\b|from\b))",
+        rf"(?P<word>(?:message|msg)[ _]?(?:id|number)|id|number) (?:of|for) (?:the )?(?:message )?(?-i:{_MESSAGE})"
+        rf"(?: message)?(?: is|:| =) ?{_N}",
+        rf"(?P<word>message|msg|packet|request|msgid)(?: id| number| no\.?)? {_N},? ?\(?(?-i:{_MESSAGE})\b",
+        rf"\((?P<word>message|msgid|msg) ?(?:id|number|no\.?)?[ :=]{{0,2}}{_N}\)",
+        rf",? (?:with the |the |its )?(?:message )?(?P<word>id)(?: is|:)? {_N}",
+    )
 )
+_OTHER_ID = re.compile(
+    r"component|system|array|compid|sysid|param|sensor|battery|camera|target|instance", re.IGNORECASE
+)
+_HEADED = re.compile(rf"{_MESSAGE} ?(?:,|:|-|\u2013) ?#?(?P<number>\d{{1,6}})")
 _LENGTH = re.compile(
-    r"\b(?P<what>base payload|payload|frame|packet|message)s?\b(?P<between>[^.;|\d]{0,40}?)"
+    r"\b(?P<part>payload) (?:length|size|len)(?: of| is|:| =)? ?(?P<alone>\d{1,3})\b(?!\w| ?bytes?)"
+    r"|\b(?P<what>base payload|payload|frame|packet|message)s?\b(?P<between>[^.;|\d]{0,40}?)"
     r"(?<![\w.,-])(?P<number>\d{1,3}) ?bytes?\b(?![ ]?(?:/|per\b|a second|of\b|for each))"
     r"|(?<![\w.,-])(?P<each>\d{1,3}) ?bytes?(?:/| per | a )(?P<per>message|frame|packet)",
     re.IGNORECASE,
@@ -98,21 +113,37 @@ def _about(reading: Reading, passage: Passage, around: Surroundings, start: int,
 
 
 def _ids(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
-    for found in _ID.finditer(passage.text):
-        low, _ = passage.sentence(found.start(), found.end())
-        before = passage.text[low : found.start()]
-        message = _about(reading, passage, around, found.start(), found.end())
-        group = found.lastgroup or ""
-        if message is None or message.id < 0 or int(found[group]) == message.id:
+    """ "NAME has the id 84", "the message id of NAME is 84", "message 84 (NAME)", a heading "NAME, 84"."""
+    found = [each for form in _IDS for each in form.finditer(passage.text)]
+    if passage.kind is PassageKind.HEADING:
+        found += [each for each in [_HEADED.fullmatch(passage.text.strip())] if each]
+    for each in found:
+        groups = each.groupdict()
+        if groups.get("message"):
+            message = reading.messages.get(groups["message"])
+        else:
+            message = _before(reading, passage, around, each.start(), each.end())
+        number = int(each["number"])
+        if message is None or message.id < 0 or number == message.id:
             continue
-        named = between(reading.mentioned(passage), low, found.start())
-        if (
-            re.search(r"component|system|array|compid|sysid|param|sensor|battery|camera|target", before, re.IGNORECASE)
-            or not named
-        ):
-            continue
-        text = f"{message.name} has the id {message.id}, not {found[group]}"
-        yield reading.found(MESSAGE_ID, passage.place_at(found.start(group)), f"{message.name} id {found[group]}", text)
+        if groups.get("word", "").lower() in ("id", "number") and _has_id(message):
+            continue  # "BATTERY_STATUS has id 0 for the first pack"
+        text = f"{message.name} has the id {message.id}, not {number}"
+        place = passage.place_at(each.start("number"))
+        yield reading.found(MESSAGE_ID, place, f"{message.name} id {number}", text)
+
+
+def _before(reading: Reading, passage: Passage, around: Surroundings, start: int, end: int) -> WireMessage | None:
+    """The message that an id is said of which stands somewhere behind it in its sentence."""
+    low, _ = passage.sentence(start, end)
+    if _OTHER_ID.search(passage.text, low, start) or not between(reading.mentioned(passage), low, start):
+        return None
+    return _about(reading, passage, around, start, end)
+
+
+def _has_id(message: WireMessage) -> bool:
+    """Whether a field of a message is an id, too."""
+    return any(field.name == "id" or field.name.endswith("_id") for field in message.fields)
 
 
 def _lengths(reading: Reading, passage: Passage, around: Surroundings) -> Iterator[Diagnostic]:
@@ -129,8 +160,8 @@ def _lengths(reading: Reading, passage: Passage, around: Surroundings) -> Iterat
             and not _IS.search(found["between"])
         ):
             continue
-        number = int(found["number"] or found["each"])
-        what = (found["what"] or found["per"]).lower()
+        number = int(found["number"] or found["each"] or found["alone"])
+        what = (found["what"] or found["per"] or found["part"]).lower()
         base, full = message.base_length, message.length
         frames = {HEAD_V2 + base, HEAD_V2 + full, HEAD_V1 + base}
         frames |= {each + _SIGNATURE for each in frames}
@@ -139,7 +170,7 @@ def _lengths(reading: Reading, passage: Passage, around: Surroundings) -> Iterat
             wanted = {base, full} | frames
         if number in wanted:
             continue
-        group = "number" if found["number"] else "each"
+        group = next(name for name in ("number", "each", "alone") if found[name])
         own = f"a payload of {base} bytes" + (f", {full} with extensions" if full > base else "")
         text = f"{message.name} has {own}, and frames of {HEAD_V2 + base} in MAVLink 2, not {number}"
         words = passage.text[found.start() : found.end()]

@@ -21,10 +21,13 @@ RULE = Rule(
 SIGNATURE = 13
 """Bytes that signing adds to a frame of MAVLink 2."""
 
-_BYTES = re.compile(r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?bytes?\b(?![ ]?(?:/|per\b|a second))", re.IGNORECASE)
+_BYTES = re.compile(
+    r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?(?:payload )?bytes?\b(?![ ]?(?:/|per\b|a second))", re.IGNORECASE
+)
 # What may stand between a message and its size without making the size that of something else.
 _BETWEEN = re.compile(
-    r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|messages?|payload|frames?|packets?|size|length|total|whole|which|is|are|has|have|takes|needs|uses|of"
+    r"(?:[\s,:=()|\u2013-]|\(#?\d{1,8}\)|(?:message |msg )?id[ :=]{0,2}#?\d{1,6}\b"
+    r"|messages?|payload|frames?|packets?|size|length|total|whole|which|is|are|has|have|takes|needs|uses|of"
     r"|an?|the|with|without|only|exactly|base|full|complete|extensions?|v[12]|mavlink(?: ?[12])?|unsigned|signed|up to"
     r"|at most)*",
     re.IGNORECASE,
