@@ -84,8 +84,8 @@ BAD_WIFI = Rule(
 )
 PROGRAM_ENDED = Rule(
     "program-ended",
-    "The program raised an exception soon after it was started: it ended, or it runs on without what is faulty, says so "
-    "to ground stations and cannot be armed. The log above has the lines.",
+    "The program raised an exception soon after it was started: it ended, or it runs on without what is faulty, says "
+    "so to ground stations and cannot be armed. The log above has the lines.",
 )
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/announcement_checks.py: do not edit.
-# Inputs: 7f4ee4431d14b3dc
+# Inputs: d36f243eb571784d
 """What is sent at once: to who appears on a link, and when something has changed; never in a burst, and never lost."""
 
 from generation_checks import is_chosen, reporting
@@ -108,7 +108,7 @@ def many_are_told_once():
         for member in crowd:
             port.frames = []
             _beat(member, ONBOARD_CONTROLLER)
-            run(craft, 2 * STEP_US * len(_expected(craft)), STEP_US)
+            run(craft, SILENCE_MS * 1000 // 40, STEP_US)  # all of them in both turns: before the first is silent
             told += _announced(port) == _expected(craft)
         assert told == (0 if turn else 12), (turn, told)
 

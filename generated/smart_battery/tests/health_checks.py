@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 00721392cef82164
+# Inputs: 9593381439eb2322
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -166,7 +166,7 @@ def health_is_told_after_days():
 
 
 def estimated():
-    """What is estimated follows its curve, and is unknown with the value and once it is gone; what is not stays unknown."""
+    """What is estimated follows its curve, unknown with the value and once it is gone; what is not stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         points = measured["estimate_points"]

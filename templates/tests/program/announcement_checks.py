@@ -106,7 +106,7 @@ def many_are_told_once():
         for member in crowd:
             port.frames = []
             _beat(member, ONBOARD_CONTROLLER)
-            run(craft, 2 * STEP_US * len(_expected(craft)), STEP_US)
+            run(craft, SILENCE_MS * 1000 // 40, STEP_US)  # all of them in both turns: before the first is silent
             told += _announced(port) == _expected(craft)
         assert told == (0 if turn else 12), (turn, told)
 

@@ -164,7 +164,7 @@ def health_is_told_after_days():
 
 
 def estimated():
-    """What is estimated follows its curve, and is unknown with the value and once it is gone; what is not stays unknown."""
+    """What is estimated follows its curve, unknown with the value and once it is gone; what is not stays unknown."""
     needs(MEASURED, "something that is measured")
     for measured in MEASURED:
         points = measured["estimate_points"]
