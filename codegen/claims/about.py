@@ -135,7 +135,9 @@ def _references(reading: Reading, passage: Passage, around: Surroundings) -> Ite
             message, is_named = resolved
             field = message.field(name)
             if field is not None:
-                yield found.start(), found.end(), message, field, is_named
+                of = _OF.match(passage.text, found.end())
+                end = of.end() if of is not None and of["message"] == message.name else found.end()
+                yield found.start(), end, message, field, is_named
 
 
 def _message_of(

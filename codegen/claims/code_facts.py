@@ -3,14 +3,12 @@
 import re
 from collections.abc import Iterator
 
-from codegen.claims.field_notes import field_notes
 from codegen.claims.identifier import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID
 from codegen.claims.reading import Reading
 from codegen.claims.sentinel import UNIT
 from codegen.claims.size import RULE as SIZE
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
-from codegen.load.prose import CodeBlock
 from codegen.model.dialect import WireMessage
 from codegen.model.nearest_unit import worded_unit
 from codegen.model.unit import Unit
@@ -27,11 +25,6 @@ _NUMBERED = "MAVLINK_MSG_ID_"
 _COMMENT = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60}),? (?:message )?id:? #?(?P<id>\d{1,6})\b")
 _QUOTED = re.compile(
     r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})[\"']\s*[:,=]>?\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
-)
-_MEMBER = re.compile(
-    r"^\s*(?:pub |readonly |public |self\.)*(?P<field>[a-z][a-z0-9_]{0,60})\??\s*:\s*"
-    r"(?:number|bigint|float|int|f32|f64|[iu]\d\d?)"
-    r"(?:\s*=\s*[^;/#]{1,20})?\s*[;,]?\s*(?://|#)\s*(?P<unit>[^\s,;()]{1,16})(?=\s*(?:[,;(]|$))"
 )
 _NAMED = re.compile(r"(?:(?:export )?const|#)?\s*(?P<message>[A-Z][A-Z0-9_]{2,60})\s*(?::\s*\w+\s*)?=?\s*\{")
 _KEY = re.compile(
@@ -55,8 +48,6 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 about = None
             elif about is not None:
                 yield from _keys(reading, line, about)
-        yield from _members(reading, code)
-    yield from _struct_units(reading)
 
 
 def _at(line: Line, offset: int) -> Place:
@@ -118,26 +109,6 @@ def _quoted(reading: Reading, line: Line) -> Iterator[Diagnostic]:
         message = reading.messages.get(found["message"])
         if message is not None:
             yield from _unit(reading, message, found["field"], found["unit"], _at(line, found.start("unit")))
-
-
-def _members(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
-    """Members of an interface or a class, whose comments begin with a unit."""
-    found = [(line, _MEMBER.match(line.text)) for line in code.lines]
-    members = [(line, each) for line, each in found if each is not None]
-    about = reading.message_with([each["field"] for _, each in members], code.place.line) if len(members) > 1 else None
-    for line, each in members if about else ():
-        if about is not None:
-            yield from _unit(reading, about, each["field"], each["unit"], _at(line, each.start("unit")))
-
-
-def _struct_units(reading: Reading) -> Iterator[Diagnostic]:
-    """Comments of a struct that begin with a unit: ``float roll; // rad``."""
-    for notes in field_notes(reading):
-        for note, field in notes.pairs():
-            found = re.match(r"\s*(?://|/\*|#)\s*(?P<unit>[^\s,;()]{1,16})(?=\s*(?:[,;(*]|$))", note.text)
-            if found is not None and note.type is not None:
-                place = note.passage.place_at(note.start + found.start("unit"))
-                yield from _unit(reading, notes.message, field.name, found["unit"], place)
 
 
 def _unit(reading: Reading, message: WireMessage, name: str, stated: str, place: Place) -> Iterator[Diagnostic]:

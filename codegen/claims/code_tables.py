@@ -32,6 +32,7 @@ _ROLES: Mapping[str, "re.Pattern[str]"] = {
     "id": re.compile(r"(?:msg|message)_?ids?\b|(?<![a-z])ids?\b|_ids?\b|Ids?\b|\bIDS?\b|MsgId|MessageId"),
     "length": re.compile(r"(?:^|_|\b)len(?:gths?)?s?\b|payload|sizes?\b", re.IGNORECASE),
 }
+_BRANCH = re.compile(r"\b(?:match|switch|if|while|return)\b")
 _ROLE_OF_KEY = {"crcextra": "crc", "crc_extra": "crc", "minlength": "min_length", "min_length": "min_length"}
 
 
@@ -43,7 +44,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         for line in code.lines:
             yield from _always(reading, line)
             opened = re.search(r"[{\[(]", line.text)
-            if opened is not None and not _NAMED.match(line.text.lstrip()):
+            if opened is not None and not _BRANCH.search(line.text) and not _NAMED.match(line.text.lstrip()):
                 own = _role(line.text if line.text.rstrip().endswith("{") else line.text[: opened.start()])
                 role = own or (role if line.text.startswith((" ", "\t")) else None)
             if role is not None:

@@ -73,8 +73,8 @@ _VALUE = r"(?P<value>U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|0x[fF]{2,16}|(?<![\w.+-]
 _UNKNOWN = re.compile(
     rf"{_VALUE}\s*[\[(]?\s*(?:=|:|if|when|where|for|is|means|stands for|marks|says)?\s*(?:an? |the )?"
     r"(?:it |value |field |current |this )?"
-    r"(?:is |are )?(?P<words>unknown|unavailable|invalid|no (?:estimate|data|value|measurement|reading|sensor)|"
-    r"not (?:known|provided|available|measured|valid|there|used|set))\b",
+    r"(?:is |are |there is )?(?P<words>unknown|unavailable|invalid"
+    r"|no (?:estimate|data|value|measurement|reading|sensor)|not (?:known|provided|available|measured|valid|there|used|set))\b",
     re.IGNORECASE,
 )
 _AFTER = re.compile(rf"\b(?:unknown|invalid)(?: is|:| =|=| as)\s*{_VALUE}", re.IGNORECASE)

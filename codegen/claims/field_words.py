@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.about import Said, said_of_fields
-from codegen.claims.reading import Reading
+from codegen.claims.reading import Reading, between
 from codegen.claims.sentinel import UNIT
 from codegen.claims.structure import RULE as TYPE
 from codegen.diagnostics import Diagnostic, Rule
@@ -36,6 +36,8 @@ _IN_UNIT = re.compile(
     r"(?=\s*(?:[,.;:)(|]|$|if\b|and\b|for\b|above\b|below\b|since\b"
     r"|before\b|at\b|from\b|as\b|over\b|\u2013|\u2014))"
 )
+_BESIDE = re.compile(rf"[`\s]*[(\[](?:in )?(?P<unit>{_UNIT})[)\]]")
+_HAS_UNIT = re.compile(rf"[^.;]{{0,20}}?\bunit(?: is|:| of)? (?P<unit>{_UNIT})(?=\s*(?:[,.;:)(|]|$|and\b))")
 _BEHIND_TYPE = re.compile(rf"[\s)]*[,:;(]\s*(?P<unit>{_UNIT})(?=\s*(?:[,.;:)(|]|$|\u2013))")
 _SCALED = re.compile(
     r"\btimes\b|multipl|divid|scal|convert|\bshown?\b|\bdisplay|\bplot|\bafter\b|\bwe\b|\bour\b|\b1e-?\d"
@@ -54,7 +56,14 @@ _FACTOR = re.compile(
     re.IGNORECASE,
 )
 _TIMES = re.compile(rf"\bin (?P<unit>{_UNIT}) (?:times|\*|x) {_NUMBER}(?![\w])", re.IGNORECASE)
-_PARTS = re.compile(rf"\bin (?P<part>tenths|hundredths|thousandths) of (?:an? )?(?P<unit>{_UNIT})", re.IGNORECASE)
+_AND = r",? and |, |/"
+_PLAIN = re.compile(
+    rf"\b(?P<names>[a-z][a-z0-9_]{{2,30}}(?:(?:{_AND})[a-z][a-z0-9_]{{1,30}}){{0,6}})(?: angles?| rates?| values?)?"
+    rf"(?: are| is| as| given| all)* in (?P<unit>{_UNIT})(?=\s*(?:[,.;:)]|$|and\b|at\b|for\b))"
+)
+_PARTS = re.compile(
+    rf"\b(?:in|counts|holds|of|as) (?P<part>tenths|hundredths|thousandths) of (?:an? )?(?P<unit>{_UNIT})", re.IGNORECASE
+)
 _SHARES = {"tenths": 10, "hundredths": 100, "thousandths": 1000}
 _NUMBERS = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8, "ten": 10, "twelve": 12}
 _COUNT = rf"(?:\d{{1,3}}|{'|'.join(_NUMBERS)})"
@@ -73,12 +82,15 @@ _IS_BASE = re.compile(r"[\s,]*(?:is|are) (?:an? )?base fields?\b", re.IGNORECASE
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Everything that is said of a field by its name."""
+    yield from _plain(reading)
     for said in said_of_fields(reading):
         if said.passage.kind is PassageKind.ROW:
             continue  # tables are read by their columns
         declared = _DECLARED.match(said.passage.text, said.end, said.until)
         if declared is not None:
             yield from _types(reading, said, declared)
+        else:
+            yield from _spelled(reading, said)
         if not said.is_joined:
             yield from _lengths(reading, said)
         yield from _units(reading, said, declared)
@@ -96,6 +108,42 @@ def _lengths(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     if number != said.field.count:
         text = f"{said.name} has {said.field.count} elements, not {written}"
         yield reading.found(TYPE, said.passage.place_at(found.start()), f"{said.name} {found[0]}", text)
+
+
+_SIGNS = {"unsigned": "u", "signed": ""}
+_SPELLED = re.compile(
+    r"[\s(:=,\u2013\u2014-]*(?:(?:is|are|as|an?|type|stored as|sent as|the field)\s+)*(?:(?P<sign>unsigned|signed) )?"
+    r"(?:(?P<bits>8|16|32|64)(?:[ -]bits?|bits?)\b|(?P<byte>byte))(?: (?P<after>unsigned|signed))?"
+    r"(?: (?P<kind>integers?|ints?|numbers?|words?|floats?|values?))?\b",
+    re.IGNORECASE,
+)
+_SHORT = re.compile(r"[\s(:=,\u2013\u2014-]*(?:(?:is|are|as|an?|of)\s+)*(?P<short>[uif](?:8|16|32|64))\b")
+
+
+def _spelled(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+    """ "A 16-bit unsigned integer", "a signed byte", "u32": what is said is compared, the size and the sign."""
+    text, field = said.passage.text, said.field
+    found = short = _SHORT.match(text, said.end, said.until)
+    if found is not None:
+        bits, own_sign = int(found["short"][1:]), {"u": "u", "i": "", "f": "f"}[found["short"][0]]
+        sign: str | None = own_sign
+    else:
+        found = _SPELLED.match(text, said.end, said.until)
+        if found is None:
+            return
+        bits = int(found["bits"] or 8)
+        said_sign = (found["sign"] or found["after"] or "").lower()
+        is_float = (found["kind"] or "").lower().startswith("float")
+        sign = "f" if is_float else _SIGNS.get(said_sign)
+        if found["byte"] and sign is None:
+            return
+    if said.is_joined or field.type.name == "char" or (field.is_array and short is None):
+        return
+    own = "f" if field.type.name in ("float", "double") else "u" if field.type.name.startswith("u") else ""
+    if bits != 8 * field.type.size or (sign is not None and sign != own):
+        written = found[0].strip(" (:=,-")
+        place = said.passage.place_at(found.start())
+        yield reading.found(TYPE, place, f"{said.name} {written}", f"{said.name} is {field.type.name}, not {written}")
 
 
 def _types(reading: Reading, said: Said, found: "re.Match[str]") -> Iterator[Diagnostic]:
@@ -119,9 +167,15 @@ def _units(reading: Reading, said: Said, declared: "re.Match[str] | None") -> It
     text = said.passage.text
     if own is None:
         return
-    found = _IN_UNIT.search(text, said.end, said.until)
-    if found is None and (declared is not None or said.passage.kind is PassageKind.ITEM):
-        found = _BEHIND_TYPE.match(text, declared.end() if declared else said.end, said.until)
+    end = declared.end() if declared else said.end
+    is_listed = declared is not None or said.passage.kind is PassageKind.ITEM
+    places = (
+        _BESIDE.match(text, said.end, said.until),
+        _HAS_UNIT.match(text, said.end, said.until),
+        _IN_UNIT.search(text, said.end, said.until),
+        _BEHIND_TYPE.match(text, end, said.until) if is_listed else None,
+    )
+    found = next((each for each in places if each is not None and worded_unit(each["unit"]) is not None), None)
     stated = worded_unit(found["unit"]) if found else None
     if found is not None and _SCALED.search(text, said.end, min(found.end() + _NEAR, said.until)):
         return
@@ -132,6 +186,25 @@ def _units(reading: Reading, said: Said, declared: "re.Match[str] | None") -> It
     yield reading.found(
         UNIT, place, f"{said.name} in {found['unit']}", f"{said.name} is in {unit}, not {found['unit']}"
     )
+
+
+def _plain(reading: Reading) -> Iterator[Diagnostic]:
+    """ "ATTITUDE gives roll, pitch and yaw in degrees": names without marks, behind the message that has them all."""
+    for passage, mentions in reading.passages_with_messages():
+        for found in _PLAIN.finditer(passage.text):
+            low, high = passage.sentence(found.start(), found.end())
+            named = between(mentions, low, found.start())
+            message = reading.messages[named[-1].name] if named else None
+            fields = [message.field(name) for name in re.split(_AND, found["names"])] if message else []
+            unit = worded_unit(found["unit"])
+            first = fields[0] if fields else None
+            own = Unit.parse(first.definition.units) if first else None
+            if message is None or None in fields or unit is None or first is None or own is None:
+                continue
+            if not _is_same(unit, own) and not _SCALED.search(passage.text, low, high):
+                text = f"{message.name}.{first.name} is in {first.definition.units}, not {found['unit']}"
+                place = passage.place_at(found.start("unit"))
+                yield reading.found(UNIT, place, f"{message.name}.{first.name} in {found['unit']}", text)
 
 
 NO_UNIT = Unit("", (), Fraction(1))

@@ -34,8 +34,13 @@ _COMMENT = re.compile(r"(?://|/\*|#|<!--|\*)\s.*?\bmessages?\s+(?:id\s*)?#?(\d{1
 _NOTHING_MORE = re.compile(r"\)?[\s.,;]*$")
 _ENTRY = re.compile(r"(?<![\w.])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}(?![\w])")
 _NUMBER = r"(?:0[xX][0-9a-fA-F]{1,16}|\d{1,20})"
-_VALUE_AFTER = re.compile(rf"\s*\(\s*({_NUMBER})\s*\)|\s*=\s*({_NUMBER})(?![\w.])")
-_VALUE_BEFORE = re.compile(rf"(?:^|[|:=,]|\bis|\bto|\bor|\bvalue)\s*({_NUMBER})\s*\(\s*$")
+_VALUE_AFTER = re.compile(
+    rf"\s*\(\s*({_NUMBER})\s*\)|\s*=\s*({_NUMBER})(?![\w.])"
+    rf"|,? (?:is|has) (?:the )?(?:command|number|value|code)(?: number| id)? ({_NUMBER})(?![\w.]\d|\w)"
+)
+_VALUE_BEFORE = re.compile(
+    rf"(?:^|[|:=,]|\bis|\bto|\bor|\bvalue|\b[Cc]ommand|\bresult|\bstate|\btype)\s*({_NUMBER})\s*\(\s*$"
+)
 _CRC = re.compile(
     r"\b(?:CRC[_ -]?EXTRA|extra CRC|(?:CRC[_ ])?seed)\b"
     r"(?:\s+(?:byte|of|is|for|value|[A-Z][A-Z0-9_]{2,60}))*[\s:=(]{1,3}(0x[0-9a-f]{1,2}\b|\d{1,3}\b)",

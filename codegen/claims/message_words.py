@@ -1,15 +1,14 @@
-"""What sentences say of whole messages: ids, lengths, the order of fields, and names of fields that there are not."""
+"""What sentences say of whole messages: ids, lengths, and the order of fields."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from difflib import get_close_matches
+from collections.abc import Iterator
 from itertools import pairwise
 
 from codegen.claims.about import Surroundings, surroundings
 from codegen.claims.identifier import MESSAGE_ID
 from codegen.claims.reading import Reading, between
 from codegen.claims.size import RULE as SIZE
-from codegen.diagnostics import Diagnostic, Rule, did_you_mean
+from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect import WireMessage
 from codegen.model.price import HEAD_V1, HEAD_V2
@@ -19,15 +18,6 @@ ORDER = Rule(
     "A document gives another order of the fields on the wire than the message has: the largest types come first, "
     "fields of one size stay as they are, extensions come behind all others. Correct it.",
 )
-NO_FIELD = Rule(
-    "claim-no-field",
-    "A document names a field that its message does not have, and that looks like one that it has. Correct the name.",
-)
-NO_MESSAGE = Rule(
-    "claim-no-message",
-    "A document names a message that no dialect has, and that looks like one of them. Correct the name.",
-)
-
 _MESSAGE = r"(?P<message>[A-Z][A-Z0-9_]{2,60})"
 _N = r"#?(?P<number>\d{1,6})(?![\w.]\d|\w| ?(?:Hz|bytes?|times|ms|s|per|%)\b)"
 _IDS = tuple(
@@ -63,43 +53,19 @@ _IS = re.compile(r"\b(?:has|have|is|are|takes?|needs?|length|size|long|of)\b", r
 _CUT = re.compile(r"truncat|trimmed|\bcut\b|zeros? (?:at|are)|recorded|captur|shortened|often", re.IGNORECASE)
 _WIRE = re.compile(r"on the wire|wire order|in this order|order on|payload (?:begins|starts)", re.IGNORECASE)
 _XML = re.compile(r"\bXML\b|as (?:declared|defined|listed)|definition|dialect", re.IGNORECASE)
-_SENDS = re.compile(
-    r"\b(?:messages?|send|sends|sent|answers?|stream|streams|streamed|request|requests|requested|replies|receives?|telemetry|Hz)\b",
-    re.IGNORECASE,
-)
-_SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
-_FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
-_ELSE = re.compile(
-    r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
-    r"|signal|script|module|column|table|key)s?\s+$",
-    re.IGNORECASE,
-)
-_UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/]|\.[a-z]|\s*\()")
-_ALIKE = 0.72
 _SIGNATURE = 13
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every passage."""
-    known = {entry.name for enum in reading.enums.values() for entry in enum.entries} | set(reading.enums)
-    known |= {each.name for each in reading.reference.listed}
-    named = dict.fromkeys(name for _, name in reading.sightings)
-    fields = {field.name for name in named for field in reading.messages[name].fields}
-    followed = set(_followed(reading))
-    families: dict[str, list[str]] = {}
-    for name in reading.messages:
-        if "_" in name:
-            families.setdefault(name.partition("_")[0], []).append(name)
     for part, around in surroundings(reading):
         if isinstance(part, Passage):
             yield from _ids(reading, part, around)
             yield from _lengths(reading, part, around)
             yield from _order(reading, part, around)
-            yield from _fields(reading, part, around, fields, followed)
-            yield from _messages(reading, part, known, families)
 
 
-def _about(reading: Reading, passage: Passage, around: Surroundings, start: int, end: int) -> WireMessage | None:
+def message_about(reading: Reading, passage: Passage, around: Surroundings, start: int, end: int) -> WireMessage | None:
     """The message that a statement is about: the only one of its sentence, of its passage, of the heading."""
     mentions = reading.mentioned(passage)
     low, high = passage.sentence(start, end)
@@ -138,7 +104,7 @@ def _before(reading: Reading, passage: Passage, around: Surroundings, start: int
     low, _ = passage.sentence(start, end)
     if _OTHER_ID.search(passage.text, low, start) or not between(reading.mentioned(passage), low, start):
         return None
-    return _about(reading, passage, around, start, end)
+    return message_about(reading, passage, around, start, end)
 
 
 def _has_id(message: WireMessage) -> bool:
@@ -151,7 +117,7 @@ def _lengths(reading: Reading, passage: Passage, around: Surroundings) -> Iterat
     for found in _LENGTH.finditer(passage.text):
         low, high = passage.sentence(found.start(), found.end())
         sentence = passage.text[low:high]
-        message = _about(reading, passage, around, found.start(), found.end())
+        message = message_about(reading, passage, around, found.start(), found.end())
         if message is None or message.id < 0 or _CUT.search(sentence) or _OTHER.search(found["between"] or ""):
             continue
         if (
@@ -181,7 +147,7 @@ def _order(reading: Reading, passage: Passage, around: Surroundings) -> Iterator
     """A list of fields in one sentence that says that it is the order on the wire."""
     if not _WIRE.search(passage.text) or _XML.search(passage.text) or len(passage.codes) < 3:
         return
-    message = _about(reading, passage, around, passage.codes[0][0], passage.codes[0][1])
+    message = message_about(reading, passage, around, passage.codes[0][0], passage.codes[0][1])
     if message is None:
         return
     found = [(message.field(passage.text[low:high]), low) for low, high in passage.codes]
@@ -195,59 +161,3 @@ def _order(reading: Reading, passage: Passage, around: Surroundings) -> Iterator
             place = passage.place_at(fields[0][1])
             yield reading.found(ORDER, place, f"{message.name} order {low}", text, f"on the wire: {order}")
             return
-
-
-def _followed(reading: Reading) -> Iterator[str]:
-    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``."""
-    for passage in reading.prose.passages:
-        for found in _UPPER.finditer(passage.text):
-            words = found[0].split("_") if found[0] not in reading.messages else []
-            yield from (name for end in range(1, len(words)) if (name := "_".join(words[:end])) in reading.messages)
-
-
-def _fields(
-    reading: Reading, passage: Passage, around: Surroundings, fields: Collection[str], followed: Collection[str]
-) -> Iterator[Diagnostic]:
-    """Names in code spans that look like a field of the message that the passage is about.
-
-    ``fields`` has those of all messages that the document names: what one of them has is no misspelling. Nor is a new
-    name of a message with a successor (``followed``), whose field it may be.
-    """
-    for low, high in passage.codes:
-        name = passage.text[low:high]
-        if name in fields or _SNAKE.fullmatch(name) is None:
-            continue
-        message = _about(reading, passage, around, low, high)
-        if message is None or message.name in followed or _ELSE.search(passage.text, max(low - 12, 0), low):
-            continue
-        names = [field.name for field in message.fields]
-        near = get_close_matches(name, names, n=1, cutoff=_ALIKE)
-        is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
-        if near or (is_called and reading.named(passage)):
-            text = f"{message.name} has no field {name}"
-            hint = did_you_mean(name, names)
-            yield reading.found(NO_FIELD, passage.place_at(low), f"{message.name} {name}", text, hint)
-
-
-def _messages(
-    reading: Reading, passage: Passage, known: Collection[str], families: Mapping[str, Sequence[str]]
-) -> Iterator[Diagnostic]:
-    """Names of messages that no dialect has, where the sentence is about messages.
-
-    ``families`` has the names of all messages by their first words.
-    """
-    for found in _UPPER.finditer(passage.text):
-        name = found[0]
-        first = name.partition("_")[0]
-        if name in reading.messages or name in known or first not in families:
-            continue
-        low, high = passage.sentence(found.start(), found.end())
-        mentions = between(reading.mentioned(passage), low, high)
-        is_row = passage.kind is PassageKind.ROW and not passage.text[: found.start()].strip(" |")
-        if not (is_row or (mentions and _SENDS.search(passage.text, low, high))):
-            continue
-        near = get_close_matches(name, families[first], n=1, cutoff=0.82)
-        is_kin = any(name.startswith(each) or each.startswith(name) for each in near)  # a proposal, or a family
-        if near and not is_kin and not any(name.startswith(f"{enum}_") for enum in reading.enums):
-            text = f"there is no message {name}"
-            yield reading.found(NO_MESSAGE, passage.place_at(found.start()), name, text, f"did you mean {near[0]}?")

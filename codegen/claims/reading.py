@@ -20,7 +20,7 @@ from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
 _WRONG = re.compile(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
-_SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,}(?=[ :,(]))(?![\w-])")
+_SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,}(?=[ :,('.]))(?![\w-])")
 """Names that are hardly anything else than names of messages: of several words, or long ones."""
 _MOST_RELATED = 8
 """How many repetitions of a claim are listed."""

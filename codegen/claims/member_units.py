@@ -1,0 +1,132 @@
+"""Units that code gives members of messages, in comments beside or above them, and factors that it scales them by."""
+
+import re
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from codegen.claims.field_words import SCALING
+from codegen.claims.reading import Reading
+from codegen.claims.sentinel import UNIT
+from codegen.diagnostics import Diagnostic
+from codegen.load.markdown_blocks import Line
+from codegen.load.prose import CodeBlock
+from codegen.model.dialect import WireMessage
+from codegen.model.nearest_unit import worded_unit
+from codegen.model.unit import Unit, conversion
+
+_UNIT = r"[A-Za-z%\u00b5\u00b0][A-Za-z0-9/%^*\u00b2\u00b3]{0,18}"
+_ABOVE = re.compile(r"^\s*(?:///?|/\*\*?|\*|#)\s*(?P<text>[^*]{1,120}?)\s*(?:\*/)?\s*$")
+_BESIDE = re.compile(r"(?://|/\*|#)[/*!<]*\s*(?P<text>.{1,160}?)\s*(?:\*/)?\s*$")
+_BRACKETS = re.compile(rf"^\[(?P<unit>{_UNIT})\]")
+_LAST = re.compile(rf"(?:^|,\s|\bin |\()(?P<unit>{_UNIT})\)?\.?$")
+_MEMBER = re.compile(
+    r"^\s*(?:pub |readonly |public |const |self\.)*(?:(?P<field>[a-z][a-z0-9_]{0,60})\??\s*:\s*\[?\w+"
+    r"|(?:u?int(?:8|16|32|64)_t|float|double|char)\s+(?P<declared>[a-z][a-z0-9_]{0,60})\b)"
+)
+_READ = re.compile(
+    r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\s*\()"
+    r"(?:\s*(?P<how>[*/])\s*(?P<number>1[eE]-?\d{1,2}|\d{1,8}(?:\.\d{1,8})?))?\)?\s*[;,]?\s*(?:#|//)\s*"
+    rf"(?:in )?(?P<unit>{_UNIT})\s*$"
+)
+_TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
+_NESTED = re.compile(r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']\s*:\s*\{(?P<inner>[^{}]{1,400})\}")
+_PAIR = re.compile(r"[\"'](?P<field>[a-z]\w{0,60})[\"']\s*:\s*[\"'](?P<unit>[^\"']{1,16})[\"']")
+
+
+def check(reading: Reading) -> Iterator[Diagnostic]:
+    """Every block of code."""
+    for code in reading.prose.code:
+        yield from _members(reading, code)
+        yield from _reads(reading, code)
+        for line in code.lines:
+            yield from _nested(reading, line)
+
+
+def _members(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+    """Declarations of a struct or an interface, each with the comment beside it, or else the one above it."""
+    found: list[tuple[str, Line, re.Match[str]]] = []
+    above: tuple[Line, re.Match[str]] | None = None
+    for line in code.lines:
+        member = _MEMBER.match(line.text)
+        beside = _BESIDE.search(line.text)
+        if member is None:
+            comment = _ABOVE.match(line.text)
+            above = (line, comment) if comment is not None else None
+            continue
+        name = member["field"] or member["declared"]
+        if beside is not None:
+            found.append((name, line, beside))
+        elif above is not None:
+            found.append((name, *above))
+        above = None
+    about = reading.message_with([name for name, _, _ in found], code.place.line) if len(found) > 1 else None
+    for name, line, comment in found if about else ():
+        text = comment["text"]
+        stated = _BRACKETS.match(text) or _LAST.search(text)
+        if stated is not None and about is not None:
+            yield from _unit(reading, about, name, stated["unit"], line, comment.start("text") + stated.start("unit"))
+
+
+def _reads(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+    """``alt = msg.alt / 1000  # m``: the unit behind it is that of the number once it is scaled."""
+    taken = [each for line in code.lines if (each := _TAKEN.match(line.text))]
+    variables = {
+        each["variable"]: reading.messages[each["message"]] for each in taken if each["message"] in reading.messages
+    }
+    for line in code.lines:
+        for found in _READ.finditer(line.text):
+            message = variables.get(found["variable"]) or _only(reading, variables)
+            if message is not None:
+                yield from _read(reading, message, found, line)
+
+
+def _only(reading: Reading, variables: Mapping[str, WireMessage]) -> WireMessage | None:
+    """The message that a document is about, where it names one only and code asks for none by its name."""
+    names = {name for _, name in reading.sightings}
+    return reading.messages[names.pop()] if len(names) == 1 and not variables else None
+
+
+def _read(reading: Reading, message: WireMessage, found: "re.Match[str]", line: Line) -> Iterator[Diagnostic]:
+    field = message.field(found["field"])
+    own = Unit.parse(field.definition.units) if field else None
+    if field is None or own is None:
+        return
+    if found["how"] is None:
+        yield from _unit(reading, message, field.name, found["unit"], line, found.start("unit"))
+        return
+    unit = worded_unit(found["unit"])
+    turned = conversion(own, unit) if unit is not None else None
+    number = Fraction(found["number"])
+    if turned is None or not turned.ratio or not number:
+        return
+    stated = 1 / number if found["how"] == "/" else number
+    if stated != turned.ratio:
+        name = f"{message.name}.{field.name}"
+        place = line.place._replace(column=line.place.column + found.start("variable"))
+        factor = f"{found['how']} {found['number']}"
+        words = f"{name} is in {field.definition.units}, which {factor} does not make {found['unit']}"
+        yield reading.found(SCALING, place, f"{name} {found[0]}", words)
+
+
+def _nested(reading: Reading, line: Line) -> Iterator[Diagnostic]:
+    for found in _NESTED.finditer(line.text):
+        message = reading.messages.get(found["message"])
+        for pair in _PAIR.finditer(line.text, found.start("inner"), found.end("inner")) if message else ():
+            if message is not None:
+                yield from _unit(reading, message, pair["field"], pair["unit"], line, pair.start("unit"))
+
+
+def _unit(
+    reading: Reading, message: WireMessage, name: str, written: str, line: Line, offset: int
+) -> Iterator[Diagnostic]:
+    field = message.field(name)
+    own = Unit.parse(field.definition.units) if field else None
+    unit = worded_unit(written)
+    if field is None or own is None or unit is None or not unit.dimension:
+        return
+    if (unit.dimension, unit.scale, unit.pi) != (own.dimension, own.scale, own.pi):
+        about = f"{message.name}.{name}"
+        place = line.place._replace(column=line.place.column + offset)
+        yield reading.found(
+            UNIT, place, f"{about} in {written}", f"{about} is in {field.definition.units}, not {written}"
+        )

@@ -1,0 +1,313 @@
+"""Names of messages, fields and entries that there are not, and that look like one that there is."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from itertools import groupby
+
+from codegen.claims.about import Surroundings, surroundings
+from codegen.claims.field_notes import field_notes
+from codegen.claims.message_words import message_about
+from codegen.claims.reading import Reading, between
+from codegen.diagnostics import Diagnostic, Rule, did_you_mean
+from codegen.frozen import dataclass
+from codegen.load.markdown_blocks import Line
+from codegen.load.prose import CodeBlock, Passage, PassageKind
+from codegen.model.dialect import WireMessage
+from codegen.source import Place
+
+NO_FIELD = Rule(
+    "claim-no-field",
+    "A document names a field that its message does not have, and that looks like one that it has. Correct the name.",
+)
+NO_MESSAGE = Rule(
+    "claim-no-message",
+    "A document names a message that no dialect has, and that looks like one of them. Correct the name.",
+)
+NO_ENTRY = Rule(
+    "claim-no-entry",
+    "A document names an entry that its enum does not have, and that looks like one that it has. Correct the name.",
+)
+
+_UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\()")
+_SENT = re.compile(
+    r"\b(?:messages?|send|sends|sent|answers?|streams?|streamed|requests?|requested|repl(?:y|ies)|receives?|publishe?s?"
+    r"|uses?|emits?|telemetry|Hz)\b",
+    re.IGNORECASE,
+)
+_BEFORE = re.compile(
+    r"\b(?:messages?|msg|sends?|streams?|requests?|publish(?:es)?|uses?|emits?|answers? with|repl(?:y|ies) with|reads?)"
+    r" (?:the |an? |each |all )?$",
+    re.IGNORECASE,
+)
+_BEHIND = re.compile(r" ?(?:message|packet|frame)\b| \((?:id |#)?\d| (?:at|with|every) \d|,? \d+ ?Hz", re.IGNORECASE)
+_OWN = re.compile(
+    r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?)\b",
+    re.IGNORECASE,
+)
+_ELSE = re.compile(
+    r"\b(?:topic|param|parameter|variable|function|macro|attribute|argument|option|setting|file|method|class|constant"
+    r"|signal|script|module|column|table|key)s?\s+$",
+    re.IGNORECASE,
+)
+_SNAKE = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+")
+_FIELD = re.compile(r"\bfields?\s+$", re.IGNORECASE)
+_QUALIFIED = re.compile(r"(?<![\w./])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{1,60})(?![\w(/.-])")
+_FILES = frozenset(
+    ["md", "yaml", "yml", "py", "c", "h", "hpp", "cpp", "rs", "ts", "js", "json", "xml", "html", "txt", "csv"]
+)
+_IN_CODE = re.compile(
+    r"(?:\btype\s*=\s*|get_?[tT]ype\(\)\s*===?\s*|\bname\s*===?\s*)[\"'](?P<quoted>[A-Z][A-Z0-9_]{2,60})[\"']"
+    r"|\bMAVLINK_MSG_ID_(?P<constant>[A-Z][A-Z0-9_]{2,60})(?![\w])"
+)
+_TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
+_DECLARED = re.compile(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<variable>\w+)\s*[;=]")
+_CONSTANT = re.compile(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
+_MEMBER = re.compile(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
+_BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]))")
+_FAMILY = 5
+"""Names that begin alike: then what they begin with is their family, and no misspelling of one of them."""
+_ALIKE = 0.72
+_SAME = 0.8
+_KIN = 0.65
+"""For what begins as all entries of an enum do."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """All names that a document may mean: ``messages`` by name, ``known`` names of anything else in the dialects.
+
+    ``fields`` has those of all messages that the document names: what one of them has is no misspelling. Nor is a new
+    name of a message with a successor (``followed``), whose field it may be. ``entries`` are by the beginning that all
+    of an enum share.
+    """
+
+    messages: Mapping[str, WireMessage]
+    known: Collection[str]
+    fields: Collection[str]
+    followed: Collection[str]
+    entries: Mapping[str, Sequence[str]]
+
+
+def check(reading: Reading) -> Iterator[Diagnostic]:
+    """Every passage, every run of rows or items, and every line of code."""
+    names = _names(reading)
+    for notes in field_notes(reading):
+        for note in notes.notes if not notes.is_whole and notes.message.name not in names.followed else ():
+            is_one = note.type is None or notes.message.field(note.name) or note.name in names.fields
+            if not is_one and _near_fields(note.name, notes.message):
+                yield _no_field(reading, note.passage.place, notes.message, note.name)
+    for kind, run in groupby(surroundings(reading), lambda each: getattr(each[0], "kind", None)):
+        parts = list(run)
+        passages = [part for part, _ in parts if isinstance(part, Passage)]
+        listed = _listed(reading, passages) if kind in (PassageKind.ROW, PassageKind.ITEM) else frozenset[int]()
+        if kind in (PassageKind.ROW, PassageKind.ITEM):
+            yield from _members(reading, passages, parts[0][1], names)
+        for part, around in parts:
+            if isinstance(part, CodeBlock):
+                yield from _code(reading, part, names)
+                continue
+            yield from _messages(reading, part, names, listed)
+            yield from _entries(reading, part, names)
+            yield from _fields(reading, part, around, names)
+            yield from _qualified(reading, part, names)
+
+
+def _names(reading: Reading) -> _Names:
+    enums = reading.enums
+    known = {entry.name for enum in enums.values() for entry in enum.entries} | set(enums)
+    known |= {each.name for each in reading.reference.listed}
+    named = dict.fromkeys(name for _, name in reading.sightings)
+    entries = {f"{name}_": [entry.name for entry in enum.entries] for name, enum in enums.items()}
+    return _Names(
+        messages=reading.messages,
+        known=known,
+        fields={field.name for name in named for field in reading.messages[name].fields},
+        followed=set(_followed(reading)),
+        entries={start: found for start, found in entries.items() if found and found[0].startswith(start)},
+    )
+
+
+def _followed(reading: Reading) -> Iterator[str]:
+    """The messages that a document names a successor of which the dialect lacks: ``NAME_V2``."""
+    for passage in reading.prose.passages:
+        for found in _UPPER.finditer(passage.text):
+            words = found[0].split("_") if found[0] not in reading.messages else []
+            yield from (name for end in range(1, len(words)) if (name := "_".join(words[:end])) in reading.messages)
+
+
+def _first(passage: Passage) -> "re.Match[str] | None":
+    """What a row or an item begins with."""
+    return _BEGINNING.match(passage.text)
+
+
+def _listed(reading: Reading, passages: Sequence[Passage]) -> frozenset[int]:
+    """The passages of a run whose beginnings are names of messages: at least one of them is known."""
+    begun = [(passage, found["name"]) for passage in passages if (found := _first(passage)) and found["name"].isupper()]
+    if not any(name in reading.messages for _, name in begun):
+        return frozenset()
+    return frozenset(id(passage) for passage, _ in begun)
+
+
+def _near_message(name: str, names: _Names) -> str | None:
+    """The message that a name was meant for; None for what may be a message of its own."""
+    joined = name.replace("_", "")
+    *front, last = name.split("_")
+    kin = []
+    for known in names.messages:
+        *own_front, own_last = known.split("_")
+        if known.replace("_", "") == joined:
+            return known
+        shorter, longer = sorted((last, own_last), key=len)
+        if own_front == front and len(shorter) > 2 and longer.startswith(shorter):
+            return known
+        first, own_first = name.partition("_")[0], known.partition("_")[0]
+        if first == own_first or (
+            min(len(own_first), len(first)) > 2 and (own_first.startswith(first) or first.startswith(own_first))
+        ):
+            kin.append(known)
+    begun = [known for known in kin if known.startswith(f"{name}_")]
+    if len(begun) >= _FAMILY:
+        return None
+    if begun:
+        return begun[0]
+    others = [known for known in kin if not name.startswith(f"{known}_")]  # or it is a successor
+    return next(iter(get_close_matches(name, others, n=1, cutoff=_SAME)), None)
+
+
+def _is_unknown(name: str, names: _Names) -> bool:
+    return name not in names.messages and name not in names.known and not _entry_start(name, names)
+
+
+def _entry_start(name: str, names: _Names) -> str:
+    """The beginning of the names of an enum's entries that a name has; the longest; empty for none."""
+    words = name.split("_")
+    starts = ("_".join(words[:end]) + "_" for end in range(len(words) - 1, 0, -1))
+    return next((start for start in starts if start in names.entries), "")
+
+
+def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collection[int]) -> Iterator[Diagnostic]:
+    """Names of messages that no dialect has, where what stands around them is about messages."""
+    for found in _UPPER.finditer(passage.text):
+        name = found[0]
+        if not _is_unknown(name, names):
+            continue
+        low, high = passage.sentence(found.start(), found.end())
+        if _OWN.search(passage.text, low, high):
+            continue
+        is_alone = passage.kind is PassageKind.HEADING and passage.text.strip() == name and reading.sightings
+        is_begun = is_alone or (id(passage) in listed and not passage.text[: found.start()].strip(" |*`-"))
+        is_beside = _BEFORE.search(passage.text, max(low, found.start() - 20), found.start()) or _BEHIND.match(
+            passage.text, found.end()
+        )
+        mentions = between(reading.mentioned(passage), low, high)
+        if not (is_begun or is_beside or (mentions and _SENT.search(passage.text, low, high))):
+            continue
+        near = _near_message(name, names)
+        if near is not None:
+            yield _no_message(reading, passage.place_at(found.start()), name, near)
+
+
+def _no_message(reading: Reading, place: Place, name: str, near: str) -> Diagnostic:
+    return reading.found(NO_MESSAGE, place, name, f"there is no message {name}", f"did you mean {near}?")
+
+
+def _entries(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diagnostic]:
+    for found in _UPPER.finditer(passage.text):
+        low, high = passage.sentence(found.start(), found.end())
+        if not _OWN.search(passage.text, low, high):
+            yield from _entry(reading, passage.place_at(found.start()), found[0], names)
+
+
+def _entry(reading: Reading, place: Place, name: str, names: _Names) -> Iterator[Diagnostic]:
+    """A name that begins as the entries of an enum do, and is none of them."""
+    start = _entry_start(name, names)
+    if not start or name in names.known or name in names.messages:
+        return
+    entries = names.entries[start]
+    if sum(entry.startswith(f"{name}_") for entry in entries) >= _FAMILY:
+        return
+    near = get_close_matches(name, entries, n=1, cutoff=_KIN)
+    if near:
+        yield reading.found(NO_ENTRY, place, name, f"{start[:-1]} has no entry {name}", f"did you mean {near[0]}?")
+
+
+def _fields(reading: Reading, passage: Passage, around: Surroundings, names: _Names) -> Iterator[Diagnostic]:
+    """Names in code spans that look like a field of the message that the passage is about."""
+    for low, high in passage.codes:
+        name = passage.text[low:high]
+        if name in names.fields or _SNAKE.fullmatch(name) is None:
+            continue
+        message = message_about(reading, passage, around, low, high)
+        if message is None or message.name in names.followed or _ELSE.search(passage.text, max(low - 12, 0), low):
+            continue
+        is_called = _FIELD.search(passage.text, max(low - 12, 0), low)
+        if _near_fields(name, message) or (is_called and reading.named(passage)):
+            yield _no_field(reading, passage.place_at(low), message, name)
+
+
+def _near_fields(name: str, message: WireMessage) -> list[str]:
+    """The field that a name is like, letter by letter or in all its words."""
+    own = [field.name for field in message.fields]
+    near = get_close_matches(name, own, n=1, cutoff=_ALIKE)
+    words = set(name.split("_"))
+    return near or [each for each in own if len(words) > 1 and words == set(each.split("_"))][:1]
+
+
+def _no_field(reading: Reading, place: Place, message: WireMessage, name: str) -> Diagnostic:
+    text = f"{message.name} has no field {name}"
+    hint = did_you_mean(name, [field.name for field in message.fields])
+    return reading.found(NO_FIELD, place, f"{message.name} {name}", text, hint)
+
+
+def _qualified(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diagnostic]:
+    """``MESSAGE.field``: the field of a known message is looked for letter by letter, or as the beginning of one."""
+    for found in _QUALIFIED.finditer(passage.text):
+        message, name = names.messages.get(found["message"]), found["field"]
+        if message is None or message.field(name) or name in _FILES or message.name in names.followed:
+            continue
+        begun = [field.name for field in message.fields if field.name.startswith(name) or name.startswith(field.name)]
+        if begun or _near_fields(name, message):
+            yield _no_field(reading, passage.place_at(found.start("field")), message, name)
+
+
+def _members(
+    reading: Reading, passages: Sequence[Passage], around: Surroundings, names: _Names
+) -> Iterator[Diagnostic]:
+    """Rows and items of which most begin with fields of the message that the heading names: the others are none."""
+    message = around.first
+    begun = [(passage, found) for passage in passages if (found := _first(passage)) and not found["name"].isupper()]
+    own = [(passage, found) for passage, found in begun if message is not None and message.field(found["name"])]
+    if message is None or len(own) < 2 or message.name in names.followed:
+        return
+    for passage, found in begun:
+        name = found["name"]
+        is_like = _SNAKE.fullmatch(name) and name not in names.fields
+        if is_like and _near_fields(name, message):
+            yield _no_field(reading, passage.place_at(found.start("name")), message, name)
+
+
+def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnostic]:
+    """Names that code asks for by their message, and members of what it got."""
+    variables: dict[str, WireMessage] = {}
+    for line in code.lines:
+        for found in _IN_CODE.finditer(line.text):
+            group = found.lastgroup or ""
+            name = found[group]
+            near = _near_message(name, names) if _is_unknown(name, names) and "_" in name else None
+            if near is not None:
+                yield _no_message(reading, _at(line, found.start(group)), name, near)
+        for taken in (_TAKEN.search(line.text), _DECLARED.search(line.text)):
+            message = names.messages.get(taken["message"].upper()) if taken else None
+            if taken is not None and message is not None:
+                variables[taken["variable"]] = message
+        for found in _MEMBER.finditer(line.text) if variables else ():
+            message = variables.get(found["variable"])
+            if message is not None and not message.field(found["field"]) and _near_fields(found["field"], message):
+                yield _no_field(reading, _at(line, found.start("field")), message, found["field"])
+        for found in _CONSTANT.finditer(line.text):
+            yield from _entry(reading, _at(line, found.start()), found[0], names)
+
+
+def _at(line: Line, offset: int) -> Place:
+    return line.place._replace(column=line.place.column + offset)
