@@ -32,7 +32,13 @@ ENUM_OF = Rule(
 
 _SIGNATURE = 13
 _NAME = re.compile(r"(?P<message>[A-Z][A-Z0-9_]{2,60})(?: \((?P<note>[^)]*)\))?")
-_FIELD = re.compile(r"(?:(?P<message>[A-Z][A-Z0-9_]{2,60})\.)?(?P<field>[a-z]\w{0,60})(?:\[\d{0,3}\])?")
+_FIELD = re.compile(
+    r"(?:(?P<message>[A-Z][A-Z0-9_]{2,60})\.)?(?P<field>[a-z]\w{0,60})(?:\[\d{0,3}\])?"
+    r"(?: ?[(\[](?P<unit>[^()\[\]]{1,18})[)\]])?"
+)
+_SAID_UNIT = re.compile(
+    r"(?:.*\bin |.*\(|(?:u?int\d+(?:_t)?|float|double),? )(?P<unit>[A-Za-z%][A-Za-z0-9/%^*]{0,18})\)?\.?"
+)
 _ENTRY = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){1,}")
 _WHOLE = re.compile(r"#?(\d{1,5})(?: bytes?| B)?")
 _HEADS = {
@@ -182,15 +188,25 @@ def _of_field(
         if stated_enum in reading.enums and field.definition.enum and stated_enum != field.definition.enum:
             text = f"{name} has the enum {field.definition.enum}, not {stated_enum}"
             yield reading.found(ENUM_OF, row.place_at(own[index][1]), f"{name} {stated_enum}", text)
+    yield from _units(reading, row, own, columns, name, field)
+
+
+def _units(
+    reading: Reading, row: Passage, own: _Row, columns: dict[str, list[int]], name: str, field: WireField
+) -> Iterator[Diagnostic]:
+    """The column of units; without one what another cell ends with: ``speed (m/s)``, ``uint16, cm``, ``vel [m/s]``."""
     unit = Unit.parse(field.definition.units)
-    for index in columns["unit"] if unit else ():
-        stated_unit = worded_unit(own[index][0]) if index < len(own) else None
-        if (
-            stated_unit is not None
-            and unit is not None
-            and stated_unit.dimension
-            and ((stated_unit.dimension, stated_unit.scale, stated_unit.pi) != (unit.dimension, unit.scale, unit.pi))
-        ):
-            text = f"{name} is in {field.definition.units}, not {own[index][0].strip()}"
-            words = f"{name} in {own[index][0].strip()}"
-            yield reading.found(UNIT, row.place_at(own[index][1]), words, text)
+    stated = [own[index] for index in columns["unit"] if index < len(own)]
+    if not stated:
+        first = _FIELD.fullmatch(own[0][0].strip())
+        stated = [(first["unit"], own[0][1])] if first and first["unit"] else []
+        ends = [(_SAID_UNIT.fullmatch(text.strip()), offset) for text, offset in own[1:]]
+        stated += [(found["unit"], offset + found.start("unit")) for found, offset in ends if found is not None]
+    for text, offset in stated if unit else ():
+        other = worded_unit(text)
+        if other is None or unit is None or not other.dimension:
+            continue
+        if (other.dimension, other.scale, other.pi) != (unit.dimension, unit.scale, unit.pi):
+            words = f"{name} is in {field.definition.units}, not {text.strip()}"
+            yield reading.found(UNIT, row.place_at(offset), f"{name} in {text.strip()}", words)
+            return

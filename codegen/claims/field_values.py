@@ -1,16 +1,18 @@
 """Values that sentences and lists name for a field: entries of its enum, and what stands for unknown."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 
-from codegen.claims.about import Said, said_in, surroundings
+from codegen.claims.about import Said, Surroundings, said_in, surroundings
+from codegen.claims.enum_words import entry_claim, is_entry
 from codegen.claims.identifier import ENTRY_VALUE
 from codegen.claims.reading import Reading
 from codegen.claims.sentinel import SENTINEL
 from codegen.claims.unknown_value import number_of, unknown_values
 from codegen.diagnostics import Diagnostic
 from codegen.load.prose import Passage, PassageKind
-from codegen.model.dialect import EnumDefinition
+from codegen.model.dialect import EnumDefinition, WireMessage
 from codegen.model.literals import same_number
 
 _ENTRY = re.compile(
@@ -22,171 +24,126 @@ _NAMED = re.compile(r"(?<![\w.])(?P<value>\d{1,3})\s*\((?P<name>[A-Z][A-Z0-9_]{3
 _ITEM = re.compile(
     r"\s*(?P<value>\d{1,3})\s*(?:=|:|\u2013|-)?\s*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*$"
 )
-_IDLE = frozenset(
-    [
-        "a",
-        "an",
-        "the",
-        "is",
-        "are",
-        "for",
-        "means",
-        "of",
-        "to",
-        "mode",
-        "state",
-        "type",
-        "and",
-        "value",
-        "it",
-        "in",
-        "on",
-        "if",
-    ]
+_WORDS_FIRST = re.compile(
+    r"(?P<words>(?:\dD )?[A-Za-z][A-Za-z-]{1,20}(?: [A-Za-z-]{1,20}){0,2}) ?(?:[(=:]|is) ?(?P<value>\d{1,3})"
+    r"(?=\s*(?:[),.;]|$))"
 )
-_UNITS = frozenset(
-    [
-        "hz",
-        "m",
-        "cm",
-        "mm",
-        "s",
-        "ms",
-        "us",
-        "v",
-        "mv",
-        "a",
-        "ma",
-        "deg",
-        "bytes",
-        "byte",
-        "bits",
-        "times",
-        "fields",
-        "elements",
-        "entries",
-        "values",
-    ]
-)
-_WORD = re.compile(r"[a-z0-9]+")
+_ROW = re.compile(r"[\s|]*(?P<value>\d{1,3})\s*\|\s*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*(?:\||$)")
+_ENUM_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+")
+_FEWEST = 2
+"""Values that have to be right before another one is wrong, where no field is named."""
 _VALUE = r"(?P<value>U?INT(?:8|16|32|64)_M(?:AX|IN)|NaN|0x[fF]{2,16}|(?<![\w.+-])-?\d{1,6}(?![\w.]|,\d))"
 _UNKNOWN = re.compile(
     rf"{_VALUE}\s*[\[(]?\s*(?:=|:|if|when|where|for|is|means|stands for|marks|says)?\s*(?:an? |the )?"
     r"(?:it |value |field |current |this )?"
     r"(?:is |are |there is )?(?P<words>unknown|unavailable|invalid"
-    r"|no (?:estimate|data|value|measurement|reading|sensor)|not (?:known|provided|available|measured|valid|there|used|set))\b",
+    r"|no (?:estimate|data|value|measurement|reading|sensor)"
+    r"|not (?:known|provided|available|measured|valid|there|used|set))\b",
     re.IGNORECASE,
 )
 _AFTER = re.compile(rf"\b(?:unknown|invalid)(?: is|:| =|=| as)\s*{_VALUE}", re.IGNORECASE)
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
-    """Every value that is said of a field, and those of lists that begin below a sentence about one."""
-    listed: Said | None = None
-    for part, around in surroundings(reading):
-        if not isinstance(part, Passage) or part.kind in (PassageKind.HEADING, PassageKind.ROW):
-            listed = None
-            continue
-        said = list(said_in(reading, part, around))
-        if part.kind is PassageKind.ITEM and not said and listed is not None:
-            yield from _items(reading, listed, part)
-            continue
-        listed = _introduced(part, said)
-        for each in said:
-            yield from _entries(reading, each)
-            yield from _sentinels(reading, each)
+    """Every value that is said of a field; runs of items and rows are looked at together with what stands above."""
+    above: Passage | None = None
+    said: list[Said] = []
+    around = Surroundings((), ())
+    for kind, run in groupby(surroundings(reading), lambda each: getattr(each[0], "kind", None)):
+        parts = list(run)
+        passages = [part for part, _ in parts if isinstance(part, Passage)]
+        if kind in (PassageKind.ITEM, PassageKind.ROW) and above is not None:
+            yield from _below(reading, passages, _subject(reading, above, said, passages, around))
+        for part, around in parts:
+            if not isinstance(part, Passage) or part.kind is PassageKind.ROW:
+                above, said = None, []
+                continue
+            above, said = part, list(said_in(reading, part, around))
+            for each in said:
+                yield from _entries(reading, each)
+                yield from _sentinels(reading, each)
+            if not any(_enum_of(reading, each) for each in said):
+                yield from _unnamed(reading, part)
 
 
-def _introduced(passage: Passage, said: list[Said]) -> Said | None:
-    """The field with an enum whose values are listed below a passage that ends with a colon."""
-    if not passage.text.rstrip().endswith(":"):
-        return None
-    return next((each for each in reversed(said) if each.field.definition.enum), None)
+_Subject = tuple[str, EnumDefinition]
+"""What values are said of, and its enum."""
 
 
 def _enum_of(reading: Reading, said: Said) -> EnumDefinition | None:
     return reading.enums.get(said.field.definition.enum or "")
 
 
-def _items(reading: Reading, said: Said, passage: Passage) -> Iterator[Diagnostic]:
-    found = _ITEM.match(passage.text)
-    enum = _enum_of(reading, said)
-    if found is not None and enum is not None:
-        yield from _entry(reading, said, passage, found, enum)
+def _of_message(reading: Reading, message: WireMessage) -> list[_Subject]:
+    """The fields of a message that have an enum."""
+    found = [
+        (f"{message.name}.{field.name}", reading.enums.get(field.definition.enum or "")) for field in message.fields
+    ]
+    return [(name, enum) for name, enum in found if enum is not None]
+
+
+def _subject(
+    reading: Reading, above: Passage, said: Sequence[Said], passages: Sequence[Passage], around: Surroundings
+) -> _Subject | None:
+    """What a list or a table tells the values of: the field above it, the enum of the heading, or a message's field."""
+    named = next((each for each in reversed(said) if _enum_of(reading, each) is not None), None)
+    if named is not None:
+        enum = _enum_of(reading, named)
+        return None if enum is None else (named.name, enum)
+    enums = [reading.enums[word] for word in _ENUM_NAME.findall(above.text) if word in reading.enums]
+    if enums:
+        return enums[0].name, enums[0]
+    if above.kind is PassageKind.HEADING or above.text.rstrip().endswith(":"):
+        messages = reading.named(above)[:1] or around.headings[:1]
+        pairs = [found for passage in passages if (found := _pair(passage)) is not None]
+        return _most_right([each for message in messages for each in _of_message(reading, message)], pairs)
+    return None
+
+
+def _below(reading: Reading, passages: Sequence[Passage], subject: _Subject | None) -> Iterator[Diagnostic]:
+    """A list or a table of values and words."""
+    for passage in passages if subject else ():
+        found = _pair(passage)
+        if found is not None and subject is not None:
+            yield from entry_claim(reading, *subject, passage, found)
+
+
+def _pair(passage: Passage) -> "re.Match[str] | None":
+    return (_ITEM if passage.kind is PassageKind.ITEM else _ROW).match(passage.text)
+
+
+def _most_right(subjects: Sequence[_Subject], pairs: "Sequence[re.Match[str]]") -> _Subject | None:
+    """The enum that most pairs are right about: half of them at least, and two."""
+    for subject in subjects:
+        right = sum(is_entry(subject[1], found["words"], int(found["value"])) for found in pairs)
+        if right >= _FEWEST and 2 * right >= len(pairs):
+            return subject
+    return None
+
+
+def _unnamed(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
+    """ "NAME answers 0 (accepted), 1 (denied)": values of a field that the sentence does not name."""
+    messages = reading.named(passage)
+    pairs = list(_ENTRY.finditer(passage.text)) if len(messages) == 1 else []
+    subject = _most_right(_of_message(reading, messages[0]), pairs) if len(pairs) > _FEWEST else None
+    for found in pairs if subject else ():
+        if subject is not None:
+            yield from entry_claim(reading, *subject, passage, found)
 
 
 def _entries(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     enum = _enum_of(reading, said)
-    for found in _NAMED.finditer(said.passage.text, said.end, said.until) if enum else ():
-        named = enum.entry(found["name"]) if enum else None
+    if enum is None:
+        return
+    for found in _NAMED.finditer(said.passage.text, said.end, said.until):
+        named = enum.entry(found["name"])
         if named is not None and named.value != int(found["value"]):
             text = f"{said.name}: {named.name} is {named.value}, not {found['value']}"
             place = said.passage.place_at(found.start("value"))
             yield reading.found(ENTRY_VALUE, place, f"{said.name} {found[0]}", text)
-    for found in _ENTRY.finditer(said.passage.text, said.end, said.until) if enum else ():
-        if enum is not None:
-            yield from _entry(reading, said, said.passage, found, enum)
-
-
-def _entry(
-    reading: Reading, said: Said, passage: Passage, found: "re.Match[str]", enum: EnumDefinition
-) -> Iterator[Diagnostic]:
-    words = [word for word in _WORD.findall(found["words"].lower()) if word not in _IDLE]
-    if not words or set(words) & _UNITS:
-        return
-    stated = int(found["value"])
-    tokens = _tokens(enum)
-    at = next((entry for entry in enum.entries if entry.value == stated), None)
-    meant = [entry for entry in enum.entries if words == tokens[entry.name]]
-    is_exact = bool(meant)
-    meant = meant or [entry for entry in enum.entries if _are_same(words, tokens[entry.name])]
-    meant = meant or [entry for entry in enum.entries if _holds(tokens[entry.name], words)]
-    if len(meant) != 1 or meant[0].value == stated:
-        return
-    if not is_exact and at is not None and _overlaps(words, tokens[at.name]):
-        return  # another wording of the right one
-    text = f"{meant[0].name} is {meant[0].value}, not {stated}"
-    hint = f"{stated} is {at.name}" if at else None
-    place = passage.place_at(found.start("value"))
-    yield reading.found(ENTRY_VALUE, place, f"{said.name} {found[0].strip()}", f"{said.name}: {text}", hint)
-
-
-def _tokens(enum: EnumDefinition) -> dict[str, list[str]]:
-    """The words of each entry's name, without those that all of them begin with."""
-    split = {entry.name: entry.name.lower().split("_") for entry in enum.entries}
-    shared = 0
-    while len({tuple(words[: shared + 1]) for words in split.values() if len(words) > shared + 1}) == 1 and all(
-        len(words) > shared + 1 for words in split.values()
-    ):
-        shared += 1
-    return {name: [word for word in words[shared:] if word not in _IDLE] for name, words in split.items()}
-
-
-def _holds(tokens: list[str], words: list[str]) -> bool:
-    """Whether a name has all the words and one more, such as the kind of thing that it is."""
-    return len(tokens) == len(words) + 1 and all(any(_is_like(word, token) for token in tokens) for word in words)
-
-
-def _are_same(words: list[str], tokens: list[str]) -> bool:
-    """Whether the words are those of a name, in any order, shortened or not."""
-    if len(words) != len(tokens):
-        return False
-    left = list(tokens)
-    for word in words:
-        same = next((token for token in left if _is_like(word, token)), None)
-        if same is None:
-            return False
-        left.remove(same)
-    return True
-
-
-def _is_like(word: str, token: str) -> bool:
-    short, long = sorted((word, token), key=len)
-    return short == long or (len(short) > 2 and long.startswith(short))
-
-
-def _overlaps(words: list[str], tokens: list[str]) -> bool:
-    return any(_is_like(word, token) for word in words for token in tokens)
+    for form in (_ENTRY, _WORDS_FIRST):
+        for found in form.finditer(said.passage.text, said.end, said.until):
+            yield from entry_claim(reading, said.name, enum, said.passage, found)
 
 
 def _sentinels(reading: Reading, said: Said) -> Iterator[Diagnostic]:

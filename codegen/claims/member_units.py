@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from codegen.claims.field_words import SCALING
+from codegen.claims.field_units import SCALING
 from codegen.claims.reading import Reading
 from codegen.claims.sentinel import UNIT
 from codegen.diagnostics import Diagnostic
@@ -21,7 +21,7 @@ _BRACKETS = re.compile(rf"^\[(?P<unit>{_UNIT})\]")
 _LAST = re.compile(rf"(?:^|,\s|\bin |\()(?P<unit>{_UNIT})\)?\.?$")
 _MEMBER = re.compile(
     r"^\s*(?:pub |readonly |public |const |self\.)*(?:(?P<field>[a-z][a-z0-9_]{0,60})\??\s*:\s*\[?\w+"
-    r"|(?:u?int(?:8|16|32|64)_t|float|double|char)\s+(?P<declared>[a-z][a-z0-9_]{0,60})\b)"
+    r"|(?:u?int(?:8|16|32|64)(?:_t)?|float(?:32|64)?|double|char)\s+(?P<declared>[a-z][a-z0-9_]{0,60})\b)"
 )
 _READ = re.compile(
     r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\s*\()"
@@ -30,6 +30,14 @@ _READ = re.compile(
 )
 _TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
 _NESTED = re.compile(r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']\s*:\s*\{(?P<inner>[^{}]{1,400})\}")
+_NAMED = re.compile(r"^\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})[\"']?:\s*\{?\s*$")
+_VALUE = re.compile(
+    r"^\s+-?\s*[\"']?(?P<key>[a-z]\w{0,60})[\"']?:\s*(?:[\"']?(?P<value>[^\s\"',#{}]{1,18})[\"']?\s*,?\s*(?:#.*)?)?$"
+)
+_OBJECT = re.compile(
+    r"[\"']?message[\"']?:\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})[\"']?,\s*[\"']?field[\"']?:\s*[\"']?(?P<field>[a-z]\w{0,60})"
+    r"[\"']?,\s*[\"']?units?[\"']?:\s*[\"']?(?P<unit>[^\s\"',}]{1,18})"
+)
 _PAIR = re.compile(r"[\"'](?P<field>[a-z]\w{0,60})[\"']\s*:\s*[\"'](?P<unit>[^\"']{1,16})[\"']")
 
 
@@ -38,6 +46,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     for code in reading.prose.code:
         yield from _members(reading, code)
         yield from _reads(reading, code)
+        yield from _keys(reading, code)
         for line in code.lines:
             yield from _nested(reading, line)
 
@@ -106,6 +115,28 @@ def _read(reading: Reading, message: WireMessage, found: "re.Match[str]", line: 
         factor = f"{found['how']} {found['number']}"
         words = f"{name} is in {field.definition.units}, which {factor} does not make {found['unit']}"
         yield reading.found(SCALING, place, f"{name} {found[0]}", words)
+
+
+def _keys(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
+    """YAML: units below names of messages, as values of fields or of their key ``unit``; JSON: objects in a line."""
+    message: WireMessage | None = None
+    field = ""
+    for line in code.lines:
+        named = _NAMED.match(line.text)
+        if named is not None:
+            message, field = reading.messages.get(named["message"]), ""
+            continue
+        found = _VALUE.match(line.text) if message is not None else None
+        if found is not None and message is not None:
+            name = field if found["key"] in ("unit", "units") else found["key"]
+            if found["value"]:
+                yield from _unit(reading, message, name, found["value"], line, found.start("value"))
+            elif message.field(found["key"]):
+                field = found["key"]
+        for each in _OBJECT.finditer(line.text):
+            about = reading.messages.get(each["message"])
+            if about is not None:
+                yield from _unit(reading, about, each["field"], each["unit"], line, each.start("unit"))
 
 
 def _nested(reading: Reading, line: Line) -> Iterator[Diagnostic]:

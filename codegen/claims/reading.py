@@ -20,7 +20,10 @@ from codegen.source import Place
 
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?![\w-])")
 _WRONG = re.compile(r"\W*(?:wrong|incorrect|do not copy|bad)\b\W", re.IGNORECASE)
-_SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,}(?=[ :,('.]))(?![\w-])")
+_SURE = re.compile(r"(?<![\w-])(?:[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|[A-Z]{8,})(?![\w-])")
+_CONSTANT = re.compile(
+    r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])"
+)
 """Names that are hardly anything else than names of messages: of several words, or long ones."""
 _MOST_RELATED = 8
 """How many repetitions of a claim are listed."""
@@ -129,6 +132,7 @@ def read_document(text: str, path: str, reference: Reference) -> Reading:
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)
     messages = {**reference.dialect.messages, **{message.name: message for message in reversed(proposed)}}
     is_about_mavlink = "mavlink" in text.lower() or any(found[0] in messages for found in _SURE.finditer(text))
+    is_about_mavlink |= any(found["name"] in messages for found in _CONSTANT.finditer(text))
     names = {name for name in messages if is_about_mavlink or "_" in name}
     mentions = {id(passage): tuple(_mentions(passage.text, names)) for passage in prose.passages}
     seen = [(message.definition.place.line, message.name) for message in proposed]

@@ -22,7 +22,8 @@ SIGNATURE = 13
 """Bytes that signing adds to a frame of MAVLink 2."""
 
 _BYTES = re.compile(
-    r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?(?:payload )?bytes?\b(?![ ]?(?:/|per\b|a second))", re.IGNORECASE
+    r"(?<![\w.,-])(\d{1,4})(?:[ \u00a0]|-)?(?:payload )?(?:bytes?|octets?|B)\b(?![ ]?(?:/|per\b|a second))",
+    re.IGNORECASE,
 )
 # What may stand between a message and its size without making the size that of something else.
 _BETWEEN = re.compile(

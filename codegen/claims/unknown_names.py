@@ -65,6 +65,11 @@ _DECLARED = re.compile(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<var
 _CONSTANT = re.compile(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
 _MEMBER = re.compile(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
 _BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]))")
+_QUOTED = re.compile(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
+_WORD = re.compile(r"(?<![\w.\-/])[A-Z]{8,}(?![\w\-/]|\.[a-z]|\s*\()")
+_JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
+_NEAR = 20
+"""Messages of a sentence that are looked at for one directly beside a name."""
 _FAMILY = 5
 """Names that begin alike: then what they begin with is their family, and no misspelling of one of them."""
 _ALIKE = 0.72
@@ -152,6 +157,8 @@ def _listed(reading: Reading, passages: Sequence[Passage]) -> frozenset[int]:
 def _near_message(name: str, names: _Names) -> str | None:
     """The message that a name was meant for; None for what may be a message of its own."""
     joined = name.replace("_", "")
+    if "_" not in name:
+        return next((known for known in names.messages if "_" in known and known.replace("_", "") == joined), None)
     *front, last = name.split("_")
     kin = []
     for known in names.messages:
@@ -188,7 +195,7 @@ def _entry_start(name: str, names: _Names) -> str:
 
 def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collection[int]) -> Iterator[Diagnostic]:
     """Names of messages that no dialect has, where what stands around them is about messages."""
-    for found in _UPPER.finditer(passage.text):
+    for found in (*_UPPER.finditer(passage.text), *_WORD.finditer(passage.text)):
         name = found[0]
         if not _is_unknown(name, names):
             continue
@@ -201,7 +208,12 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
             passage.text, found.end()
         )
         mentions = between(reading.mentioned(passage), low, high)
-        if not (is_begun or is_beside or (mentions and _SENT.search(passage.text, low, high))):
+        is_told = mentions and _SENT.search(passage.text, low, high)
+        is_joined = any(
+            _JOINED.fullmatch(passage.text[min(found.end(), each.end) : max(found.start(), each.start)])
+            for each in mentions[:_NEAR]
+        )
+        if not (is_begun or is_beside or is_told or is_joined):
             continue
         near = _near_message(name, names)
         if near is not None:
@@ -289,14 +301,25 @@ def _members(
 
 def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnostic]:
     """Names that code asks for by their message, and members of what it got."""
+    quoted = [(line, found) for line in code.lines for found in _QUOTED.finditer(line.text)]
+    asked = [(line, found) for line in code.lines for found in _IN_CODE.finditer(line.text)]
+    are_messages = any(found["name"] in names.messages for _, found in quoted)
+    for line, found in (*asked, *(quoted if are_messages else ())):
+        group = found.lastgroup or ""
+        name = found[group]
+        near = _near_message(name, names) if _is_unknown(name, names) and "_" in name else None
+        if near is not None:
+            yield _no_message(reading, _at(line, found.start(group)), name, near)
+    yield from _read(reading, code, names)
+    for line in code.lines:
+        for found in _CONSTANT.finditer(line.text):
+            yield from _entry(reading, _at(line, found.start()), found[0], names)
+
+
+def _read(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnostic]:
+    """Members of what code got as a message that it named."""
     variables: dict[str, WireMessage] = {}
     for line in code.lines:
-        for found in _IN_CODE.finditer(line.text):
-            group = found.lastgroup or ""
-            name = found[group]
-            near = _near_message(name, names) if _is_unknown(name, names) and "_" in name else None
-            if near is not None:
-                yield _no_message(reading, _at(line, found.start(group)), name, near)
         for taken in (_TAKEN.search(line.text), _DECLARED.search(line.text)):
             message = names.messages.get(taken["message"].upper()) if taken else None
             if taken is not None and message is not None:
@@ -305,8 +328,6 @@ def _code(reading: Reading, code: CodeBlock, names: _Names) -> Iterator[Diagnost
             message = variables.get(found["variable"])
             if message is not None and not message.field(found["field"]) and _near_fields(found["field"], message):
                 yield _no_field(reading, _at(line, found.start("field")), message, found["field"])
-        for found in _CONSTANT.finditer(line.text):
-            yield from _entry(reading, _at(line, found.start()), found[0], names)
 
 
 def _at(line: Line, offset: int) -> Place:
