@@ -18,6 +18,7 @@ _UNIT = r"[A-Za-z%\u00b5\u00b0][A-Za-z0-9/%^*\u00b2\u00b3]{0,18}"
 _ABOVE = re.compile(r"^\s*(?:///?|/\*\*?|\*|#)\s*(?P<text>[^*]{1,120}?)\s*(?:\*/)?\s*$")
 _BESIDE = re.compile(r"(?://|/\*|#)[/*!<]*\s*(?P<text>.{1,160}?)\s*(?:\*/)?\s*$")
 _BRACKETS = re.compile(rf"^\[(?P<unit>{_UNIT})\]")
+_FIRST = re.compile(rf"(?P<unit>{_UNIT})(?=\s*(?:[,;(]|$))")
 _LAST = re.compile(rf"(?:^|,\s|\bin |\()(?P<unit>{_UNIT})\)?\.?$")
 _MEMBER = re.compile(
     r"^\s*(?:pub |readonly |public |const |self\.)*(?:(?P<field>[a-z][a-z0-9_]{0,60})\??\s*:\s*\[?\w+"
@@ -71,7 +72,7 @@ def _members(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
     about = reading.message_with([name for name, _, _ in found], code.place.line) if len(found) > 1 else None
     for name, line, comment in found if about else ():
         text = comment["text"]
-        stated = _BRACKETS.match(text) or _LAST.search(text)
+        stated = _BRACKETS.match(text) or _FIRST.match(text) or _LAST.search(text)
         if stated is not None and about is not None:
             yield from _unit(reading, about, name, stated["unit"], line, comment.start("text") + stated.start("unit"))
 

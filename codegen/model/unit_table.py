@@ -165,6 +165,7 @@ WORDS = {
     "coulomb": "C",
     "byte": "bytes",
     "bit": "bits",
+    "kbit": "kbits",
     "pixel": "pix",
     "px": "pix",
     "mps": "m/s",
