@@ -20,6 +20,7 @@ _RUST_FIELD = re.compile(
     r"\s*(?:pub\s+)?(?:r#)?(?P<name>[a-z]\w*?)_?\s*:\s*(?:\[\s*(?P<array>[iuf]\d\d?)\s*;\s*(?P<length>\d{1,4})\s*\]"
     r"|(?P<type>[iuf](?:8|16|32|64)))\s*,?(?P<rest>\s*(?://.*)?)$"
 )
+_END = re.compile(r"\s*\}[^/#]{0,60}(?://|/\*|#)\s*(\d{1,3}) bytes?\b(?! of)")
 _ELEMENT = r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\s*(?:\.{2,3}|-|:|\u2013)\s*(?P<high>\d{1,3}))?\])?"
 _ITEM = re.compile(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
 _CELL = re.compile(rf"\s*{_ELEMENT}\s*$")
@@ -50,13 +51,15 @@ class Note:
 class FieldNotes:
     """Notes about fields of one message, in their order.
 
-    ``stated`` is the id that a comment in a struct gives its message, and the place of that line; ``columns`` are the
+    ``stated`` is the id that a comment in a struct gives its message, and the place of that line, ``end`` the bytes that a
+    comment behind its last line gives it; ``columns`` are the
     headings of a table.
     """
 
     message: WireMessage
     notes: tuple[Note, ...]
     stated: tuple[int, Place] | None = None
+    end: tuple[int, Place] | None = None
     columns: tuple[str, ...] = ()
 
     @property
@@ -111,7 +114,15 @@ def _struct(reading: Reading, code: CodeBlock) -> Iterator[FieldNotes]:
         return
     about = reading.message_with([note.name for note in notes], code.place.line)
     if about is not None:
-        yield FieldNotes(about, tuple(notes), commented_id(code))
+        yield FieldNotes(about, tuple(notes), commented_id(code), _bytes_of(code))
+
+
+def _bytes_of(code: CodeBlock) -> tuple[int, Place] | None:
+    for line in code.lines:
+        found = _END.match(line.text)
+        if found is not None:
+            return int(found[1]), line.place._replace(column=line.place.column + found.start(1))
+    return None
 
 
 def _table(reading: Reading, rows: list[Passage]) -> Iterator[FieldNotes]:

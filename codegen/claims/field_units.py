@@ -55,7 +55,7 @@ _VERB = len("multiplied ")
 _NUMBER = r"(?P<number>\d{1,3}(?:[ ,]?\d{3})*(?:\.\d+)?(?:[eE]-?\d{1,2})?|10\^\d{1,2})"
 _FACTOR = re.compile(
     rf"\b(?P<how>divid\w*|multipl\w*)(?: it| them| the value| [a-z]\w{{0,60}})? (?:by|with) {_NUMBER}"
-    rf"(?: (?:for|to get|gives?|is|makes?)(?: (?:the|a|an|whole))? ?(?P<unit>{_UNIT}))",
+    rf"(?: (?:for|to get|gives?|is|makes?)(?: (?:the|a|an|whole)\b)? ?(?P<unit>{_UNIT}))",
     re.IGNORECASE,
 )
 _TIMES = re.compile(rf"\bin (?P<unit>{_UNIT}) (?:times|\*|x) {_NUMBER}(?![\w])", re.IGNORECASE)

@@ -29,9 +29,33 @@ _READ = re.compile(
     r"(?:\s*(?P<how>[*/])\s*(?P<number>1[eE]-?\d{1,2}|\d{1,8}(?:\.\d{1,8})?))?\)?\s*[;,]?\s*(?:#|//)\s*"
     rf"(?:in )?(?P<unit>{_UNIT})\s*$"
 )
+_MEMBER_READ = (
+    r"(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\s*[(.])"
+    r"(?:\s*(?P<how>[*/])\s*(?P<number>1[eE]-?\d{1,2}|\d{1,8}(?:\.\d{1,8})?))?"
+)
+_SUFFIXED = re.compile(
+    rf"\b\w{{1,40}}_(?P<unit>km|cm|mm|m|deg|rad|v|mv|a|ma|s|ms|us|mps|kmh|percent|pct|hpa)[\"']?\]?\s*[:=]\s*(?:float\()?{_MEMBER_READ}"
+    r"\)?\s*[,;]?\s*(?:#.*|//.*)?$"
+)
+_SUFFIXES = {
+    **{name: name for name in ("km", "cm", "mm", "m", "deg", "rad", "s", "ms", "us")},
+    "v": "V",
+    "mv": "mV",
+    "a": "A",
+    "ma": "mA",
+    "mps": "m/s",
+    "kmh": "km/h",
+    "percent": "%",
+    "pct": "%",
+    "hpa": "hPa",
+}
+_SHOWN = re.compile(rf"\{{{_MEMBER_READ}(?::[^{{}}]{{0,12}})?\}} ?(?P<unit>{_UNIT})(?=[\"',;.) ])")
+_TUPLE = re.compile(
+    r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"'],\s*[\"'](?P<field>[a-z]\w{0,60})[\"']\)?\s*[,:]\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
+)
 _TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']")
 _NESTED = re.compile(r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})[\"']\s*:\s*\{(?P<inner>[^{}]{1,400})\}")
-_NAMED = re.compile(r"^\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})[\"']?:\s*\{?\s*$")
+_NAMED = re.compile(r"^\s*[\"']?(?P<message>[A-Z][A-Z0-9_]{2,60})[\"']?\s*[:=]\s*\{?\s*$")
 _VALUE = re.compile(
     r"^\s+-?\s*[\"']?(?P<key>[a-z]\w{0,60})[\"']?:\s*(?:[\"']?(?P<value>[^\s\"',#{}]{1,18})[\"']?\s*,?\s*(?:#.*)?)?$"
 )
@@ -87,7 +111,8 @@ def _reads(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
         for found in _READ.finditer(line.text):
             message = variables.get(found["variable"]) or _only(reading, variables)
             if message is not None:
-                yield from _read(reading, message, found, line)
+                yield from _read(reading, message, found, line, found["unit"])
+    yield from _converted(reading, code, variables)
 
 
 def _only(reading: Reading, variables: Mapping[str, WireMessage]) -> WireMessage | None:
@@ -96,15 +121,17 @@ def _only(reading: Reading, variables: Mapping[str, WireMessage]) -> WireMessage
     return reading.messages[names.pop()] if len(names) == 1 and not variables else None
 
 
-def _read(reading: Reading, message: WireMessage, found: "re.Match[str]", line: Line) -> Iterator[Diagnostic]:
+def _read(
+    reading: Reading, message: WireMessage, found: "re.Match[str]", line: Line, written: str | None
+) -> Iterator[Diagnostic]:
     field = message.field(found["field"])
     own = Unit.parse(field.definition.units) if field else None
-    if field is None or own is None:
+    if field is None or own is None or written is None:
         return
     if found["how"] is None:
-        yield from _unit(reading, message, field.name, found["unit"], line, found.start("unit"))
+        yield from _unit(reading, message, field.name, written, line, found.start("unit"))
         return
-    unit = worded_unit(found["unit"])
+    unit = worded_unit(written)
     turned = conversion(own, unit) if unit is not None else None
     number = Fraction(found["number"])
     if turned is None or not turned.ratio or not number:
@@ -114,8 +141,19 @@ def _read(reading: Reading, message: WireMessage, found: "re.Match[str]", line: 
         name = f"{message.name}.{field.name}"
         place = line.place._replace(column=line.place.column + found.start("variable"))
         factor = f"{found['how']} {found['number']}"
-        words = f"{name} is in {field.definition.units}, which {factor} does not make {found['unit']}"
+        words = f"{name} is in {field.definition.units}, which {factor} does not make {written}"
         yield reading.found(SCALING, place, f"{name} {found[0]}", words)
+
+
+def _converted(reading: Reading, code: CodeBlock, variables: Mapping[str, WireMessage]) -> Iterator[Diagnostic]:
+    """``alt_m = msg.alt / 100`` and ``f"{msg.alt / 100} m"``: the name or the text around it says the unit."""
+    for line in code.lines:
+        for form in (_SUFFIXED, _SHOWN):
+            for found in form.finditer(line.text):
+                message = variables.get(found["variable"]) or _only(reading, variables)
+                if message is not None:
+                    unit = _SUFFIXES.get(found["unit"].lower()) if form is _SUFFIXED else found["unit"]
+                    yield from _read(reading, message, found, line, unit)
 
 
 def _keys(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
@@ -134,7 +172,7 @@ def _keys(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
                 yield from _unit(reading, message, name, found["value"], line, found.start("value"))
             elif message.field(found["key"]):
                 field = found["key"]
-        for each in _OBJECT.finditer(line.text):
+        for each in (*_OBJECT.finditer(line.text), *_TUPLE.finditer(line.text)):
             about = reading.messages.get(each["message"])
             if about is not None:
                 yield from _unit(reading, about, each["field"], each["unit"], line, each.start("unit"))

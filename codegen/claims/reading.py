@@ -25,6 +25,12 @@ _CONSTANT = re.compile(
     r"(?<![\w-])(?:MAVLINK_)?MSG_(?:ID_)?(?P<name>[A-Z0-9_]+?)(?:_(?:ID|CRC|LEN|CRC_EXTRA))?(?![\w-])"
 )
 """Names that are hardly anything else than names of messages: of several words, or long ones."""
+_TYPE_NAME = re.compile(
+    r"\b(?:struct|class|interface|impl|type|mod) (?P<camel>[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)*)\b"
+    r"|\bmavlink_(?:msg_)?(?P<c>[a-z0-9_]{3,60}?)_(?:t|send|pack|decode|encode)\b"
+    r"|\b(?P<data>[A-Z][A-Z0-9_]{2,60})_DATA\b|\bMSG_(?:ID_)?(?P<constant>[A-Z0-9_]{3,60}?)(?:_(?:ID|LEN|CRC|CRC_EXTRA))?\b"
+)
+_CAMEL = re.compile(r"(?<=[a-z0-9])([A-Z])")
 _MOST_RELATED = 8
 """How many repetitions of a claim are listed."""
 _FAR = 300
@@ -171,6 +177,11 @@ def _sightings(
     for line in part.lines:
         for mention in _mentions(line.text, names):
             yield line.place.line, mention.name
+        for found in _TYPE_NAME.finditer(line.text):
+            spelled = found["camel"] or found["c"] or found["data"] or found["constant"]
+            name = _CAMEL.sub(r"_\1", spelled).upper()
+            if name in names:
+                yield line.place.line, name
 
 
 class _Located(Protocol):

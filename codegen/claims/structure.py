@@ -7,6 +7,7 @@ from codegen.claims.field_notes import FieldNotes, Note, field_notes
 from codegen.claims.identifier import MESSAGE_ID
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
+from codegen.claims.size import RULE as SIZE
 from codegen.diagnostics import Diagnostic, Rule, did_you_mean
 from codegen.model.dialect import WireField
 
@@ -37,6 +38,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 words = f"{notes.message.name}.{note.name} {note.elements}"
                 yield reading.found(RULE, note.passage.place, words, f"{text}: there is no {note.elements[1]}")
         yield from _whole(reading, notes)
+        yield from _size(reading, notes)
         yield from _commented(reading, notes)
 
 
@@ -78,6 +80,16 @@ def _whole(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
     if written not in orders:
         text = f"the fields of {message.name} come in another order: {', '.join(wire)} on the wire"
         yield reading.found(RULE, first.passage.place, f"{message.name} order {written}", text)
+
+
+def _size(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
+    """``};  /* 38 bytes */`` behind the last field of a struct."""
+    message = notes.message
+    if notes.end is None or notes.end[0] in (message.base_length, message.length) or message.id < 0:
+        return
+    number, place = notes.end
+    own = f"{message.base_length} bytes, {message.length} with extensions"
+    yield reading.found(SIZE, place, f"{message.name} struct {number}", f"{message.name} has {own}, not {number}")
 
 
 def _commented(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:

@@ -22,7 +22,8 @@ NO_FIELD = Rule(
 )
 NO_MESSAGE = Rule(
     "claim-no-message",
-    "A document names a message that no dialect has, and that looks like one of them. Correct the name.",
+    "A document names a message that no dialect has: one that looks like one of them, or one that is sent. Correct "
+    "the name, or list the dialect that has it under known in codegen.yaml.",
 )
 NO_ENTRY = Rule(
     "claim-no-entry",
@@ -36,11 +37,21 @@ _SENT = re.compile(
     re.IGNORECASE,
 )
 _BEFORE = re.compile(
-    r"\b(?:messages?|msg|sends?|streams?|requests?|publish(?:es)?|uses?|emits?|answers? with|repl(?:y|ies) with|reads?)"
-    r" (?:the |an? |each |all )?$",
+    r"\b(?:messages?|msg|sends?(?: out| back)?|streams?|requests?|publish(?:es)?|uses?|emits?|answers? with"
+    r"|repl(?:y|ies) with|reads?|receives?|forwards?|decodes?|handles?|subscribes? to|listens? (?:to|for)|asks? for"
+    r"|waits? for|broadcasts?) (?:the |an? |each |all |only )?$",
     re.IGNORECASE,
 )
-_BEHIND = re.compile(r" ?(?:message|packet|frame)\b| \((?:id |#)?\d| (?:at|with|every) \d|,? \d+ ?Hz", re.IGNORECASE)
+_BEHIND = re.compile(
+    r" ?(?:message|packet|frame)\b| \((?:id |#)?\d| (?:at|with|every) \d|,? \d+ ?Hz"
+    r"| (?:is|are) (?:sent|streamed|received|requested|answered|published|broadcast)\b",
+    re.IGNORECASE,
+)
+_SENDS = re.compile(
+    r"\b(?:messages?|msg|sends?|streams?|receives?|answers? with|repl(?:y|ies) with|broadcasts?) (?:the |an? |each )?$",
+    re.IGNORECASE,
+)
+_IS_SENT = re.compile(r" ?(?:messages?|packet)\b| (?:is|are) (?:sent|streamed|received|broadcast)\b| at \d+ ?Hz")
 _OWN = re.compile(
     r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?)\b",
     re.IGNORECASE,
@@ -149,7 +160,7 @@ def _first(passage: Passage) -> "re.Match[str] | None":
 def _listed(reading: Reading, passages: Sequence[Passage]) -> frozenset[int]:
     """The passages of a run whose beginnings are names of messages: at least one of them is known."""
     begun = [(passage, found["name"]) for passage in passages if (found := _first(passage)) and found["name"].isupper()]
-    if not any(name in reading.messages for _, name in begun):
+    if sum(name in reading.messages for _, name in begun) * 2 < len(begun):
         return frozenset()
     return frozenset(id(passage) for passage, _ in begun)
 
@@ -216,12 +227,24 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
         if not (is_begun or is_beside or is_told or is_joined):
             continue
         near = _near_message(name, names)
-        if near is not None:
+        is_row = is_begun and passage.kind is not PassageKind.HEADING
+        is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
+        is_sure = is_row or is_sent or _IS_SENT.match(passage.text, found.end()) is not None
+        if near is not None or (is_sure and reading.sightings and not _is_successor(name, names)):
             yield _no_message(reading, passage.place_at(found.start()), name, near)
 
 
-def _no_message(reading: Reading, place: Place, name: str, near: str) -> Diagnostic:
-    return reading.found(NO_MESSAGE, place, name, f"there is no message {name}", f"did you mean {near}?")
+def _is_successor(name: str, names: _Names) -> bool:
+    """Whether a name goes on where that of a message ends, or is the beginning of several: a new one, or a family."""
+    words = name.split("_")
+    return any("_".join(words[:end]) in names.messages for end in range(1, len(words))) or any(
+        known.startswith(f"{name}_") for known in names.messages
+    )
+
+
+def _no_message(reading: Reading, place: Place, name: str, near: str | None) -> Diagnostic:
+    hint = f"did you mean {near}?" if near else "list the dialect that has it under known in codegen.yaml"
+    return reading.found(NO_MESSAGE, place, name, f"there is no message {name}", hint)
 
 
 def _entries(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diagnostic]:
