@@ -22,6 +22,10 @@ _ROLE = re.compile(
     r"(?:MAVLINK_MSG_ID_|MAVLINK_MSG_|MSG_|MAVLINK_|(?P<first>CRC_EXTRA|CRC|LENGTH|LEN|ID)_)?(?P<message>\w+?)(?:_(?P<role>ID|CRC_EXTRA|CRC|EXTRA|LEN|LENGTH|MIN_LEN|SIZE|PAYLOAD_LEN))?$"
 )
 _NUMBERED = "MAVLINK_MSG_ID_"
+_BARE = re.compile(
+    r"^\s+(?:pub |static |export |readonly |constexpr )*(?:const )?(?:\w+ )?(?:MSG_|MESSAGE_)?"
+    r"(?P<role>ID|CRC_EXTRA|EXTRA_CRC|CRC|LEN|LENGTH|PAYLOAD_LEN)\s*(?::\s*\w+\s*)?=\s*(?P<value>\d{1,6})\s*[;,]?\s*(?://.*)?$"
+)
 _COMMENT = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60}),? (?:message )?id:? #?(?P<id>\d{1,6})\b")
 _QUOTED = re.compile(
     r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})[\"']\s*[:,=]>?\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
@@ -37,9 +41,11 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     entries = {entry.name: entry.value for enum in reading.enums.values() for entry in enum.entries}
     for code in reading.prose.code:
         about: WireMessage | None = None
+        seen = [(number, name) for number, name in reading.sightings if code.place.line <= number]
         for line in code.lines:
             yield from _constants(reading, line, entries)
             yield from _comments(reading, line)
+            yield from _alone(reading, line, [name for number, name in seen if number <= line.place.line][-1:])
             yield from _quoted(reading, line)
             named = _NAMED.match(line.text)
             if named is not None:
@@ -87,6 +93,15 @@ def number_claims(reading: Reading, message: WireMessage, role: str, number: int
     elif role in ("len", "length", "payload_len", "maxlength") and number not in (message.base_length, message.length):
         both = f"{message.base_length} bytes, {message.length} with extensions"
         yield reading.found(SIZE, place, f"{message.name} length {number}", f"{message.name} has {both}, not {number}")
+
+
+def _alone(reading: Reading, line: Line, near: list[str]) -> Iterator[Diagnostic]:
+    """``const ID: u32 = 30;`` below the name of a type."""
+    found = _BARE.match(line.text) if near else None
+    message = reading.messages[near[0]] if near else None
+    if found is not None and message is not None and message.id >= 0:
+        role = found["role"].lower().removeprefix("extra_")
+        yield from number_claims(reading, message, role, int(found["value"]), _at(line, found.start("value")))
 
 
 def _comments(reading: Reading, line: Line) -> Iterator[Diagnostic]:

@@ -55,9 +55,15 @@ _HEADS = {
         re.IGNORECASE,
     ),
     "payload": re.compile(
-        r"(?:payload|length|len|size)(?: (?:bytes|length|len|size))?(?: \(bytes\)|, bytes)?", re.IGNORECASE
+        r"(?:payload|length|len|size|bytes)(?: (?:bytes|length|len|size))?(?:,? in bytes| \((?:bytes|B)\)|, bytes)?",
+        re.IGNORECASE,
     ),
-    "frame": re.compile(r"frames?(?: (?:length|size|bytes))?(?: \(bytes\)|, bytes)?", re.IGNORECASE),
+    "frame": re.compile(
+        r"(?:(?:v[12]|mavlink [12]|whole|full) )?(?:frames?|packets?|(?:bytes )?on (?:the )?wire)"
+        r"(?: (?:length|size|bytes))?"
+        r"(?:,? in bytes| \((?:bytes|B|v[12])\)|, bytes|,? v[12]|,? mavlink [12])?",
+        re.IGNORECASE,
+    ),
     "field": re.compile(r"fields?|field name|name|member|key", re.IGNORECASE),
     "unit": re.compile(r"units?", re.IGNORECASE),
     "unknown": re.compile(

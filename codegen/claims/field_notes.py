@@ -51,8 +51,8 @@ class Note:
 class FieldNotes:
     """Notes about fields of one message, in their order.
 
-    ``stated`` is the id that a comment in a struct gives its message, and the place of that line, ``end`` the bytes that a
-    comment behind its last line gives it; ``columns`` are the
+    ``stated`` is the id that a comment in a struct gives its message, and the place of that line, ``end`` the bytes
+    that a comment behind its last line gives it; ``columns`` are the
     headings of a table.
     """
 

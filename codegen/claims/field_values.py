@@ -29,6 +29,7 @@ _WORDS_FIRST = re.compile(
     r"(?=\s*(?:[),.;]|$))"
 )
 _ROW = re.compile(r"[\s|]*(?P<value>\d{1,3})\s*\|\s*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*(?:\||$)")
+_TURNED = re.compile(r"[\s|]*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*\|\s*(?P<value>\d{1,3})\s*(?:\||$)")
 _ENUM_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+")
 _FEWEST = 2
 """Values that have to be right before another one is wrong, where no field is named."""
@@ -109,7 +110,9 @@ def _below(reading: Reading, passages: Sequence[Passage], subject: _Subject | No
 
 
 def _pair(passage: Passage) -> "re.Match[str] | None":
-    return (_ITEM if passage.kind is PassageKind.ITEM else _ROW).match(passage.text)
+    if passage.kind is PassageKind.ITEM:
+        return _ITEM.match(passage.text)
+    return _ROW.match(passage.text) or _TURNED.match(passage.text)
 
 
 def _most_right(subjects: Sequence[_Subject], pairs: "Sequence[re.Match[str]]") -> _Subject | None:

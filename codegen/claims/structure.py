@@ -10,6 +10,7 @@ from codegen.claims.reading import Reading
 from codegen.claims.size import RULE as SIZE
 from codegen.diagnostics import Diagnostic, Rule, did_you_mean
 from codegen.model.dialect import WireField
+from codegen.model.wire_types import SPELLINGS
 
 RULE = Rule(
     "claim-struct",
@@ -18,8 +19,10 @@ RULE = Rule(
     "that of the wire; extensions may be left out.",
 )
 
-_COLUMN_TYPE = re.compile(r"(?:field |wire |c )?type", re.IGNORECASE)
-_TYPE = re.compile(r"(?P<type>u?int(?:8|16|32|64)(?:_t)?|float|double|char)(?:\s?\[\s?(?P<length>\d{1,3})\s?\])?")
+_COLUMN_TYPE = re.compile(r"(?:field |wire |c |data )?type|format", re.IGNORECASE)
+_TYPE = re.compile(
+    r"(?P<type>u?int(?:8|16|32|64)(?:_t)?|[uif](?:8|16|32|64)|float|double|char)(?:\s?\[\s?(?P<length>\d{1,3})\s?\])?"
+)
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
@@ -55,7 +58,9 @@ def _declared(notes: FieldNotes, note: Note) -> tuple[str, int] | None:
     if cell is None or (found := _TYPE.fullmatch(cell[0])) is None:
         return None
     number = f"[{found['length']}]" if found["length"] else ""
-    return found["type"] + ("_t" if found["type"][-1].isdigit() else "") + number, cell[1]
+    spelled = found["type"]
+    own = SPELLINGS.get(spelled) or (f"{spelled}_t" if spelled[-1].isdigit() else spelled)
+    return own + number, cell[1]
 
 
 def _whole(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:

@@ -44,14 +44,18 @@ _BEFORE = re.compile(
 )
 _BEHIND = re.compile(
     r" ?(?:message|packet|frame)\b| \((?:id |#)?\d| (?:at|with|every) \d|,? \d+ ?Hz"
-    r"| (?:is|are) (?:sent|streamed|received|requested|answered|published|broadcast)\b",
+    r"| (?:(?:is|are) (?:sent|streamed|received|requested|answered|published|broadcast)"
+    r"|carries|arrives|comes|reports)\b",
     re.IGNORECASE,
 )
 _SENDS = re.compile(
     r"\b(?:messages?|msg|sends?|streams?|receives?|answers? with|repl(?:y|ies) with|broadcasts?) (?:the |an? |each )?$",
     re.IGNORECASE,
 )
-_IS_SENT = re.compile(r" ?(?:messages?|packet)\b| (?:is|are) (?:sent|streamed|received|broadcast)\b| at \d+ ?Hz")
+_IS_SENT = re.compile(
+    r" ?(?:messages?|packet)\b| (?:is|are) (?:sent|streamed|received|broadcast)\b| at \d+ ?Hz"
+    r"| (?:carries|arrives|comes|contains|reports)\b"
+)
 _OWN = re.compile(
     r"\b(?:propos\w*|new|private|custom|own|vendor\w*|draft|future|planned|would|parameters?|topics?|macros?)\b",
     re.IGNORECASE,
@@ -77,8 +81,9 @@ _CONSTANT = re.compile(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
 _MEMBER = re.compile(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
 _BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]))")
 _QUOTED = re.compile(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
-_WORD = re.compile(r"(?<![\w.\-/])[A-Z]{8,}(?![\w\-/]|\.[a-z]|\s*\()")
+_WORD = re.compile(r"(?<![\w.\-/])[A-Z]{6,}(?![\w\-/]|\.[a-z]|\s*\()")
 _JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
+_SHORT = 3
 _NEAR = 20
 """Messages of a sentence that are looked at for one directly beside a name."""
 _FAMILY = 5
@@ -169,7 +174,9 @@ def _near_message(name: str, names: _Names) -> str | None:
     """The message that a name was meant for; None for what may be a message of its own."""
     joined = name.replace("_", "")
     if "_" not in name:
-        return next((known for known in names.messages if "_" in known and known.replace("_", "") == joined), None)
+        same = (known for known in names.messages if "_" in known and known.replace("_", "") == joined)
+        alone = [known for known in names.messages if "_" not in known and len(known) > _SHORT]
+        return next(same, None) or next(iter(get_close_matches(name, alone, n=1, cutoff=_SAME)), None)
     *front, last = name.split("_")
     kin = []
     for known in names.messages:
@@ -317,7 +324,7 @@ def _members(
         return
     for passage, found in begun:
         name = found["name"]
-        is_like = _SNAKE.fullmatch(name) and name not in names.fields
+        is_like = len(name) > _SHORT and name not in names.fields
         if is_like and _near_fields(name, message):
             yield _no_field(reading, passage.place_at(found.start("name")), message, name)
 
