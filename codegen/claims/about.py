@@ -9,7 +9,7 @@ from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
 
-_NAME = re.compile(r"(?<![\w./\-])[a-z][a-z0-9]*(?:_[a-z0-9]+)*(?![\w(/-])(?:\[\d{0,3}\])?")
+_NAME = re.compile(r"(?<![\w./\-])[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*(?![\w(/-])(?:\[\d{0,3}\])?")
 _QUALIFIED = re.compile(r"(?<![\w.])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})(?:\[\d{0,3}\])?")
 _OF = re.compile(r"\s*(?:field )?(?:of|in|from|inside) (?:the |a |an )?(?P<message>[A-Z][A-Z0-9_]{2,60})\b")
 _LEADS = re.compile(r"[\s|*>-]*(?:(?:the|field|fields|its) )?", re.IGNORECASE)
@@ -119,16 +119,17 @@ def _references(reading: Reading, passage: Passage, around: Surroundings) -> Ite
         field = message.field(found["field"]) if message else None
         if message is not None and field is not None:
             yield found.start(), found.end(), message, field, True
-    if qualified:
-        return  # who writes MESSAGE.field once means something else by a bare word
+    starts = sorted(qualified)
     leads = _LEADS.match(passage.text)
     first = leads.end() if leads else 0
     is_list = passage.kind in (PassageKind.ITEM, PassageKind.ROW)
     for found in _NAME.finditer(passage.text):
         name = found[0].partition("[")[0]
+        if _is_beside(passage, starts, found.start(), found.end()):
+            continue  # who writes MESSAGE.field in a sentence means something else by a bare word
         code = bisect_right(passage.codes, (found.start(), len(passage.text))) - 1
         is_code = code >= 0 and found.end() <= passage.codes[code][1]
-        if not is_code and "_" not in name and not (is_list and found.start() == first):
+        if not is_code and (name[0].isupper() or "_" not in name) and not (is_list and found.start() == first):
             continue
         resolved = _message_of(reading, passage, mentions, around, name, found.start(), found.end())
         if resolved is not None:
@@ -138,6 +139,15 @@ def _references(reading: Reading, passage: Passage, around: Surroundings) -> Ite
                 of = _OF.match(passage.text, found.end())
                 end = of.end() if of is not None and of["message"] == message.name else found.end()
                 yield found.start(), end, message, field, is_named
+
+
+def _is_beside(passage: Passage, starts: Sequence[int], start: int, end: int) -> bool:
+    """Whether one of some places is in the sentence of another."""
+    if not starts:
+        return False
+    low, high = passage.sentence(start, end)
+    place = bisect_right(starts, low)
+    return (place > 0 and starts[place - 1] == low) or (place < len(starts) and starts[place] < high)
 
 
 def _message_of(

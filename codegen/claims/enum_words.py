@@ -83,6 +83,9 @@ def entry_claim(
     is_exact = bool(meant)
     meant = meant or [entry for entry in enum.entries if _are_same(words, tokens[entry.name])]
     meant = meant or [entry for entry in enum.entries if _holds(tokens[entry.name], words)]
+    meant = meant or [
+        entry for entry in enum.entries if len(tokens[entry.name]) > 1 and _holds(words, tokens[entry.name])
+    ]
     if len(meant) != 1 or meant[0].value == stated:
         return
     if not is_exact and at is not None and _overlaps(words, tokens[at.name]):

@@ -38,6 +38,7 @@ _BESIDE = re.compile(
     rf"|: (?P<alone>{_LONG}|{_UNIT})(?=\s*(?:[.,;]|$)))"
 )
 _HAS_UNIT = re.compile(rf"[^.;]{{0,20}}?\bunit(?: is|:| of)? (?P<unit>{_UNIT})(?=\s*(?:[,.;:)(|]|$|and\b))")
+_AT_END = re.compile(rf"(?:,[^.;,]{{0,40}}){{0,2}}, (?P<unit>{_UNIT})\.?\s*$")
 _UNIT_OF = re.compile(r"\bunit of (?:the )?(?:field )?$", re.IGNORECASE)
 _OF_WHICH = re.compile(rf"(?: of [A-Z_0-9]+)? is (?:the )?(?P<unit>{_LONG}|{_UNIT})\b")
 _BEFORE = re.compile(rf"\bin (?P<unit>{_LONG}|{_UNIT}) \((?:field )?$")
@@ -95,6 +96,7 @@ def _units(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         _OF_WHICH.match(text, said.end, said.until) if _UNIT_OF.search(text, low, said.start) else None,
         _BESIDE.match(text, said.end, said.until),
         _HOLDS.match(text, said.end, said.until),
+        _AT_END.match(text, said.end, said.until),
         _HAS_UNIT.match(text, said.end, said.until),
         _IN_UNIT.search(text, said.end, said.until),
         _BEHIND_TYPE.match(text, end, said.until) if is_listed else None,

@@ -6,6 +6,7 @@ from itertools import groupby
 
 from codegen.claims.about import Said, Surroundings, said_in, surroundings
 from codegen.claims.enum_words import entry_claim, is_entry
+from codegen.claims.field_notes import field_notes
 from codegen.claims.identifier import ENTRY_VALUE
 from codegen.claims.reading import Reading
 from codegen.claims.sentinel import SENTINEL
@@ -29,6 +30,7 @@ _WORDS_FIRST = re.compile(
     r"(?=\s*(?:[),.;]|$))"
 )
 _ROW = re.compile(r"[\s|]*(?P<value>\d{1,3})\s*\|\s*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*(?:\||$)")
+_FIRST = re.compile(r"[\s:]*(?P<value>\d{1,3}), (?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 /-]{1,44}?)\s*$")
 _TURNED = re.compile(r"[\s|]*(?P<words>(?:\dD )?[A-Za-z][A-Za-z0-9 ()/-]{1,44}?)\s*\|\s*(?P<value>\d{1,3})\s*(?:\||$)")
 _ENUM_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+")
 _FEWEST = 2
@@ -47,6 +49,7 @@ _AFTER = re.compile(rf"\b(?:unknown|invalid)(?: is|:| =|=| as)\s*{_VALUE}", re.I
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
     """Every value that is said of a field; runs of items and rows are looked at together with what stands above."""
+    yield from _members(reading)
     above: Passage | None = None
     said: list[Said] = []
     around = Surroundings((), ())
@@ -65,6 +68,16 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
                 yield from _sentinels(reading, each)
             if not any(_enum_of(reading, each) for each in said):
                 yield from _unnamed(reading, part)
+
+
+def _members(reading: Reading) -> Iterator[Diagnostic]:
+    """Comments beside the members of a struct."""
+    for notes in field_notes(reading):
+        for note, field in notes.pairs():
+            enum = reading.enums.get(field.definition.enum or "") if note.type is not None else None
+            for found in _ENTRY.finditer(note.passage.text, note.start) if enum else ():
+                if enum is not None:
+                    yield from entry_claim(reading, f"{notes.message.name}.{field.name}", enum, note.passage, found)
 
 
 _Subject = tuple[str, EnumDefinition]
@@ -144,6 +157,9 @@ def _entries(reading: Reading, said: Said) -> Iterator[Diagnostic]:
             text = f"{said.name}: {named.name} is {named.value}, not {found['value']}"
             place = said.passage.place_at(found.start("value"))
             yield reading.found(ENTRY_VALUE, place, f"{said.name} {found[0]}", text)
+    first = _FIRST.match(said.passage.text, said.end, said.until)
+    if first is not None:
+        yield from entry_claim(reading, said.name, enum, said.passage, first)
     for form in (_ENTRY, _WORDS_FIRST):
         for found in form.finditer(said.passage.text, said.end, said.until):
             yield from entry_claim(reading, said.name, enum, said.passage, found)

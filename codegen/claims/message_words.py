@@ -38,7 +38,8 @@ _OTHER_ID = re.compile(
 )
 _HEADED = re.compile(rf"{_MESSAGE} ?(?:,|:|-|\u2013) ?#?(?P<number>\d{{1,6}})")
 _LENGTH = re.compile(
-    r"\b(?P<part>payload) (?:length|size|len)(?: of| is|:| =)? ?(?P<alone>\d{1,3})\b(?!\w| ?bytes?)"
+    r"\b(?P<part>(?:base )?payload)(?: (?:length|size|len))?(?: of| is|:| =)? ?(?P<alone>\d{1,3})\b(?!\w| ?bytes?| ?%)"
+    r"|\b(?P<total>total)(?: of|:| is)? (?P<sum>\d{1,3}) bytes?\b"
     r"|\b(?P<what>base payload|payload|frame|packet|message)s?\b(?P<between>[^.;|\d]{0,40}?)"
     r"(?<![\w.,-])(?P<number>\d{1,3}) ?bytes?\b(?![ ]?(?:/|per\b|a second|of\b|for each))"
     r"|(?<![\w.,-])(?P<each>\d{1,3}) ?bytes?(?:/| per | a )(?P<per>message|frame|packet)",
@@ -50,6 +51,8 @@ _OTHER = re.compile(
     re.IGNORECASE,
 )
 _IS = re.compile(r"\b(?:has|have|is|are|takes?|needs?|length|size|long|of)\b", re.IGNORECASE)
+_VERSION_1 = re.compile(r"\bMAVLink ?v?1\b|\b0xFE\b", re.IGNORECASE)
+_VERSION_2 = re.compile(r"\bMAVLink ?v?2\b|\b0xFD\b|\bv2\b", re.IGNORECASE)
 _CUT = re.compile(r"truncat|trimmed|\bcut\b|zeros? (?:at|are)|recorded|captur|shortened|often", re.IGNORECASE)
 _WIRE = re.compile(r"on the wire|wire order|in this order|order on|payload (?:begins|starts)", re.IGNORECASE)
 _XML = re.compile(r"\bXML\b|as (?:declared|defined|listed)|definition|dialect", re.IGNORECASE)
@@ -126,17 +129,20 @@ def _lengths(reading: Reading, passage: Passage, around: Surroundings) -> Iterat
             and not _IS.search(found["between"])
         ):
             continue
-        number = int(found["number"] or found["each"] or found["alone"])
-        what = (found["what"] or found["per"] or found["part"]).lower()
+        group = next(name for name in ("number", "each", "alone", "sum") if found[name])
+        number = int(found[group])
+        what = (found["what"] or found["per"] or found["part"] or found["total"]).lower()
         base, full = message.base_length, message.length
-        frames = {HEAD_V2 + base, HEAD_V2 + full, HEAD_V1 + base}
+        is_version_1 = _VERSION_1.search(passage.text) and not _VERSION_2.search(passage.text)
+        if is_version_1:
+            full = base
+        frames = {HEAD_V1 + base} if is_version_1 else {HEAD_V2 + base, HEAD_V2 + full, HEAD_V1 + base}
         frames |= {each + _SIGNATURE for each in frames}
         wanted = {base} if what == "base payload" else {base, full} if what == "payload" else frames
-        if what == "message" or found["per"]:
+        if what in ("message", "total") or found["per"]:
             wanted = {base, full} | frames
         if number in wanted:
             continue
-        group = next(name for name in ("number", "each", "alone") if found[name])
         own = f"a payload of {base} bytes" + (f", {full} with extensions" if full > base else "")
         text = f"{message.name} has {own}, and frames of {HEAD_V2 + base} in MAVLink 2, not {number}"
         words = passage.text[found.start() : found.end()]

@@ -39,7 +39,7 @@ _SENT = re.compile(
 _BEFORE = re.compile(
     r"\b(?:messages?|msg|sends?(?: out| back)?|streams?|requests?|publish(?:es)?|uses?|emits?|answers? with"
     r"|repl(?:y|ies) with|reads?|receives?|forwards?|decodes?|handles?|subscribes? to|listens? (?:to|for)|asks? for"
-    r"|waits? for|broadcasts?) (?:the |an? |each |all |only )?$",
+    r"|waits? for|broadcasts?|records?|logs?) (?:the |an? |each |all |only )?$",
     re.IGNORECASE,
 )
 _BEHIND = re.compile(
@@ -49,11 +49,13 @@ _BEHIND = re.compile(
     re.IGNORECASE,
 )
 _SENDS = re.compile(
-    r"\b(?:messages?|msg|sends?|streams?|receives?|answers? with|repl(?:y|ies) with|broadcasts?) (?:the |an? |each )?$",
+    r"\b(?:messages?|msg|sends?|streams?|receives?|answers? with|repl(?:y|ies) with|broadcasts?"
+    r"|records?) (?:the |an? |each )?$",
     re.IGNORECASE,
 )
+_PARAMETER = re.compile(r"[A-Z]+\d_")
 _IS_SENT = re.compile(
-    r" ?(?:messages?|packet)\b| (?:is|are) (?:sent|streamed|received|broadcast)\b| at \d+ ?Hz"
+    r" ?(?:messages?|packet)\b| (?:is|are) (?:not |never |only )?(?:sent|streamed|received|broadcast)\b| at \d+ ?Hz"
     r"| (?:carries|arrives|comes|contains|reports)\b"
 )
 _OWN = re.compile(
@@ -138,6 +140,7 @@ def _names(reading: Reading) -> _Names:
     enums = reading.enums
     known = {entry.name for enum in enums.values() for entry in enum.entries} | set(enums)
     known |= {each.name for each in reading.reference.listed}
+    known |= {entry.name.removeprefix(f"{name}_") for name, enum in enums.items() for entry in enum.entries}
     named = dict.fromkeys(name for _, name in reading.sightings)
     entries = {f"{name}_": [entry.name for entry in enum.entries] for name, enum in enums.items()}
     return _Names(
@@ -233,9 +236,12 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
         )
         if not (is_begun or is_beside or is_told or is_joined):
             continue
+        if _PARAMETER.match(name):
+            continue
         near = _near_message(name, names)
         is_row = is_begun and passage.kind is not PassageKind.HEADING
         is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
+        is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)
         is_sure = is_row or is_sent or _IS_SENT.match(passage.text, found.end()) is not None
         if near is not None or (is_sure and reading.sightings and not _is_successor(name, names)):
             yield _no_message(reading, passage.place_at(found.start()), name, near)
