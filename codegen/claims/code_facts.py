@@ -26,7 +26,9 @@ _BARE = re.compile(
     r"^\s+(?:pub |static |export |readonly |constexpr )*(?:const )?(?:\w+ )?(?:MSG_|MESSAGE_)?"
     r"(?P<role>ID|CRC_EXTRA|EXTRA_CRC|CRC|LEN|LENGTH|PAYLOAD_LEN)\s*(?::\s*\w+\s*)?=\s*(?P<value>\d{1,6})\s*[;,]?\s*(?://.*)?$"
 )
-_COMMENT = re.compile(r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60}),? (?:message )?id:? #?(?P<id>\d{1,6})\b")
+_COMMENT = re.compile(
+    r"(?:/\*|//|#)\s*(?P<message>[A-Z][A-Z0-9_]{2,60})(?:,?| [^.;]{1,30},) (?:message )?id:? #?(?P<id>\d{1,6})\b"
+)
 _QUOTED = re.compile(
     r"[\"'](?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})[\"']\s*[:,=]>?\s*[\"'](?P<unit>[^\"']{1,16})[\"']"
 )

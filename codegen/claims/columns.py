@@ -5,11 +5,16 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from codegen.claims.about import Surroundings, surroundings
+from codegen.claims.enum_words import entry_claim
 from codegen.claims.field_notes import cells
+from codegen.claims.field_values import ENTRY
 from codegen.claims.identifier import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID
+from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
 from codegen.claims.sentinel import SENTINEL, UNIT
 from codegen.claims.size import RULE as SIZE
+from codegen.claims.structure import COLUMN_TYPE, TYPE_CELL, has_type, spelled_type
+from codegen.claims.structure import RULE as TYPE
 from codegen.claims.unknown_value import number_of, unknown_values
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage, PassageKind
@@ -71,6 +76,7 @@ _HEADS = {
         re.IGNORECASE,
     ),
     "offset": re.compile(r"(?:byte )?offset|(?:byte|at|pos(?:ition)?)", re.IGNORECASE),
+    "type": COLUMN_TYPE,
     "enum": re.compile(r"enum", re.IGNORECASE),
     "value": re.compile(r"(?:value|number|num|code|id|#|no\.?|bit value)", re.IGNORECASE),
 }
@@ -194,7 +200,24 @@ def _of_field(
         if stated_enum in reading.enums and field.definition.enum and stated_enum != field.definition.enum:
             text = f"{name} has the enum {field.definition.enum}, not {stated_enum}"
             yield reading.found(ENUM_OF, row.place_at(own[index][1]), f"{name} {stated_enum}", text)
+    yield from _types(reading, row, own, columns, name, field)
     yield from _units(reading, row, own, columns, name, field)
+
+
+def _types(
+    reading: Reading, row: Passage, own: _Row, columns: dict[str, list[int]], name: str, field: WireField
+) -> Iterator[Diagnostic]:
+    """The column of types, and the values of an enum that any other cell lists."""
+    for index in columns["type"]:
+        cell = TYPE_CELL.fullmatch(own[index][0].strip()) if index < len(own) else None
+        if cell is not None and not has_type(field, spelled_type(cell)):
+            text = f"{name} is {typed(field.definition)}, not {own[index][0].strip()}"
+            yield reading.found(TYPE, row.place_at(own[index][1]), f"{name} {spelled_type(cell)}", text)
+    enum = reading.enums.get(field.definition.enum or "")
+    for text, offset in own[1:] if enum else ():
+        for found in ENTRY.finditer(row.text, offset, offset + len(text)):
+            if enum is not None:
+                yield from entry_claim(reading, name, enum, row, found)
 
 
 def _units(

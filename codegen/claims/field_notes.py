@@ -7,6 +7,7 @@ from itertools import groupby
 from codegen.claims.identifier import commented_id
 from codegen.claims.reading import Reading
 from codegen.frozen import dataclass
+from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
 from codegen.model.wire_types import SPELLINGS
@@ -20,6 +21,7 @@ _RUST_FIELD = re.compile(
     r"\s*(?:pub\s+)?(?:r#)?(?P<name>[a-z]\w*?)_?\s*:\s*(?:\[\s*(?P<array>[iuf]\d\d?)\s*;\s*(?P<length>\d{1,4})\s*\]"
     r"|(?P<type>[iuf](?:8|16|32|64)))\s*,?(?P<rest>\s*(?://.*)?)$"
 )
+_END_OF = re.compile(r"\s*\}")
 _END = re.compile(r"\s*\}[^/#]{0,60}(?://|/\*|#)\s*(\d{1,3}) bytes?\b(?! of)")
 _ELEMENT = r"(?P<name>[a-z][a-z0-9_]*)(?:\[(?P<low>\d{1,3})(?:\s*(?:\.{2,3}|-|:|\u2013)\s*(?P<high>\d{1,3}))?\])?"
 _ITEM = re.compile(rf"{_ELEMENT}\s*(?::|=|\u2013|\u2014|-)\s+")
@@ -99,8 +101,11 @@ def _kind(part: Passage | CodeBlock) -> PassageKind | None:
 
 
 def _struct(reading: Reading, code: CodeBlock) -> Iterator[FieldNotes]:
-    notes = []
+    notes: list[Note] = []
     for line in code.lines:
+        if _END_OF.match(line.text):
+            yield from _structure(reading, notes, code, _bytes_of(line))
+            notes = []
         found = _C_FIELD.match(line.text) or _RUST_FIELD.match(line.text)
         if found is None:
             continue
@@ -110,19 +115,24 @@ def _struct(reading: Reading, code: CodeBlock) -> Iterator[FieldNotes]:
         length = int(found["length"]) if found["length"] else None
         wire_type = SPELLINGS.get(written, written)
         notes.append(Note(found["name"], passage, found.start("rest"), None, wire_type, length))
+    yield from _structure(reading, notes, code, None)
+
+
+def _structure(
+    reading: Reading, notes: list[Note], code: CodeBlock, end: tuple[int, Place] | None
+) -> Iterator[FieldNotes]:
     if len(notes) < 2:
         return
-    about = reading.message_with([note.name for note in notes], code.place.line)
+    about = reading.message_with([note.name for note in notes], notes[0].passage.place.line)
     if about is not None:
-        yield FieldNotes(about, tuple(notes), commented_id(code), _bytes_of(code))
+        yield FieldNotes(about, tuple(notes), commented_id(code), end)
 
 
-def _bytes_of(code: CodeBlock) -> tuple[int, Place] | None:
-    for line in code.lines:
-        found = _END.match(line.text)
-        if found is not None:
-            return int(found[1]), line.place._replace(column=line.place.column + found.start(1))
-    return None
+def _bytes_of(line: Line) -> tuple[int, Place] | None:
+    found = _END.match(line.text)
+    if found is None:
+        return None
+    return int(found[1]), line.place._replace(column=line.place.column + found.start(1))
 
 
 def _table(reading: Reading, rows: list[Passage]) -> Iterator[FieldNotes]:

@@ -16,10 +16,10 @@ from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect import EnumDefinition, WireMessage
 from codegen.model.literals import same_number
 
-_ENTRY = re.compile(
+ENTRY = re.compile(
     r"(?<![\w.\-+])(?P<value>\d{1,3})\s*(?:=|:|\(|\u2013|-)?\s*"
     r"(?P<words>(?:(?:is|are|for|means|an?|the) )*(?:\dD )?[A-Za-z][A-Za-z0-9 /-]{1,44}?(?: \([a-z ]{3,20}\))?)"
-    r"\)?(?=\s*(?:[,.;:|)]|$| and \d| or \d))"
+    r"\)?(?=\s*(?:[,.;:|)]|\*/|$| and \d| or \d))"
 )
 _NAMED = re.compile(r"(?<![\w.])(?P<value>\d{1,3})\s*\((?P<name>[A-Z][A-Z0-9_]{3,80})\)")
 _ITEM = re.compile(
@@ -40,7 +40,7 @@ _UNKNOWN = re.compile(
     rf"{_VALUE}\s*[\[(]?\s*(?:=|:|if|when|where|for|is|means|stands for|marks|says)?\s*(?:an? |the )?"
     r"(?:it |value |field |current |this )?"
     r"(?:is |are |there is )?(?P<words>unknown|unavailable|invalid"
-    r"|no (?:estimate|data|value|measurement|reading|sensor)"
+    r"|no [a-z]{2,15} is (?:present|there|available|connected)|no (?:estimate|data|value|measurement|reading|sensor)"
     r"|not (?:known|provided|available|measured|valid|there|used|set))\b",
     re.IGNORECASE,
 )
@@ -75,7 +75,7 @@ def _members(reading: Reading) -> Iterator[Diagnostic]:
     for notes in field_notes(reading):
         for note, field in notes.pairs():
             enum = reading.enums.get(field.definition.enum or "") if note.type is not None else None
-            for found in _ENTRY.finditer(note.passage.text, note.start) if enum else ():
+            for found in ENTRY.finditer(note.passage.text, note.start) if enum else ():
                 if enum is not None:
                     yield from entry_claim(reading, f"{notes.message.name}.{field.name}", enum, note.passage, found)
 
@@ -140,7 +140,7 @@ def _most_right(subjects: Sequence[_Subject], pairs: "Sequence[re.Match[str]]") 
 def _unnamed(reading: Reading, passage: Passage) -> Iterator[Diagnostic]:
     """ "NAME answers 0 (accepted), 1 (denied)": values of a field that the sentence does not name."""
     messages = reading.named(passage)
-    pairs = list(_ENTRY.finditer(passage.text)) if len(messages) == 1 else []
+    pairs = list(ENTRY.finditer(passage.text)) if len(messages) == 1 else []
     subject = _most_right(_of_message(reading, messages[0]), pairs) if len(pairs) > _FEWEST else None
     for found in pairs if subject else ():
         if subject is not None:
@@ -160,7 +160,7 @@ def _entries(reading: Reading, said: Said) -> Iterator[Diagnostic]:
     first = _FIRST.match(said.passage.text, said.end, said.until)
     if first is not None:
         yield from entry_claim(reading, said.name, enum, said.passage, first)
-    for form in (_ENTRY, _WORDS_FIRST):
+    for form in (ENTRY, _WORDS_FIRST):
         for found in form.finditer(said.passage.text, said.end, said.until):
             yield from entry_claim(reading, said.name, enum, said.passage, found)
 

@@ -37,6 +37,7 @@ _BEFORE_NAME = re.compile(r"[ ]?(?:(?:payload|frames?|packets?|long|of|for|the|a
 _FRAME = re.compile(r"frame|packet|wire|\bsent\b|truncat|trimmed|cut", re.IGNORECASE)
 _PAYLOAD = re.compile(r"payload", re.IGNORECASE)
 _VERSION_1 = re.compile(r"\bv1\b|mavlink ?1", re.IGNORECASE)
+_VERSION_2 = re.compile(r"\bv2\b|mavlink ?2", re.IGNORECASE)
 _RATE = re.compile(r"(\d{1,4}(?:\.\d{1,3})?) ?Hz\b")
 _NEAR = 60
 """Characters between a message and its size."""
@@ -51,6 +52,7 @@ class SizeClaim:
     start: int
     end: int
     words: str
+    is_version_1: bool = False
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
@@ -74,10 +76,19 @@ def size_claims(reading: Reading, passage: Passage, mentions: tuple[Mention, ...
         after = mentions[position] if position < len(mentions) else None
         if before is not None and _is_between(text, before.end, found.start()):
             low, high = before.start, found.end()
-            yield SizeClaim(reading.messages[before.name], int(found[1]), found.start(), high, text[low:high])
+            message, start = reading.messages[before.name], found.start()
+            yield SizeClaim(message, int(found[1]), start, high, text[low:high], _is_version_1(passage, low, high))
         elif after is not None and _BEFORE_NAME.fullmatch(text, found.end(), after.start):
             low, high = found.start(), after.end
-            yield SizeClaim(reading.messages[after.name], int(found[1]), low, high, text[low:high])
+            message = reading.messages[after.name]
+            yield SizeClaim(message, int(found[1]), low, high, text[low:high], _is_version_1(passage, low, high))
+
+
+def _is_version_1(passage: Passage, low: int, high: int) -> bool:
+    """Whether the sentence is about MAVLink 1 alone."""
+    start, end = passage.sentence(low, high)
+    text = passage.text[start:end]
+    return _VERSION_1.search(text) is not None and _VERSION_2.search(text) is None
 
 
 def _is_between(text: str, start: int, end: int) -> bool:
@@ -89,7 +100,7 @@ def is_possible(claim: SizeClaim) -> bool:
     message, words = claim.message, claim.words
     base, length = message.base_length, message.length
     if _PAYLOAD.search(words):
-        return claim.bytes in (base, length)
+        return claim.bytes in ((base,) if claim.is_version_1 else (base, length))
     if _VERSION_1.search(words):
         return claim.bytes in (HEAD_V1 + base, base)
     if _FRAME.search(words):  # a frame of MAVLink 2 loses the zeros at the end of its payload

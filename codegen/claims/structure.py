@@ -19,8 +19,8 @@ RULE = Rule(
     "that of the wire; extensions may be left out.",
 )
 
-_COLUMN_TYPE = re.compile(r"(?:field |wire |c |data )?type|format", re.IGNORECASE)
-_TYPE = re.compile(
+COLUMN_TYPE = re.compile(r"(?:field |wire |c |data )?type|format", re.IGNORECASE)
+TYPE_CELL = re.compile(
     r"(?P<type>u?int(?:8|16|32|64)(?:_t)?|[uif](?:8|16|32|64)|float|double|char)(?:\s?\[\s?(?P<length>\d{1,3})\s?\])?"
 )
 
@@ -30,8 +30,7 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
     for notes in field_notes(reading):
         for note, field in notes.pairs():
             declared = _declared(notes, note)
-            own = (typed(field.definition), field.definition.type, field.type.name, *_bytes_of(field))
-            if declared is not None and declared[0] not in (own if field.is_array else (own[0], own[2])):
+            if declared is not None and not has_type(field, declared[0]):
                 stated, offset = declared
                 text = f"{notes.message.name}.{note.name} is {typed(field.definition)}, not {stated}"
                 words = f"{notes.message.name}.{note.name} {stated}"
@@ -45,6 +44,12 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
         yield from _commented(reading, notes)
 
 
+def has_type(field: WireField, stated: str) -> bool:
+    """Whether a type as XML writes it is that of a field; of an array the type of its elements will do."""
+    own = (typed(field.definition), field.definition.type, field.type.name, *_bytes_of(field))
+    return stated in (own if field.is_array else (own[0], own[2]))
+
+
 def _bytes_of(field: WireField) -> tuple[str, ...]:
     """How languages without a type for text write a field of characters."""
     return (f"uint8_t[{field.count}]", f"int8_t[{field.count}]") if field.type.name == "char" else ()
@@ -54,13 +59,17 @@ def _declared(notes: FieldNotes, note: Note) -> tuple[str, int] | None:
     """The type that a declaration or the column of a table states, as XML writes it, and its offset."""
     if note.type is not None:
         return (note.type if note.length is None else f"{note.type}[{note.length}]"), 0
-    cell = notes.cell(note, _COLUMN_TYPE)
-    if cell is None or (found := _TYPE.fullmatch(cell[0])) is None:
+    cell = notes.cell(note, COLUMN_TYPE)
+    if cell is None or (found := TYPE_CELL.fullmatch(cell[0])) is None:
         return None
-    number = f"[{found['length']}]" if found["length"] else ""
+    return spelled_type(found), cell[1]
+
+
+def spelled_type(found: "re.Match[str]") -> str:
+    """The type of a cell as XML writes it."""
     spelled = found["type"]
     own = SPELLINGS.get(spelled) or (f"{spelled}_t" if spelled[-1].isdigit() else spelled)
-    return own + number, cell[1]
+    return own + (f"[{found['length']}]" if found["length"] else "")
 
 
 def _whole(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
@@ -90,7 +99,9 @@ def _whole(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
 def _size(reading: Reading, notes: FieldNotes) -> Iterator[Diagnostic]:
     """``};  /* 38 bytes */`` behind the last field of a struct."""
     message = notes.message
-    if notes.end is None or notes.end[0] in (message.base_length, message.length) or message.id < 0:
+    names = {note.name for note in notes.notes}
+    is_full = all(field.name in names for field in message.fields)
+    if notes.end is None or notes.end[0] == (message.length if is_full else message.base_length) or message.id < 0:
         return
     number, place = notes.end
     own = f"{message.base_length} bytes, {message.length} with extensions"

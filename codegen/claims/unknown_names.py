@@ -44,7 +44,7 @@ _BEFORE = re.compile(
 )
 _BEHIND = re.compile(
     r" ?(?:message|packet|frame)\b| \((?:id |#)?\d| (?:at|with|every) \d|,? \d+ ?Hz"
-    r"| (?:(?:is|are) (?:sent|streamed|received|requested|answered|published|broadcast)"
+    r"| (?:(?:is|are) (?:not |never |only )?(?:sent|streamed|received|requested|answered|published|broadcast)"
     r"|carries|arrives|comes|reports)\b",
     re.IGNORECASE,
 )
@@ -81,7 +81,7 @@ _TAKEN = re.compile(r"^\s*(?P<variable>\w+)\s*=\s*.*\btype\s*=\s*[\"'](?P<messag
 _DECLARED = re.compile(r"\bmavlink_(?P<message>[a-z][a-z0-9_]{2,60})_t\s+(?P<variable>\w+)\s*[;=]")
 _CONSTANT = re.compile(r"(?<![\w\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w*])")
 _MEMBER = re.compile(r"(?<![\w.])(?P<variable>[a-z]\w{0,60})\.(?P<field>[a-z]\w{0,60})\b(?!\()")
-_BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]))")
+_BEGINNING = re.compile(r"[\s|*-]*(?P<name>[A-Za-z]\w{1,60})(?:\[\d*\])?(?=\s*(?:$|[|:(,=\u2013-]|and\b|or\b))")
 _QUOTED = re.compile(r"[\"'](?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)[\"']")
 _WORD = re.compile(r"(?<![\w.\-/])[A-Z]{6,}(?![\w\-/]|\.[a-z]|\s*\()")
 _JOINED = re.compile(r"[`\s]*(?:,|and|or|/|, and)[`\s]*")
@@ -330,8 +330,9 @@ def _members(
         return
     for passage, found in begun:
         name = found["name"]
-        is_like = len(name) > _SHORT and name not in names.fields
-        if is_like and _near_fields(name, message):
+        is_begun = any(field.name.startswith(f"{name}_") for field in message.fields)
+        is_like = len(name) > _SHORT and _near_fields(name, message)
+        if name not in names.fields and (is_begun or is_like):
             yield _no_field(reading, passage.place_at(found.start("name")), message, name)
 
 

@@ -14,6 +14,7 @@ PREFIXES = {
     "G": "1000000000",
     "Ki": "1024",
     "Mi": "1048576",
+    "Gi": "1073741824",
 }
 """What a symbol with a prefix is of the symbol itself."""
 
@@ -73,7 +74,7 @@ SYMBOLS: dict[str, tuple[str, str, str]] = {
     "l": ("1/1000", "m^3", "d c m"),
     "L": ("1", "l", "d c m"),
     "bytes": ("8", "bits", "k M"),
-    "B": ("1", "bytes", "Ki Mi"),
+    "B": ("1", "bytes", "Ki Mi Gi"),
 }
 """G is the standard gravity of the fields in mG (a gauss has its name in full), rev a turn, kn a knot: 1852 m/h."""
 
