@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from codegen.claims import check_claims
 from codegen.claims.reading import Reading, Reference, read_document
+from codegen.claims.unknown_names import unknown_names
 from codegen.codec import read_codec_dialect
 from codegen.decode.known_dialects import taken_elsewhere
 from codegen.diagnostics import Report
@@ -52,15 +53,16 @@ def check_documents(paths: Iterable[str], reference: Reference, report: Report) 
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = read_text(path, report)
         if text is not None:
-            found = check_claims(_with_other_dialects(read_document(text, path, reference)))
+            found = check_claims(with_other_dialects(read_document(text, path, reference)))
             report.extend(finding for finding in found if finding.place not in told)
             read.append(path)
     return read
 
 
-def _with_other_dialects(reading: Reading) -> Reading:
-    """The reading with the messages of shipped dialects that its own ones share an id with."""
+def with_other_dialects(reading: Reading) -> Reading:
+    """The reading with the messages of shipped dialects that it names, or that its own ones share an id with."""
     proposed = [message.definition for message in reading.proposed]
     reference = reading.reference
-    taken = taken_elsewhere(proposed, reference.dialect.files, reference.listed)
+    others = set(unknown_names(reading))
+    taken = taken_elsewhere(proposed, reference.dialect.files, reference.listed, others)
     return replace(reading, reference=replace(reference, listed=taken)) if taken else reading

@@ -208,7 +208,7 @@ def _types(
     reading: Reading, row: Passage, own: _Row, columns: dict[str, list[int]], name: str, field: WireField
 ) -> Iterator[Diagnostic]:
     """The column of types, and the values of an enum that any other cell lists."""
-    for index in columns["type"]:
+    for index in columns["type"] if columns["field"] else ():
         cell = TYPE_CELL.fullmatch(own[index][0].strip()) if index < len(own) else None
         if cell is not None and not has_type(field, spelled_type(cell)):
             text = f"{name} is {typed(field.definition)}, not {own[index][0].strip()}"

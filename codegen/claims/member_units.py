@@ -96,7 +96,8 @@ def _members(reading: Reading, code: CodeBlock) -> Iterator[Diagnostic]:
     about = reading.message_with([name for name, _, _ in found], code.place.line) if len(found) > 1 else None
     for name, line, comment in found if about else ():
         text = comment["text"]
-        stated = _BRACKETS.match(text) or _FIRST.match(text) or _LAST.search(text)
+        places = filter(None, (_BRACKETS.match(text), _FIRST.match(text), _LAST.search(text)))
+        stated = next((each for each in places if worded_unit(each["unit"]) is not None), None)
         if stated is not None and about is not None:
             yield from _unit(reading, about, name, stated["unit"], line, comment.start("text") + stated.start("unit"))
 

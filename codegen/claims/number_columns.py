@@ -57,7 +57,7 @@ def _role(found: Sequence[tuple[WireMessage, int, Place]], roles: Collection[str
     """What the numbers of a column are, if two thirds of them agree; the first of the facts that most agree with."""
     agreeing = Counter(
         {
-            role: sum(number in fact(message) for message, number, _ in found)
+            role: len({message.name for message, number, _ in found if number in fact(message)})
             for role, fact in _FACTS.items()
             if role in roles
         }

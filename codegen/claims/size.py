@@ -101,7 +101,7 @@ def is_possible(claim: SizeClaim) -> bool:
     base, length = message.base_length, message.length
     if _PAYLOAD.search(words):
         return claim.bytes in ((base,) if claim.is_version_1 else (base, length))
-    if _VERSION_1.search(words):
+    if claim.is_version_1 or _VERSION_1.search(words):
         return claim.bytes in (HEAD_V1 + base, base)
     if _FRAME.search(words):  # a frame of MAVLink 2 loses the zeros at the end of its payload
         return HEAD_V1 < claim.bytes <= HEAD_V2 + length + SIGNATURE

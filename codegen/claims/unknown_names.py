@@ -22,8 +22,8 @@ NO_FIELD = Rule(
 )
 NO_MESSAGE = Rule(
     "claim-no-message",
-    "A document names a message that no dialect has: one that looks like one of them, or one that is sent. Correct "
-    "the name, or list the dialect that has it under known in codegen.yaml.",
+    "A document names a message that no dialect has, and that looks like one of them. Correct the name, or list the "
+    "dialect that has it under known in codegen.yaml.",
 )
 NO_ENTRY = Rule(
     "claim-no-entry",
@@ -92,6 +92,8 @@ _FAMILY = 5
 """Names that begin alike: then what they begin with is their family, and no misspelling of one of them."""
 _ALIKE = 0.72
 _SAME = 0.8
+_SURE = 0.7
+"""For what stands where a message has to stand."""
 _KIN = 0.65
 """For what begins as all entries of an enum do."""
 
@@ -134,6 +136,14 @@ def check(reading: Reading) -> Iterator[Diagnostic]:
             yield from _entries(reading, part, names)
             yield from _fields(reading, part, around, names)
             yield from _qualified(reading, part, names)
+
+
+def unknown_names(reading: Reading) -> Iterator[str]:
+    """The names in a document that may be those of messages, and that its dialect does not have."""
+    texts = [passage.text for passage in reading.prose.passages]
+    texts += [line.text for code in reading.prose.code for line in code.lines]
+    for text in texts:
+        yield from (found[0] for found in _CONSTANT.finditer(text) if found[0] not in reading.messages)
 
 
 def _names(reading: Reading) -> _Names:
@@ -243,7 +253,9 @@ def _messages(reading: Reading, passage: Passage, names: _Names, listed: Collect
         is_sent = _SENDS.search(passage.text, max(low, found.start() - 20), found.start()) is not None
         is_sent = is_sent or (is_joined and _SENT.search(passage.text, low, high) is not None)
         is_sure = is_row or is_sent or _IS_SENT.match(passage.text, found.end()) is not None
-        if near is not None or (is_sure and reading.sightings and not _is_successor(name, names)):
+        if near is None and is_sure and reading.sightings and not _is_successor(name, names):
+            near = next(iter(get_close_matches(name, names.messages, n=1, cutoff=_SURE)), None)
+        if near is not None:
             yield _no_message(reading, passage.place_at(found.start()), name, near)
 
 
@@ -255,9 +267,8 @@ def _is_successor(name: str, names: _Names) -> bool:
     )
 
 
-def _no_message(reading: Reading, place: Place, name: str, near: str | None) -> Diagnostic:
-    hint = f"did you mean {near}?" if near else "list the dialect that has it under known in codegen.yaml"
-    return reading.found(NO_MESSAGE, place, name, f"there is no message {name}", hint)
+def _no_message(reading: Reading, place: Place, name: str, near: str) -> Diagnostic:
+    return reading.found(NO_MESSAGE, place, name, f"there is no message {name}", f"did you mean {near}?")
 
 
 def _entries(reading: Reading, passage: Passage, names: _Names) -> Iterator[Diagnostic]:
@@ -275,7 +286,9 @@ def _entry(reading: Reading, place: Place, name: str, names: _Names) -> Iterator
     entries = names.entries[start]
     if sum(entry.startswith(f"{name}_") for entry in entries) >= _FAMILY:
         return
-    near = get_close_matches(name, entries, n=1, cutoff=_KIN)
+    words = set(name.split("_"))
+    near = [entry for entry in entries if words < set(entry.split("_"))][:1]
+    near = near or get_close_matches(name, entries, n=1, cutoff=_KIN)
     if near:
         yield reading.found(NO_ENTRY, place, name, f"{start[:-1]} has no entry {name}", f"did you mean {near[0]}?")
 

@@ -41,14 +41,17 @@ def decode_known_file(path: str, report: Report, asked_at: Place) -> tuple[Known
 
 
 def taken_elsewhere(
-    messages: Iterable[MessageDefinition], read: Collection[str], listed: Iterable[KnownMessage]
+    messages: Iterable[MessageDefinition],
+    read: Collection[str],
+    listed: Iterable[KnownMessage],
+    others: Collection[str] = (),
 ) -> tuple[KnownMessage, ...]:
     """Which messages of shipped dialects, but for the files ``read`` (absolute paths), and of ``listed``, have the name
-    or the id of one of ``messages``."""
+    or the id of one of ``messages``, or one of the names ``others``."""
     messages = tuple(messages)
-    names = {message.name for message in messages}
+    names = {message.name for message in messages} | set(others)
     ids = {message.id for message in messages}
-    if not messages:
+    if not names:
         return ()
     paths = [path for name in shipped_dialect_names() if (path := shipped_dialect_path(name)) and path not in read]
     candidates = [*(message for path in paths for message in _scanned(path, names, ids)), *listed]

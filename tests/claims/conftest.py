@@ -9,6 +9,7 @@ from codegen.claims import check_claims
 from codegen.claims.reading import Reference, read_document
 from codegen.codec import read_codec_dialect
 from codegen.diagnostics import Diagnostic, Report
+from codegen.documents import with_other_dialects
 
 PATH = "/documents/notes.md"
 
@@ -26,4 +27,4 @@ def reference() -> Reference:
 @pytest.fixture(scope="session")
 def check() -> Check:
     """What is found in a text, in its order."""
-    return lambda text: check_claims(read_document(text, PATH, reference()))
+    return lambda text: check_claims(with_other_dialects(read_document(text, PATH, reference())))
