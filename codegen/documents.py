@@ -3,6 +3,7 @@
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
 from codegen.claims import check_claims
 from codegen.claims.reading import Reading, Reference, read_document
@@ -12,6 +13,7 @@ from codegen.decode.known_dialects import taken_elsewhere
 from codegen.diagnostics import Report
 from codegen.load.text import read_text
 from codegen.model.price import Range, frame_size
+from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
 from codegen.project_dialect import listed_messages
 
@@ -34,7 +36,42 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
             name = message.wire.name
             sizes += [sent[name]] if name in sent else []
             sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
-    return Reference(systems[0].dialect, sent, listed_messages(systems[0].spec, Report()))
+    listed = listed_messages(systems[0].spec, Report())
+    return Reference(systems[0].dialect, sent, listed, _parameters(systems), _rates(systems))
+
+
+def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
+    """By message the rates in Hz of its streams, until somebody changes them; without those that are never sent."""
+    found: dict[str, set[Fraction]] = {}
+    for system in systems:
+        for message in system.messages:
+            if message.stream is not None and message.stream.default_rate:
+                found.setdefault(message.wire.name, set()).add(message.stream.default_rate)
+    return {name: tuple(sorted(rates)) for name, rates in found.items()}
+
+
+def _parameters(systems: Sequence[System]) -> dict[str, tuple[StatedParameter, ...]]:
+    """By name what each program says of a parameter, in the order of the programs."""
+    found: dict[str, tuple[StatedParameter, ...]] = {}
+    for system in systems:
+        for index, name in enumerate(sorted(system.parameters)):
+            parameter = system.parameters[name]
+            default, low, high = (
+                step * parameter.step for step in (parameter.default, parameter.minimum, parameter.maximum)
+            )
+            stated = StatedParameter(
+                name=name,
+                unit=parameter.unit,
+                default=default,
+                minimum=low,
+                maximum=high,
+                step=parameter.step,
+                type=parameter.spec.type.value.upper(),
+                index=index,
+                count=len(system.parameters),
+            )
+            found[name] = (*found.get(name, ()), stated)
+    return found
 
 
 def project_documents(systems: Iterable[System]) -> list[str]:

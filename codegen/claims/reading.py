@@ -4,6 +4,7 @@ import re
 from bisect import bisect_left
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
+from fractions import Fraction
 from functools import reduce
 from operator import add
 from typing import Protocol, TypeVar
@@ -15,6 +16,7 @@ from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, Prose, read_prose
 from codegen.model.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
 from codegen.model.price import Range
+from codegen.model.stated_parameter import StatedParameter
 from codegen.resolve.wire import wire_message
 from codegen.source import Place
 
@@ -42,12 +44,15 @@ class Reference:
     """What documents are compared with: a dialect, and what a project says about it, if there is one.
 
     ``sent`` has the bytes of whole frames as the project sends them, by message; ``listed`` are messages of other
-    dialects that it knows of.
+    dialects that it knows of, ``parameters`` what its programs say of each of theirs, ``rates`` at how many Hz
+    each sends a message at first.
     """
 
     dialect: Dialect
     sent: Mapping[str, Range] = field(default_factory=dict)
     listed: tuple[KnownMessage, ...] = ()
+    parameters: Mapping[str, tuple[StatedParameter, ...]] = field(default_factory=dict)
+    rates: Mapping[str, tuple[Fraction, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

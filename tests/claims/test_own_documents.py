@@ -1,0 +1,54 @@
+"""A project's own documents beside its tables: a default, a range, a rate or a number that is out of date is found."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from codegen.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+STORAGE = "NFR-00061-parameter-storage.md"
+SERVICES = "FR-00070-ground-station-services.md"
+TELEMETRY = "FR-00068-battery-status-telemetry.md"
+VOLTAGE = "FR-00069-voltage-conversion.md"
+DECISION = "ADR-97ebh-battery-telemetry-architecture.md"
+PACK = "FR-00074-smart-battery.md"
+
+EDITS = [
+    (TELEMETRY, "default 2 Hz", "default 4 Hz", "claim-parameter: SR0_EXTRA1 has the default 2 Hz, not 4"),
+    (TELEMETRY, "range 0 to 50 Hz, and 0", "range 0 to 40 Hz, and 0", "claim-parameter: SR0_EXTRA1 has the maximum 50 Hz, not 40"),
+    (VOLTAGE, "the default 3.95, the range 1 to 10", "the default 4.95, the range 1 to 10", "has the default 3.95, not 4.95"),
+    (VOLTAGE, "the range 1 to 10 and", "the range 2 to 10 and", "claim-parameter: BATT_VOLT_MULT has the minimum 1, not 2"),
+    (VOLTAGE, "steps of 0.0001.", "steps of 0.001.", "claim-parameter: BATT_VOLT_MULT has the step 0.0001, not 0.001"),
+    (STORAGE, "| 19 | BATT_ARM_VOLT |", "| 0 | BATT_ARM_VOLT |", "claim-parameter: BATT_ARM_VOLT has the index 19, not 0"),
+    (STORAGE, "| BATT_ARM_VOLT | MAV_PARAM_TYPE_REAL32, 9 |", "| BATT_ARM_VOLT | MAV_PARAM_TYPE_INT8, 2 |", "BATT_ARM_VOLT is REAL32, not INT8"),
+    (STORAGE, "All 38 parameters", "All 13 parameters", "claim-parameter: there are 9 or 38 parameters, not 13"),
+    (SERVICES, "The list of 38 parameters", "The list of 13 parameters", "claim-parameter: there are 9 or 38 parameters, not 13"),
+    (DECISION, "is streamed at 2 Hz", "is streamed at 3 Hz", "claim-rate: BATTERY_STATUS is sent at 0.5 Hz or 2 Hz, not 3 Hz"),
+    (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent at 3 Hz", "claim-rate: HEARTBEAT is sent at 1 Hz, not 3 Hz"),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The shipped specification, to be changed and put back."""
+    folder = tmp_path_factory.mktemp("own")
+    shutil.copytree(ROOT / "specs", folder / "specs")
+    return folder
+
+
+@pytest.mark.parametrize(("document", "old", "new", "says"), EDITS, ids=[edit[2][:40] for edit in EDITS])
+def test_what_is_out_of_date_is_found(
+    project: Path, capsys: pytest.CaptureFixture[str], document: str, old: str, new: str, says: str
+) -> None:
+    """Each as somebody forgets it when a table changes."""
+    path = project / "specs" / "requirements" / document
+    text = path.read_text()
+    assert text.count(old) >= 1
+    path.write_text(text.replace(old, new))
+    try:
+        assert main(["check", "--project", str(project)]) == 1
+    finally:
+        path.write_text(text)
+    assert says in capsys.readouterr().out
