@@ -33,9 +33,7 @@ _IDS = tuple(
         rf",? (?:with the |the |its )?(?:message )?(?P<word>id)(?: is|:)? {_N}",
     )
 )
-_OTHER_ID = re.compile(
-    r"component|system|array|compid|sysid|param|sensor|battery|camera|target|instance", re.IGNORECASE
-)
+_OTHER_ID = re.compile(r"component|system|array|compid|sysid|param|sensor|camera|target|instance", re.IGNORECASE)
 _HEADED = re.compile(rf"{_MESSAGE} ?(?:,|:|-|\u2013) ?#?(?P<number>\d{{1,6}})")
 _LENGTH = re.compile(
     r"\b(?P<part>(?:base )?payload)(?: (?:length|size|len))?(?: of| is|:| =)? ?(?P<alone>\d{1,3})\b(?!\w| ?bytes?| ?%)"

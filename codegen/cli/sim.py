@@ -58,7 +58,11 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--duration", metavar="TIME", help=f"such as 90 s, or {FOREVER} (default: that of the scenario)"
     )
-    parser.add_argument("--report", metavar="FILE.html", help="write a page with charts and tables at the end")
+    parser.add_argument(
+        "--report",
+        metavar="FILE.html",
+        help="write a page with charts and tables at the end; FILE.svg: its first chart",
+    )
     parser.add_argument(
         "--record", metavar="FILE", help="write the record as data at the end: FILE.json all of it, FILE.csv quantities"
     )

@@ -90,9 +90,28 @@ class ReportView:
     console: tuple[str, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class PictureView:
+    """The first chart alone."""
+
+    title: str
+    summary: str
+    chart: Chart
+
+
 def write_report(path: str, simulation: Simulation, recording: Recording) -> None:
-    """Write the page, whole or not at all. OSError: it cannot be written."""
-    write_whole(path, render_page("sim/report.html.j2", report_view(simulation, recording)))
+    """Write the page, or for a path that ends with .svg its first chart, whole or not at all.
+
+    OSError: it cannot be written.
+    """
+    view = report_view(simulation, recording)
+    if not path.endswith(".svg"):
+        write_whole(path, render_page("sim/report.html.j2", view))
+        return
+    if not view.figures:
+        raise OSError(f"{path}: the scenario draws no quantity")
+    figure = view.figures[0]
+    write_whole(path, render_page("sim/chart.svg.j2", PictureView(view.title, figure.summary, figure.charts[0])))
 
 
 def report_view(simulation: Simulation, recording: Recording) -> ReportView:

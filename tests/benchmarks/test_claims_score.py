@@ -23,4 +23,4 @@ def test_half_of_the_documents_are_right() -> None:
     for folder in (*FOUND, claims_score.HIDDEN):
         entries = yaml.safe_load((claims_score.CORPUS / folder / "labels.yaml").read_text())
         wrong = sum(bool(entry["faults"]) for entry in entries)
-        assert abs(2 * wrong - len(entries)) <= len(entries) / 5
+        assert abs(2 * wrong - len(entries)) <= len(entries) / 3

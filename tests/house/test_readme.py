@@ -1,4 +1,4 @@
-"""The README's example does what the README says, to the letter."""
+"""The examples of the README and of docs/example.md do what these say, to the letter."""
 
 import os
 import re
@@ -11,13 +11,22 @@ from pymavlink.dialects.v20 import common
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text()
+SHOWN = README + (ROOT / "docs" / "example.md").read_text()
+LONGEST = 120
 BIN = Path(sys.executable).parent
 
 
 def block(language: str, containing: str) -> str:
     """The fenced block of a language that holds some text."""
-    blocks = re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+    blocks = re.findall(rf"```{language}\n(.*?)```", SHOWN, re.DOTALL)
     return next(text for text in blocks if containing in text)
+
+
+def test_readme_is_short_and_its_links_lead_somewhere():
+    """A newcomer reads it through; what it points at is there."""
+    assert len(README.splitlines()) <= LONGEST
+    for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", README):
+        assert (ROOT / target).exists(), target
 
 
 def test_example_prints_what_the_readme_shows(tmp_path):
@@ -36,7 +45,7 @@ def test_example_prints_what_the_readme_shows(tmp_path):
 def test_commands_print_what_the_readme_shows():
     """Each `$ command` of a console block prints the lines below it."""
     environment = {**os.environ, "PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
-    shown = block("console", "$ ")
+    shown = block("console", "$ codegen explain")
     commands = re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", shown, re.MULTILINE)
     assert commands
     for command, output in commands:

@@ -71,7 +71,7 @@ def test_wheel_holds_the_package_and_nothing_beside_it(wheel: Path) -> None:
     with zipfile.ZipFile(wheel) as archive:
         tops = {name.split("/", 1)[0] for name in archive.namelist()}
         modules = {name for name in archive.namelist() if name.endswith(".py") and "/templates/" not in name}
-    assert tops == {"codegen", f"codegen-{codegen.__version__}.dist-info"}
+    assert tops == {"codegen", f"mavlink_codegen-{codegen.__version__}.dist-info"}
     assert modules == {path.relative_to(ROOT).as_posix() for path in (ROOT / "codegen").rglob("*.py")}
 
 
