@@ -28,7 +28,6 @@ from codegen.resolve.scenario import resolve_scenarios
 from codegen.resolve.system import resolve_system
 from codegen.rules import check_system
 from codegen.source import Place, shown_path
-from codegen.targets.bench_facts import bench_facts, bench_inputs
 from codegen.targets.firmware import render_firmware
 from codegen.targets.listed import PROJECT_TARGETS, TARGETS
 from codegen.tool import tool_digest
@@ -280,16 +279,6 @@ def firmware_modules(system: System, architecture: str) -> dict[str, str]:
         project = replace(system.spec.project, machine_code=False)
         system = replace(system, spec=replace(system.spec, project=project))
     return {os.path.basename(path): text for path, text in render_firmware(system).items()}
-
-
-def facts_for_bench(system: System) -> tuple[dict[str, object], str]:
-    """What `codegen bench` has to know of a program, and the hash of the specification that its results are about."""
-    return bench_facts(system), bench_inputs(system)
-
-
-def bench_inputs_of(systems: Iterable[System]) -> dict[tuple[str, str], str]:
-    """By project and program the hash of the specification that results of `codegen bench` have to be about."""
-    return {(each.spec.project.project, each.spec.program): bench_inputs(each) for each in systems}
 
 
 def board_folder(system: System, architecture: str) -> str:

@@ -71,7 +71,8 @@ def surroundings(reading: Reading) -> Iterator[tuple[Passage | CodeBlock, Surrou
             open_headings.append((part.level, named if len(named) == 1 else ()))
             earlier = {}
         headings = tuple(message for _, named in reversed(open_headings) for message in named)
-        yield part, Surroundings(headings, tuple(dict.fromkeys((*reversed(earlier.values()), *alone))))
+        others = () if earlier else alone
+        yield part, Surroundings(headings, (*reversed(earlier.values()), *others))
         for message in reversed(reading.named(part)) if isinstance(part, Passage) else ():
             earlier.pop(message.name, None)
             earlier[message.name] = message

@@ -4,8 +4,7 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from codegen.claims.about import Said, said_of_fields
-from codegen.claims.field_words import DECLARED
+from codegen.claims.about import Said
 from codegen.claims.reading import Reading, between
 from codegen.claims.sentinel import UNIT
 from codegen.diagnostics import Diagnostic, Rule
@@ -72,22 +71,18 @@ _PARTS = re.compile(
 _SHARES = {"tenths": 10, "hundredths": 100, "thousandths": 1000}
 
 
-def check(reading: Reading) -> Iterator[Diagnostic]:
-    """Everything that is said of a field by its name."""
-    yield from _plain(reading)
-    for said in said_of_fields(reading):
-        if said.passage.kind is not PassageKind.ROW:  # tables are read by their columns
-            yield from _units(reading, said)
-            yield from _scalings(reading, said)
+def said_units(reading: Reading, said: Said, declared: "re.Match[str] | None") -> Iterator[Diagnostic]:
+    """The unit and the factor that are said of a field; ``declared`` is its type, where that stands behind its name."""
+    yield from _units(reading, said, declared)
+    yield from _scalings(reading, said)
 
 
-def _units(reading: Reading, said: Said) -> Iterator[Diagnostic]:
+def _units(reading: Reading, said: Said, declared: "re.Match[str] | None") -> Iterator[Diagnostic]:
     """The first unit that is named; none where the sentence is about a value that was scaled."""
     own = Unit.parse(said.field.definition.units)
     text = said.passage.text
     if own is None:
         return
-    declared = DECLARED.match(text, said.end, said.until)
     end = declared.end() if declared else said.end
     is_listed = declared is not None or said.passage.kind is PassageKind.ITEM
     low = max(said.start - 40, 0)
@@ -114,7 +109,7 @@ def _units(reading: Reading, said: Said) -> Iterator[Diagnostic]:
         return
 
 
-def _plain(reading: Reading) -> Iterator[Diagnostic]:
+def plain_units(reading: Reading) -> Iterator[Diagnostic]:
     """ "ATTITUDE gives roll, pitch and yaw in degrees": names without marks, behind the message that has them all."""
     for passage, mentions in reading.passages_with_messages():
         for found in (*_PLAIN.finditer(passage.text), *_PLAIN_BESIDE.finditer(passage.text)):

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.about import Said, said_of_fields
+from codegen.claims.field_units import plain_units, said_units
 from codegen.claims.reading import Reading
 from codegen.claims.structure import RULE as TYPE
 from codegen.diagnostics import Diagnostic, Rule
@@ -16,7 +17,7 @@ EXTENSION = Rule(
 )
 
 _TYPE = r"(?P<type>u?int(?:8|16|32|64)(?:_t)?|float|double|char)"
-DECLARED = re.compile(
+_DECLARED = re.compile(
     rf"[\s(:=,|\u2013\u2014-]*(?:(?:is|are|as|an?|of|type|the field|=)\s+)*{_TYPE}(?![\w])"
     rf"(?:\s?\[\s?(?P<length>\d{{1,3}})\s?\])?"
     r"(?P<array> array)?"
@@ -37,17 +38,19 @@ _IS_BASE = re.compile(r"[\s,]*(?:is|are) (?:an? )?base fields?\b", re.IGNORECASE
 
 
 def check(reading: Reading) -> Iterator[Diagnostic]:
-    """Everything that is said of a field by its name."""
+    """Everything that is said of a field by its name, its unit included."""
+    yield from plain_units(reading)
     for said in said_of_fields(reading):
         if said.passage.kind is PassageKind.ROW:
             continue  # tables are read by their columns
-        declared = DECLARED.match(said.passage.text, said.end, said.until)
+        declared = _DECLARED.match(said.passage.text, said.end, said.until)
         if declared is not None:
             yield from _types(reading, said, declared)
         else:
             yield from _spelled(reading, said)
         if not said.is_joined:
             yield from _lengths(reading, said)
+        yield from said_units(reading, said, declared)
         yield from _extensions(reading, said)
 
 

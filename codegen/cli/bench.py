@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _bench(connection: "Connection", system: "System", seconds: float, report: "Report") -> "BenchRecord | None":
     """What was measured; None after a finding."""
-    from codegen import pipeline
+    from codegen.bench import facts_for_bench
     from codegen.deploy.bench import NOT_DEPLOYED, measured, prepare_bench, record_of, steps
     from codegen.deploy.prepared import prepare
     from codegen.deploy.transfer import identified
@@ -95,7 +95,7 @@ def _bench(connection: "Connection", system: "System", seconds: float, report: "
         message = f"the board has not what the specification makes now: {names[0]}{others}"
         report.add(NOT_DEPLOYED, Place(connection.port), message, "codegen deploy")
         return None
-    facts, inputs = pipeline.facts_for_bench(system)
+    facts, inputs = facts_for_bench(system)
     prepare_bench(connection, facts)
     lines: list[list[object]] = []
     for name, call in steps(facts, seconds):

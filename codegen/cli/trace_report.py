@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 
 from codegen import pipeline
+from codegen.bench import bench_inputs_of
 from codegen.cli.findings import FORMATS, findings_text, print_findings
 from codegen.decode.bench_record import decode_bench
 from codegen.decode.junit import decode_junit
@@ -105,6 +106,6 @@ def _results(
         found += decoded or ()
     if records:
         check_conditions(trace.requirements, report)
-        trace, shown = with_bench(trace, [each for each in records if each], pipeline.bench_inputs_of(systems), report)
+        trace, shown = with_bench(trace, [each for each in records if each], bench_inputs_of(systems), report)
         found += shown
     return trace, results_of(found, trace.tests)
