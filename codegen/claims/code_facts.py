@@ -5,13 +5,11 @@ from collections.abc import Iterator
 
 from codegen.claims.identifier import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID
 from codegen.claims.reading import Reading
-from codegen.claims.sentinel import UNIT
 from codegen.claims.size import RULE as SIZE
+from codegen.claims.unit_claim import unit_claim
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.model.dialect import WireMessage
-from codegen.model.nearest_unit import worded_unit
-from codegen.model.unit import Unit
 from codegen.source import Place
 
 _CONSTANT = re.compile(
@@ -125,16 +123,4 @@ def _quoted(reading: Reading, line: Line) -> Iterator[Diagnostic]:
     for found in _QUOTED.finditer(line.text):
         message = reading.messages.get(found["message"])
         if message is not None:
-            yield from _unit(reading, message, found["field"], found["unit"], _at(line, found.start("unit")))
-
-
-def _unit(reading: Reading, message: WireMessage, name: str, stated: str, place: Place) -> Iterator[Diagnostic]:
-    field = message.field(name)
-    own = Unit.parse(field.definition.units) if field else None
-    unit = worded_unit(stated)
-    if field is None or own is None or unit is None or not unit.dimension:
-        return
-    if (unit.dimension, unit.scale, unit.pi) != (own.dimension, own.scale, own.pi):
-        about = f"{message.name}.{name}"
-        text = f"{about} is in {field.definition.units}, not {stated}"
-        yield reading.found(UNIT, place, f"{about} in {stated}", text)
+            yield from unit_claim(reading, message, found["field"], found["unit"], _at(line, found.start("unit")))

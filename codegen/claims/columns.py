@@ -11,18 +11,17 @@ from codegen.claims.field_values import ENTRY
 from codegen.claims.identifier import CRC_EXTRA, ENTRY_VALUE, MESSAGE_ID
 from codegen.claims.layout import typed
 from codegen.claims.reading import Reading
-from codegen.claims.sentinel import SENTINEL, UNIT
+from codegen.claims.sentinel import SENTINEL
 from codegen.claims.size import RULE as SIZE
 from codegen.claims.structure import COLUMN_TYPE, TYPE_CELL, has_type, spelled_type
 from codegen.claims.structure import RULE as TYPE
+from codegen.claims.unit_claim import unit_claim
 from codegen.claims.unknown_value import number_of, unknown_values
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
 from codegen.model.literals import same_number
-from codegen.model.nearest_unit import worded_unit
 from codegen.model.price import HEAD_V1, HEAD_V2
-from codegen.model.unit import Unit
 
 OFFSET = Rule(
     "claim-offset",
@@ -201,7 +200,7 @@ def _of_field(
             text = f"{name} has the enum {field.definition.enum}, not {stated_enum}"
             yield reading.found(ENUM_OF, row.place_at(own[index][1]), f"{name} {stated_enum}", text)
     yield from _types(reading, row, own, columns, name, field)
-    yield from _units(reading, row, own, columns, name, field)
+    yield from _units(reading, row, own, columns, message, field)
 
 
 def _types(
@@ -221,21 +220,17 @@ def _types(
 
 
 def _units(
-    reading: Reading, row: Passage, own: _Row, columns: dict[str, list[int]], name: str, field: WireField
+    reading: Reading, row: Passage, own: _Row, columns: dict[str, list[int]], message: WireMessage, field: WireField
 ) -> Iterator[Diagnostic]:
     """The column of units; without one what another cell ends with: ``speed (m/s)``, ``uint16, cm``, ``vel [m/s]``."""
-    unit = Unit.parse(field.definition.units)
     stated = [own[index] for index in columns["unit"] if index < len(own)]
     if not stated:
         first = _FIELD.fullmatch(own[0][0].strip())
         stated = [(first["unit"], own[0][1])] if first and first["unit"] else []
         ends = [(_SAID_UNIT.fullmatch(text.strip()), offset) for text, offset in own[1:]]
         stated += [(found["unit"], offset + found.start("unit")) for found, offset in ends if found is not None]
-    for text, offset in stated if unit else ():
-        other = worded_unit(text)
-        if other is None or unit is None or not other.dimension:
-            continue
-        if (other.dimension, other.scale, other.pi) != (unit.dimension, unit.scale, unit.pi):
-            words = f"{name} is in {field.definition.units}, not {text.strip()}"
-            yield reading.found(UNIT, row.place_at(offset), f"{name} in {text.strip()}", words)
+    for text, offset in stated:
+        found = list(unit_claim(reading, message, field.name, text.strip(), row.place_at(offset)))
+        yield from found
+        if found:
             return

@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.claims.about import Said
 from codegen.claims.reading import Reading, between
 from codegen.claims.sentinel import UNIT
+from codegen.claims.unit_claim import is_same_unit
 from codegen.diagnostics import Diagnostic, Rule
 from codegen.load.prose import PassageKind
 from codegen.model.nearest_unit import worded_unit
@@ -102,7 +103,7 @@ def _units(reading: Reading, said: Said, declared: "re.Match[str] | None") -> It
         if stated is None:
             continue
         is_scaled = _SCALED.search(text, said.end, min(max(found.end(), said.end) + _NEAR, said.until))
-        if not is_scaled and stated != NO_UNIT and not _is_same(stated, own):
+        if not is_scaled and stated != NO_UNIT and not is_same_unit(stated, own):
             place = said.passage.place_at(found.start(group))
             text = f"{said.name} is in {said.field.definition.units}, not {found[group]}"
             yield reading.found(UNIT, place, f"{said.name} in {found[group]}", text)
@@ -122,17 +123,13 @@ def plain_units(reading: Reading) -> Iterator[Diagnostic]:
             own = Unit.parse(first.definition.units) if first else None
             if message is None or None in fields or unit is None or first is None or own is None:
                 continue
-            if not _is_same(unit, own) and not _SCALED.search(passage.text, low, high):
+            if not is_same_unit(unit, own) and not _SCALED.search(passage.text, low, high):
                 text = f"{message.name}.{first.name} is in {first.definition.units}, not {found['unit']}"
                 place = passage.place_at(found.start("unit"))
                 yield reading.found(UNIT, place, f"{message.name}.{first.name} in {found['unit']}", text)
 
 
 NO_UNIT = Unit("", (), Fraction(1))
-
-
-def _is_same(one: Unit, other: Unit) -> bool:
-    return (one.dimension, one.scale, one.pi) == (other.dimension, other.scale, other.pi)
 
 
 def _scalings(reading: Reading, said: Said) -> Iterator[Diagnostic]:

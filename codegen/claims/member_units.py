@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.claims.field_units import SCALING
 from codegen.claims.reading import Reading
-from codegen.claims.sentinel import UNIT
+from codegen.claims.unit_claim import unit_claim
 from codegen.diagnostics import Diagnostic
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock
@@ -190,14 +190,4 @@ def _nested(reading: Reading, line: Line) -> Iterator[Diagnostic]:
 def _unit(
     reading: Reading, message: WireMessage, name: str, written: str, line: Line, offset: int
 ) -> Iterator[Diagnostic]:
-    field = message.field(name)
-    own = Unit.parse(field.definition.units) if field else None
-    unit = worded_unit(written)
-    if field is None or own is None or unit is None or not unit.dimension:
-        return
-    if (unit.dimension, unit.scale, unit.pi) != (own.dimension, own.scale, own.pi):
-        about = f"{message.name}.{name}"
-        place = line.place._replace(column=line.place.column + offset)
-        yield reading.found(
-            UNIT, place, f"{about} in {written}", f"{about} is in {field.definition.units}, not {written}"
-        )
+    yield from unit_claim(reading, message, name, written, line.place._replace(column=line.place.column + offset))

@@ -72,6 +72,7 @@ MAY_IMPORT: dict[str, set[str]] = {
         *GROUND,
     },
     "claims": {"checks", "fingerprint", *READING, "model", *GROUND},
+    "bench": {"targets", "model", *GROUND},
     "documents": {"pipeline", "project_dialect", "claims", "codec", *READING, "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
     "depfile": set(),
@@ -88,7 +89,7 @@ MAY_IMPORT: dict[str, set[str]] = {
         *("targets", "model", *GROUND),
     },
     "cli": {
-        *("pipeline", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
+        *("pipeline", "bench", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
         "deploy",
         *("project_files", "trace", "findings", "waivers", "start", "start_kinds", "schemas"),
         *("documents", "claims", "importing", "decode", "resolve", "load", "model", "diff", "sides", *GROUND),
