@@ -106,7 +106,8 @@ def test_the_hint_names_a_pin_that_is_free(tmp_path, monkeypatch, capsys):
         found.count("shared-pin"),
         "hint: BATT3_VOLT_PIN: 27, as long as battery 2 is switched off\n" in found,
     ) == (1, 1, True), found
-    assert out(28) == (0, "")
+    errors = [line for line in out(28)[1].splitlines() if ": error " in line]
+    assert all(": error claim-parameter: " in line for line in errors), errors  # documents number the parameters
     code, found = out(28, 26)
     assert "hint: BATT4_VOLT_PIN: 27, as long as battery 2 is switched off\n" in found, found
     assert "no other pin of the Raspberry Pi Pico 2 W that could take its place is free" in out(28, 27, 26)[1]
