@@ -19,11 +19,17 @@ def mock_paths(system: System) -> tuple[str, ...]:
 
 
 def source_files(system: System, folder: str) -> dict[str, str]:
-    """The files below ``folder``, which is firmware or mocks: ``{path in the output: text}``."""
+    """The files below ``folder``, which is firmware or mocks: ``{path in the output: text}``.
+
+    Modules of machine code come where the project has it: a driver takes its plain ones else.
+    """
+    has_machine_code = system.spec.project.machine_code
     files = {}
     for source in system.polled:
         clock = source.clock_modules if CLOCK in system.components else ()
         for path in (*source.modules, *clock) if folder == "firmware" else source.mocks:
+            if path.endswith("_viper.py") and not has_machine_code:
+                continue
             text = driver_text(path)
             files[f"{folder}/{os.path.basename(path)}"] = headed(text, origin_of_text(f"codegen/sources/{path}", text))
         for path, text in source.own_modules.items() if folder == "firmware" else ():

@@ -44,6 +44,20 @@ def test_nothing_is_found(boat: Path) -> None:
     assert (done.returncode, done.stdout) == (0, ""), done.stdout
 
 
+def test_a_board_without_machine_code_gets_none(tmp_path: Path) -> None:
+    """With `machine_code: false` drivers bring their plain modules alone, and all compiles to bytecode and runs."""
+    folder = copied(tmp_path / "boat")
+    project = folder / "specs" / "codegen.yaml"
+    project.write_text(project.read_text().replace("dialect:", "machine_code: false\ndialect:", 1))
+    done = run(folder, "codegen", "build", "--mpy", "bytecode")
+    assert (done.returncode, done.stdout) == (0, ""), done.stdout
+    assert [*(folder / "generated").rglob("*_viper.py")] == []
+    assert (folder / "build" / "bytecode" / "nmea_plain.mpy").exists()
+    done = run(folder, "codegen", "sim", "--speed", "max", "--duration", "5", "--quiet", "--out", "udp:127.0.0.1:9")
+    assert done.returncode == 0, done.stderr
+    assert "GPS_RAW_INT" in done.stdout
+
+
 def test_its_firmware_passes_the_linter(boat: Path) -> None:
     """What is generated for another vehicle is as clean as what is committed for the rover."""
     rules = ("--isolated", "--select", "E,F,W,B,PLE", "--ignore", "E402", "--line-length", "120")
