@@ -15,6 +15,9 @@ BROWSERS ?= chromium chromium-browser google-chrome google-chrome-stable
 # Modules are compiled when they are imported, which few are of pymavlink's dialects: all of them take ten seconds.
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
 
+# A shell that forbids it would let each of a thousand processes compile the same modules anew.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: build test browser valgrind lint clean benchmarks conformance reference
 
 build: $(INSTALLED)

@@ -5,11 +5,13 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 _ALLOWED: list[tuple[str, ...]] = []
+_REAL: dict[str, str] = {}  # where links lead, by folder: each has many files, and is asked for with each
 
 
 @contextmanager
 def confined(folders: Iterable[str]) -> Iterator[None]:
     """Let only files below these folders be read meanwhile, wherever links lead."""
+    _REAL.clear()
     _ALLOWED.append(tuple(sorted({os.path.realpath(folder) for folder in folders})))
     try:
         yield
@@ -22,7 +24,17 @@ def is_outside(path: str) -> bool:
     if not _ALLOWED:
         return False
     try:
-        real = os.path.realpath(path)
+        real = _real(path)
     except (OSError, ValueError):
         return False  # it cannot be read either
     return not any(real == folder or real.startswith(folder.rstrip(os.sep) + os.sep) for folder in _ALLOWED[-1])
+
+
+def _real(path: str) -> str:
+    """Return the path without links."""
+    folder, name = os.path.split(path)
+    if name in ("", os.curdir, os.pardir) or os.path.islink(path):
+        return os.path.realpath(path)
+    if folder not in _REAL:
+        _REAL[folder] = os.path.realpath(folder)
+    return os.path.join(_REAL[folder], name)

@@ -13,7 +13,7 @@ import struct
 import pytest
 from interpreters import CASES, HERE
 from oracle import message_class
-from pymavlink.mavutil import x25crc
+from pymavlink.generator.mavcrc import x25crc
 
 ABOUT = json.loads(CASES.read_text(encoding="utf-8"))["dialect"]
 TARGETS = ("target_system", "target", "target_component")

@@ -2,7 +2,7 @@
 
 import ast
 import importlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -165,7 +165,23 @@ def outcries(text: str) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def held_by_every_module(check: Callable[[Path], None]) -> Callable[[], None]:
+    """One test that holds every module to a rule, and names those that break it."""
+
+    def test() -> None:
+        broken = []
+        for path in MODULES:
+            try:
+                check(path)
+            except AssertionError as problem:
+                broken.append(f"{name_of(path)}: {problem}")
+        assert not broken, "\n".join(broken)
+
+    test.__name__, test.__doc__ = check.__name__, check.__doc__
+    return test
+
+
+@held_by_every_module
 def test_a_module_imports_only_what_lies_below_it(path: Path) -> None:
     name = name_of(path)
     if not name:
@@ -177,7 +193,7 @@ def test_a_module_imports_only_what_lies_below_it(path: Path) -> None:
     assert not forbidden, f"codegen.{name} must not import {', '.join(sorted(forbidden))}"
 
 
-@pytest.mark.parametrize("path", MODULES, ids=name_of)
+@held_by_every_module
 def test_no_stage_knows_a_kind_of_answer(path: Path) -> None:
     """A stage that asks what kind an answer is of has to be changed for each further kind."""
     name = name_of(path)
@@ -207,19 +223,19 @@ def test_the_allowed_directions_have_no_circle() -> None:
         settled |= ready
 
 
-@pytest.mark.parametrize("path", MODULES, ids=name_of)
+@held_by_every_module
 def test_only_the_command_line_prints_and_exits(path: Path) -> None:
     """Stages return values and report findings, so that tests, editors and other programs can call them."""
     if part_of(name_of(path)) not in ("cli", "__main__"):
         assert outcries(path.read_text()) == []
 
 
-@pytest.mark.parametrize("path", MODULES, ids=name_of)
+@held_by_every_module
 def test_a_module_is_called_what_it_is_about(path: Path) -> None:
     assert not VAGUE & set(name_of(path).split("."))
 
 
-@pytest.mark.parametrize("path", MODULES, ids=name_of)
+@held_by_every_module
 def test_frozen_classes_are_those_that_are_made_soon(path: Path) -> None:
     """Those of the standard library would take half the time of all imports: see codegen/frozen.py."""
     tree = ast.parse(path.read_text())

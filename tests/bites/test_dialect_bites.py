@@ -26,9 +26,17 @@ WRONG_NUMBERS = [
 
 
 @pytest.fixture(scope="module")
-def suite(tmp_path_factory):
+def monkeypatch_module():
+    """What is patched while the tests of this module run."""
+    with pytest.MonkeyPatch.context() as patched:
+        yield patched
+
+
+@pytest.fixture(scope="module")
+def suite(tmp_path_factory, monkeypatch_module):
     """A copy of the committed output, its test of the dialect as a module, and the dialects as it makes them."""
     generated = copy_of_generated(tmp_path_factory.mktemp("copied"))
+    monkeypatch_module.setenv("PYTHONDONTWRITEBYTECODE", "1")  # files change within a second, and keep their sizes
     names = ("interpreters", "oracle", "test_dialect")
     before = {name: sys.modules.pop(name, None) for name in names}
     sys.path.insert(0, str(generated / "tests"))

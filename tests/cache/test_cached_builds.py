@@ -18,6 +18,8 @@ ROOT = Path(__file__).resolve().parents[2]
 def run(folder: Path, cache: Path | str, *command: str, package: Path = ROOT) -> str:
     """What a command says, which has to succeed, with the codegen of a checkout."""
     surroundings = {**os.environ, "CODEGEN_CACHE": str(cache), "PYTHONPATH": str(package)}
+    if package != ROOT:  # its modules change, with their times and sizes as they were
+        surroundings["PYTHONDONTWRITEBYTECODE"] = "1"
     done = subprocess.run(
         [sys.executable, "-m", "codegen", *command], cwd=folder, env=surroundings, capture_output=True, text=True,
         check=False,
@@ -92,7 +94,10 @@ def package(tmp_path: Path) -> Path:
     """A codegen of its own that a test can change, older than its first run."""
     folder = tmp_path / "package"
     for name in ("codegen", "templates"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(ROOT / name, folder / name)
+    for path in CHANGES:
+        for compiled in (folder / path).parent.glob(f"__pycache__/{Path(path).stem}.*"):
+            compiled.unlink()
     time.sleep(tool.SETTLED_NS / 1e9 + 0.1)  # files that have just been written are read anew at each run
     return folder
 

@@ -105,9 +105,10 @@ def test_no_document_stops_the_check(check: Any, text: str) -> None:
         "| `voltages` | 1 |\n",
     ],
 )  # fmt: skip
+@pytest.mark.timeout(40)
 def test_a_hostile_text_costs_what_it_is_long(check: Any, unit: str) -> None:
-    """What grew with the square of the length would run into the time limit of the suite."""
-    assert len(check(unit * (100_000 // len(unit)))) <= 10_000
+    """What grew with the square of the length would run into the limit of time."""
+    assert len(check(unit * (50_000 // len(unit)))) <= 10_000
 
 
 @pytest.mark.parametrize(

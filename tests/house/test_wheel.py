@@ -125,7 +125,8 @@ def test_new_projects_of_the_wheel_run(installed: Path, tmp_path: Path, kind: st
     assert codegen_of_wheel("check", cwd=project) == ""
     shown = codegen_of_wheel("sim", "--speed", "max", "--duration", "5 s", "--out", "udp:127.0.0.1:9", cwd=project)
     assert {line.split()[0] for line in shown.splitlines() if " frames  " in line} >= sent
-    suite_is_green(project, "generated/tests", only="test_frames or test_behaviour or (link and micropython)")
+    if kind == "minimal":  # that of the boat runs from the checkout, which has the same bytes
+        suite_is_green(project, "generated/tests", only="test_frames or test_behaviour or (link and micropython)")
 
 
 def test_new_codec_of_the_wheel_is_made(installed: Path, tmp_path: Path) -> None:

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from generated_suite import ALONE
+
 ROOT = Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 HEAD = re.compile(r"(?:# |<!-- )([\w./-]+\.(?:yaml|py|md))(, at the end)?(?: -->)?\n")
@@ -42,10 +44,10 @@ def run(commands: str, folder: Path) -> str:
     for old, new in (
         ("pip install pytest\n", ""),
         ("--speed max", "--speed max --out udp:127.0.0.1:9"),
-        ("pytest generated/tests", "pytest -n0 -p no:cacheprovider -k 'not (day or heap)' generated/tests > /dev/null"),
+        ("pytest generated/tests", "pytest -p no:cacheprovider -k 'not (day or heap)' generated/tests > /dev/null"),
     ):
         commands = commands.replace(old, new)
-    environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
+    environment = {**ALONE, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
     done = subprocess.run(
         ["bash", "-ec", commands], cwd=folder, env=environment, capture_output=True, text=True, check=False
     )

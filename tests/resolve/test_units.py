@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from stated_units import STATED
 
@@ -204,6 +204,7 @@ WAYS = [("mrad", "cdeg"), ("degE7", "mrad"), ("cdeg", "mrad"), ("rad", "degE7"),
 @pytest.mark.parametrize(("unit", "other"), WAYS)
 @pytest.mark.parametrize("largest", [10, 2**15, 2**30 - 1, 2**63 - 1])
 @given(data=st.data())
+@settings(max_examples=30)
 def test_a_rational_factor_rounds_as_the_exact_one(unit, other, largest, data):
     """Every whole number up to the largest, in every direction of rounding."""
     way = conversion(unit_named(unit), unit_named(other))

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 72fd53eaf4817049
+# Inputs: ff52018d27aee933
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -480,7 +480,7 @@ class Watch:
         return SECOND_US // self.period_us
 
 
-def _outcome(check):
+def outcome(check):
     """Return None for a check that passes, else what went wrong, and "left out" where it is about nothing."""
     try:
         check()
@@ -497,5 +497,5 @@ def main(checks, subject=True):
         machine.reset_analog()
     outcomes = {}
     for check, *_ in checks:
-        outcomes[check.__name__] = _outcome(check) if subject else "left out: there is nothing of it"
+        outcomes[check.__name__] = outcome(check) if subject else "left out: there is nothing of it"
     print(json.dumps(outcomes))

@@ -1,5 +1,5 @@
 # Generated from templates/tests/test_dialect.py: do not edit.
-# Inputs: 3f8aa86b8d6f8e87
+# Inputs: 3a4e8dbcdf0e02b3
 """Messages and numbers of the firmware are pymavlink's: those that are received and answered, too.
 
 What is sent is held to pymavlink frame by frame; a message that is only received would be read by the numbers with
@@ -15,7 +15,7 @@ import struct
 import pytest
 from interpreters import CASES, HERE
 from oracle import message_class
-from pymavlink.mavutil import x25crc
+from pymavlink.generator.mavcrc import x25crc
 
 ABOUT = json.loads(CASES.read_text(encoding="utf-8"))["dialect"]
 TARGETS = ("target_system", "target", "target_component")

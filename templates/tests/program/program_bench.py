@@ -478,7 +478,7 @@ class Watch:
         return SECOND_US // self.period_us
 
 
-def _outcome(check):
+def outcome(check):
     """Return None for a check that passes, else what went wrong, and "left out" where it is about nothing."""
     try:
         check()
@@ -495,5 +495,5 @@ def main(checks, subject=True):
         machine.reset_analog()
     outcomes = {}
     for check, *_ in checks:
-        outcomes[check.__name__] = _outcome(check) if subject else "left out: there is nothing of it"
+        outcomes[check.__name__] = outcome(check) if subject else "left out: there is nothing of it"
     print(json.dumps(outcomes))
