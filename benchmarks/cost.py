@@ -35,7 +35,7 @@ CONVERSIONS_US = 23
 
 LAYOUTS = range(5)  # how many names are there before; counting.py says why
 MARK = "setenv"  # what counting.py calls at the beginning and the end of each run
-FEW, MANY = 20, 220  # rounds of each run there
+FEW, MANY = 20, 120  # rounds of each run there
 PYTHON = "import sys; sys.path.append({!r}); from micropython_unix import main; main()"
 
 

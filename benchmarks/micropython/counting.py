@@ -29,7 +29,7 @@ class Names:
 for _number in range(int(sys.argv[1])):
     setattr(Names, f"name_{_number}", None)
 
-FEW, MANY = 20, 220
+FEW, MANY = 20, 120
 
 
 def nothing(rounds):

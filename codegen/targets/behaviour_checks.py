@@ -104,6 +104,7 @@ def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[Behav
         (reader.cited["absence"], "absent_converter_is_no_reason_to_stop", True),
         (component.cited["robustness"], "broken_board_does_not_raise", True),
         (reader.cited["read_limit"], "late_reading_keeps_the_last_value", bool(reader.read_limit_us)),
+        ("", "readings_are_timed", True),
         (measured.cited["stale_after"], "old_reading_is_unknown", measured.stale_after_ms is not None),
         (measured.cited["warn_above"], "high_value_warns_now_and_then", measured.warns),
         (measured.citation, "formula_of_people_agrees", True),

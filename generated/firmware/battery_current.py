@@ -44,7 +44,7 @@ def connect(board, parameters, log):
         if getattr(parameters, _BATT_MONITOR[instance]) == 4:  # else its pin may be somebody else's
             pins[instance] = getattr(parameters, _BATT_CURR_PIN[instance])
     inputs = AdcInputs(log, "battery {}'s current", pins, open_adc, battery_current_reading)
-    board.battery_current_failures = inputs.failures
+    board.battery_current_inputs = inputs
     board.read_battery_current_adc = inputs.read
 
 

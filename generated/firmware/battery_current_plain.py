@@ -29,6 +29,12 @@ _BATTERY_ENERGY_MIDDLE = const(32)
 _BATTERY_ENERGY_HIGH = const(33)
 _BATTERY_BATT_CAPACITY = const(34)
 _BATTERY_TIME_LEFT_MEAN = const(35)
+# Places in what is counted of each input, see adc_inputs.
+_FAILURES = const(0)
+_LONGEST_US = const(1)
+_TOTAL_US = const(2)
+_READINGS = const(3)
+_LONG = const(0x1FFFFFFF)  # us, above which both sides of the mean are halved: the rest stays a small number
 
 
 def read_battery_current(words, every, board, ticks, first):
@@ -163,7 +169,7 @@ def _sum_battery_current(battery, value, now_ms):
         battery[_BATTERY_TIME_LEFT_S] = part
 
 
-def battery_current_reading(read_u16, failures, instance, fail):
+def battery_current_reading(read_u16, counts, fail):
     """Return what takes a reading by `read_u16`: the mean of 5 samples as a count, FR-00077.1; -1 of a late one."""
     ticks_us = time.ticks_us
 
@@ -174,11 +180,17 @@ def battery_current_reading(read_u16, failures, instance, fail):
         total += read_u16() >> 4
         total += read_u16() >> 4
         total += read_u16() >> 4
-        us = ticks_us() - us & 0x3FFFFFFF  # one variable: with one more all would lie on the heap
+        us = ticks_us() - us & 0x3FFFFFFF  # one variable: with more of them all would lie on the heap
+        if us > counts[_LONGEST_US]:
+            counts[_LONGEST_US] = us
+        counts[_TOTAL_US] += us
+        counts[_READINGS] += 1
+        if counts[_TOTAL_US] > _LONG:
+            counts[_TOTAL_US] >>= 1
+            counts[_READINGS] >>= 1
         if us > 2000:
-            return fail(instance, us)
-        if failures[instance]:
-            failures[instance] = 0
+            return fail(us)
+        counts[_FAILURES] = 0
         return (total + 2) // 5
 
     return reading

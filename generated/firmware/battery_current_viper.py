@@ -35,6 +35,12 @@ _BATTERY_ENERGY_MIDDLE = const(32)
 _BATTERY_ENERGY_HIGH = const(33)
 _BATTERY_BATT_CAPACITY = const(34)
 _BATTERY_TIME_LEFT_MEAN = const(35)
+# Places in what is counted of each input, see adc_inputs.
+_FAILURES = const(0)
+_LONGEST_US = const(1)
+_TOTAL_US = const(2)
+_READINGS = const(3)
+_LONG = const(0x1FFFFFFF)  # us, above which both sides of the mean are halved: the rest stays a small number
 
 
 @micropython.viper
@@ -166,12 +172,13 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
     return 0
 
 
-def battery_current_reading(read_u16, failures, instance, fail):
+def battery_current_reading(read_u16, counts, fail):
     """Return what takes a reading by `read_u16`: the mean of 5 samples as a count, FR-00077.1; -1 of a late one."""
     ticks_us = time.ticks_us
 
     @micropython.viper
     def reading() -> int:
+        counted = ptr32(counts)
         started = int(ticks_us())
         total = int(read_u16()) >> 4
         total += int(read_u16()) >> 4
@@ -179,10 +186,16 @@ def battery_current_reading(read_u16, failures, instance, fail):
         total += int(read_u16()) >> 4
         total += int(read_u16()) >> 4
         took = int(ticks_us()) - started & 0x3FFFFFFF
+        if took > counted[_LONGEST_US]:
+            counted[_LONGEST_US] = took
+        counted[_TOTAL_US] += took
+        counted[_READINGS] += 1
+        if counted[_TOTAL_US] > _LONG:
+            counted[_TOTAL_US] >>= 1
+            counted[_READINGS] >>= 1
         if took > 2000:
-            return int(fail(instance, took))
-        if failures[instance]:
-            failures[instance] = 0
+            return int(fail(took))
+        counted[_FAILURES] = 0
         return (total + 2) // 5
 
     return reading

@@ -33,7 +33,7 @@ class Board:
             if getattr(parameters, _BATT_MONITOR[instance]) != 0:  # else its pin may be somebody else's
                 pins[instance] = getattr(parameters, _BATT_VOLT_PIN[instance])
         inputs = AdcInputs(log, "battery {}", pins, open_adc, battery_reading)
-        self.battery_failures = inputs.failures  # failed readings in a row, of each
+        self.battery_inputs = inputs  # their figures: failures, times
         self.read_battery_adc = inputs.read
         if any(getattr(parameters, each) == 4 for each in _BATT_MONITOR):
             import battery_current  # noqa: PLC0415  where it is measured only

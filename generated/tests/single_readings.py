@@ -1,5 +1,5 @@
 # Generated from templates/tests/single_readings.py: do not edit.
-# Inputs: bbe6c0832722c1f5
+# Inputs: 55a14ce1a220c05c
 """Checks of single readings: what a count stands for, and that each fails and grows old by itself.
 
 `facts` of a reading are what behaviour.py knows of it. `fresh` makes a board, a state and the log of both.
@@ -65,7 +65,8 @@ def fails_alone(facts, fresh):
 
 def failures_of(board, facts):
     """Return how many readings of the first instance failed in a row."""
-    return getattr(board, facts["name"] + "_failures", [0])[0]  # what is not read at all has none
+    inputs = getattr(board, facts["name"] + "_inputs", None)
+    return 0 if inputs is None else inputs.figures()[0]  # what is not read at all has none
 
 
 def ages_alone(facts, fresh):

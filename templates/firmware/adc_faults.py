@@ -15,7 +15,7 @@ class AdcFaults:
     """
 
     def __init__(self, inputs):
-        count = len(inputs.failures)
+        count = len(inputs.counts)
         self._inputs = inputs
         self._told_ms = [None] * count
         self._untold = [0] * count

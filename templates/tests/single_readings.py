@@ -63,7 +63,8 @@ def fails_alone(facts, fresh):
 
 def failures_of(board, facts):
     """Return how many readings of the first instance failed in a row."""
-    return getattr(board, facts["name"] + "_failures", [0])[0]  # what is not read at all has none
+    inputs = getattr(board, facts["name"] + "_inputs", None)
+    return 0 if inputs is None else inputs.figures()[0]  # what is not read at all has none
 
 
 def ages_alone(facts, fresh):

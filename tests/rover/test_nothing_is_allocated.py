@@ -81,7 +81,8 @@ def counted(function):
 
 for function in (build_and_send, sample, stream):
     before = sink.frames
-    print(counted(function), sink.frames - before, battery.voltage_mv or 0, sum(board.battery_failures))
+    failed = board.battery_inputs.figures(0)[0] + board.battery_inputs.figures(1)[0]
+    print(counted(function), sink.frames - before, battery.voltage_mv or 0, failed)
 """
 
 

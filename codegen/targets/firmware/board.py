@@ -59,9 +59,8 @@ class BoardView:
 
     ``hardware`` is its name with that of the microcontroller, ``opened`` the expression that opens an input.
 
-    ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``is_timed``
-    is whether the time of a reading is limited. ``adc_pins`` are the GPIO numbers that the converter measures,
-    ``mocks`` modules that stand in for further hardware on a host.
+    ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``adc_pins``
+    are the GPIO numbers that the converter measures, ``mocks`` modules that stand in for further hardware on a host.
     """
 
     board: str
@@ -73,7 +72,6 @@ class BoardView:
     head: tuple[str, ...]
     links: tuple[LinkView, ...]
     has_pins: bool
-    is_timed: bool
     adc_pins: tuple[int, ...]
     mocks: tuple[str, ...] = ()
 
@@ -95,7 +93,6 @@ def board_view(system: System) -> BoardView:
         head=head if first else head[:-1],  # without readings nothing stands between the imports and the class
         links=links,
         has_pins=has_pins,
-        is_timed=any(reader.read_limit_us is not None for reader in first),
         adc_pins=tuple(sorted(system.board.adc.pins & system.board.free)) if system.board and system.board.adc else (),
     )
 

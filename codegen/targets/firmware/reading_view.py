@@ -55,7 +55,6 @@ class ReadingsView:
     constants: tuple[ConstantView, ...]
     readings: tuple[ReadingView, ...]
     samplers: tuple[ReaderView, ...] = ()
-    is_timed: bool = False
     waiting: int = WAITING
 
 
@@ -106,8 +105,7 @@ def readings_view(
             constants.append(ConstantView(block.base_constant, block.base))
             constants += [ConstantView(block.size_constant, block.size)] if block.component.instances > 1 else []
         constants += layout.constants(name, used, in_array=False)
-    is_timed = any(reader.read_limit_us is not None for reader in samplers)
-    return ReadingsView(tuple(constants), tuple(views), samplers, is_timed)
+    return ReadingsView(tuple(constants), tuple(views), samplers)
 
 
 def _is_read(reading: Reading, code: SpelledCode) -> str:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/adc_faults.py: do not edit.
-# Inputs: 967fe5b56e535d29
+# Inputs: 1b1903ab463c4647
 """What is told of inputs of the converter that fail, and how they come back; loaded with the first fault."""
 
 import time
@@ -17,7 +17,7 @@ class AdcFaults:
     """
 
     def __init__(self, inputs):
-        count = len(inputs.failures)
+        count = len(inputs.counts)
         self._inputs = inputs
         self._told_ms = [None] * count
         self._untold = [0] * count

@@ -27,7 +27,7 @@ class Board:
         parameters = parameters or Parameters()  # a pin that is changed counts from the next start
         pins = [parameters.batt_volt_pin]
         inputs = AdcInputs(log, "the battery", pins, open_adc, battery_reading)
-        self.battery_failures = inputs.failures  # failed readings in a row
+        self.battery_inputs = inputs  # their figures: failures, times
         self.read_battery_adc = inputs.read
 
     def open_ports(self):

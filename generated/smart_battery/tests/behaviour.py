@@ -130,14 +130,14 @@ def battery_failed_reading_keeps_the_last_value():
     board.fail_adc(1)
     state.update_battery(board)
     assert state.battery.voltage_mv == before
-    assert board.battery_failures[0] == 1
+    assert board.battery_inputs.figures()[0] == 1
     assert len(log.lines) == 1, log.lines
     board.fail_adc(1)
     assert board.read_battery_adc() == -1
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
     assert state.battery.voltage_mv < before
-    assert board.battery_failures[0] == 0
+    assert board.battery_inputs.figures()[0] == 0
 
 
 def battery_repeated_failures_make_it_unknown():
@@ -147,7 +147,7 @@ def battery_repeated_failures_make_it_unknown():
     for failures in range(1, 6):
         assert state.battery.voltage_mv is not None
         state.update_battery(board)
-        assert board.battery_failures[0] == failures
+        assert board.battery_inputs.figures()[0] == failures
     assert state.battery.voltage_mv is None
     assert len(log.lines) == 1, log.lines
     state.update_battery(board)
@@ -166,8 +166,6 @@ def battery_absent_converter_is_no_reason_to_stop():
 
 class BatteryOddity:
     """A board that returns, or raises, what no board should."""
-
-    battery_failures = 0
 
     def __init__(self, result):
         self.result = result
@@ -215,6 +213,24 @@ def battery_late_reading_keeps_the_last_value():
     board.delay_adc(400)
     state.update_battery(board)
     assert state.battery.voltage_mv < before
+
+
+def battery_readings_are_timed():
+    board, _, _ = fresh(3063)
+    inputs = board.battery_inputs
+    assert inputs.figures() == (0, 0, 0)
+    for us in (7, 1, 4):
+        board.delay_adc(us)
+        board.read_battery_adc()
+    assert inputs.figures()[1:] == (35, 20)
+    board.fail_adc(1)  # the board does not answer: that is no time of a reading
+    board.read_battery_adc()
+    assert inputs.figures()[2] == 20
+    inputs.counts[0][2], inputs.counts[0][3] = 0x1FFFFFFF, 1001  # as after many days
+    for _ in range(3):
+        board.read_battery_adc()
+        assert abs(inputs.figures()[2] - 0x1FFFFFFF // 1001) <= 0x1FFFFFFF // 1001 // 200
+    assert inputs.counts[0][3] == 503, "both sides of the mean were halved, once"
 
 
 def battery_old_reading_is_unknown():
@@ -316,7 +332,7 @@ def battery_steady_cycle_allocates_nothing():
         sent(links[0], build(state))
     assert mem_total() == before
     assert links[0].sequence != links[0].tx_errors == 0
-    assert board.battery_failures[0] == 0
+    assert board.battery_inputs.figures()[0] == 0
     assert state.battery.voltage_mv < first // 50
     assert len(log.lines) <= 1, log.lines
 
@@ -613,6 +629,7 @@ CHECKS = (
     ("FR-00066.5", battery_absent_converter_is_no_reason_to_stop),
     ("FR-00067.5", battery_broken_board_does_not_raise),
     ("NFR-00060.2", battery_late_reading_keeps_the_last_value),
+    ("", battery_readings_are_timed),
     ("FR-00067.3", battery_old_reading_is_unknown),
     ("FR-00069.5", battery_high_value_warns_now_and_then),
     ("FR-00069.1", battery_formula_of_people_agrees),
