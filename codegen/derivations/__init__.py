@@ -11,6 +11,7 @@ from codegen.derivations.clock import clock_component
 from codegen.derivations.counts_returns import resolve_counts_returns
 from codegen.derivations.enabled_by import resolve_enabled_by
 from codegen.derivations.estimate import resolve_estimate
+from codegen.derivations.extreme import resolve_extreme
 from codegen.derivations.follows import resolve_follows
 from codegen.derivations.integral import resolve_integral
 from codegen.derivations.measured import resolve_measured
@@ -28,9 +29,11 @@ from codegen.model.derivation_spec import (
     EnabledBySpec,
     EstimateSpec,
     FollowsSpec,
+    HighestSpec,
     IntegralSpec,
     LastsSpec,
     LeftSpec,
+    LowestSpec,
     MeasuredSpec,
     SourcedSpec,
     TrendSpec,
@@ -45,6 +48,8 @@ KINDS: Mapping[type[DerivationSpec], Callable[[Any, Kept, Surroundings], Derivat
     TrendSpec: resolve_trend,
     EstimateSpec: resolve_estimate,
     FollowsSpec: resolve_follows,
+    LowestSpec: resolve_extreme,
+    HighestSpec: resolve_extreme,
     WhileKnownSpec: resolve_while_known,
     EnabledBySpec: resolve_enabled_by,
     CountsReturnsSpec: resolve_counts_returns,

@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.derivations.surroundings import Kept, Surroundings
-from codegen.diagnostics import Rule
+from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import FollowsSpec
@@ -13,7 +13,7 @@ from codegen.model.known import Known, Stored
 from codegen.model.payload_code import UNKNOWN
 from codegen.model.state_spec import QuantitySpec
 from codegen.model.storage import SMALL_INT_MAX
-from codegen.model.unit import NUMBER, Unit, decimal, ratio
+from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure
 from codegen.model.vehicle import Quantity
 
 if TYPE_CHECKING:
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 BAD_FOLLOWING = Rule(
     "bad-following",
-    "A boolean that follows names a number of the same component and one limit for it, at_least or below, in its unit. "
-    "With per the limit, or warn_above, is multiplied with a fact that counts something, which board.yaml states for "
-    "every instance.",
+    "A boolean that follows names a number of the same component and one limit for it, at_least or below, in its unit, "
+    "or a fact that is an amount. With per the limit, or warn_above, is multiplied with a fact that counts something. "
+    "board.yaml states facts for every instance.",
 )
 
 
@@ -94,7 +94,7 @@ class Follows(Derivation):
         times = f" times {quantity.spec.per}" if quantity.spec.per else ""
         limit = self.spec.below if self.is_below else self.spec.at_least
         assert limit is not None
-        return f"{self._word} {decimal(limit)}{times}"
+        return f"{self._word} {limit if isinstance(limit, str) else decimal(limit)}{times}"
 
 
 def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> Follows | None:
@@ -122,15 +122,34 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
     counts: tuple[int, ...] | None = (1,) * len(around.parts)
     if around.spec.per is not None and steps is not None:
         counts = around.counted(around.spec.per, "per", BAD_FOLLOWING)
-    if steps is None or counts is None:
+    [(key, written_limit)] = limits.items()
+    values = _amounts(key, written_limit, followed.unit or "", around)
+    if steps is None or counts is None or values is None:
         return None  # the units of the followed quantity have been reported, or the fact
-    [(key, limit)] = limits.items()
-    scaled = [limit * steps * count for count in counts]
+    scaled = [value * steps * count for value, count in zip(values, counts, strict=True)]
     if any(each.denominator != 1 or abs(each) > SMALL_INT_MAX for each in scaled):
         message = f"{key} is not a whole number of the units that {written.follows} is kept in, or too large"
         around.bad(key, message, BAD_FOLLOWING)
         return None
     return Follows(written.follows, tuple(int(each) for each in scaled), key == "below", written)
+
+
+def _amounts(key: str, limit: Fraction | str, unit: str, around: Surroundings) -> tuple[Fraction, ...] | None:
+    """The limit of each instance in the unit of what is followed: a number, or a fact; None after a finding."""
+    if isinstance(limit, Fraction):
+        return (limit,) * len(around.parts)
+    found, spelt = [], Unit.parse(unit)
+    for part in around.parts:
+        written = part.facts.get(limit)
+        measure = read_measure(str(written))
+        amount = None if measure is None or spelt is None else measure.in_unit(spelt)
+        if amount is None:
+            what = "does not state the fact" if written is None else f"has {written}, which is no amount in {unit}, for"
+            hint = did_you_mean(limit, part.facts) or f"facts: {{{around.component}: {{{limit}: 20 {unit or 1}}}}}"
+            around.bad(key, f"board.yaml {what} {limit}", BAD_FOLLOWING, hint)
+            return None
+        found.append(amount)
+    return tuple(found)
 
 
 def _steps(followed: QuantitySpec) -> Fraction | None:

@@ -78,6 +78,16 @@ class Derivation(ABC):
         return None
 
     @property
+    def extreme_of(self) -> str | None:
+        """The list of the component of which it is the lowest value, or the highest."""
+        return None
+
+    @property
+    def is_of_lowest(self) -> bool:
+        """Whether it is the lowest."""
+        return False
+
+    @property
     def threshold(self) -> "Threshold | None":
         """Above what a warning is logged."""
         return None

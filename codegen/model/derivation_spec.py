@@ -74,15 +74,40 @@ class FollowsSpec(DerivationSpec):
         "is unknown.",
         default=None,
     )
-    at_least: Fraction | None = described(
-        "For follows: the smallest value that makes it true, in its unit.", default=None
+    at_least: Fraction | str | None = described(
+        "For follows: the smallest value that makes it true, in its unit, or a fact of the component.",
+        default=None,
     )
-    below: Fraction | None = described("For follows: it is true below this value, in its unit.", default=None)
+    below: Fraction | str | None = described(
+        "For follows: it is true below this value, in its unit, or below a fact of the component, such as 66 A.",
+        default=None,
+    )
 
     @property
     def has_limit(self) -> bool:
         """Whether the limit is one of a quantity."""
         return self.follows is not None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LowestSpec(DerivationSpec):
+    """The lowest value of a list."""
+
+    KEY = "lowest_of"
+
+    lowest_of: str = described(
+        "The list of the same component, such as the voltages of cells, whose lowest value this is: with each reading "
+        "the lowest of those that are known."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HighestSpec(DerivationSpec):
+    """The highest value of a list."""
+
+    KEY = "highest_of"
+
+    highest_of: str = described("The same for the highest value of a list.")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -222,6 +247,8 @@ WrittenDerivation = (
     WhileKnownSpec
     | EnabledBySpec
     | FollowsSpec
+    | LowestSpec
+    | HighestSpec
     | CountsReturnsSpec
     | TrendSpec
     | EstimateSpec

@@ -307,6 +307,10 @@ class Component(Cited):
         found = (Basis(self, quantity) for quantity in self.quantities.values() if quantity.derivation.gives)
         return tuple(basis for basis in found if basis.sums or basis.given)
 
+    def extremes(self, listed: Quantity) -> tuple[Quantity, ...]:
+        """What is the lowest or the highest value of a list."""
+        return tuple(each for each in self.quantities.values() if each.derivation.extreme_of == listed.name)
+
     @property
     def enabled(self) -> Quantity | None:
         """The boolean that says whether the component is measured and reported; None where it always is."""

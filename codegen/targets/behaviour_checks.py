@@ -112,6 +112,7 @@ def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[Behav
         (component.cited["scenarios"], "scenarios", True),
         (component.cited["steady"], "steady_cycle_allocates_nothing", True),
     ]
+    found += [(extreme.citation, f"{extreme.name}_is_found", True) for extreme in component.extremes]
     for criterion, name, is_there in found:
         if is_there:
             yield BehaviourCheck(criterion, f"{reader.component}_{name}")

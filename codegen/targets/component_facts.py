@@ -1,7 +1,7 @@
 """What the generated tests know of the components: their quantities, and how one of them is measured."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
@@ -84,6 +84,19 @@ class ReturnsFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class ExtremeFacts:
+    """The lowest or the highest of ``count`` values of a list, which is forgotten after so many ``passes``."""
+
+    name: str
+    attribute: str
+    listed: str
+    count: int
+    function: str
+    passes: int
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class TrendFacts:
     """The trend of what is measured, over twice ``half`` readings."""
 
@@ -118,6 +131,7 @@ class ComponentFacts:
     estimate: EstimateFacts | None
     not_estimated: tuple[str, ...]
     returns: ReturnsFacts | None
+    extremes: tuple[ExtremeFacts, ...]
     cited: Mapping[str, str]
 
 
@@ -151,6 +165,7 @@ def _component(component: Component, system: System, told: Mapping[str, Reach]) 
             if "estimate" in quantity.aspects and quantity.spec.derivations == ()
         ),
         returns=_returns(component),
+        extremes=tuple(_extremes(component)),
         cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
     )
 
@@ -238,6 +253,22 @@ def _returns(component: Component) -> ReturnsFacts | None:
         title=component.name.capitalize(),
         restarting=tuple((each.attribute, _anew(each)) for each in returns.restarting),
     )
+
+
+def _extremes(component: Component) -> Iterator[ExtremeFacts]:
+    for quantity in component.quantities.values():
+        listed = component.quantities.get(quantity.derivation.extreme_of or "")
+        if listed is None or listed.elements is None:
+            continue
+        yield ExtremeFacts(
+            name=quantity.name,
+            attribute=quantity.attribute,
+            listed=listed.attribute,
+            count=listed.elements[0],
+            function="min" if quantity.derivation.is_of_lowest else "max",
+            passes=math.ceil((listed.trust.stale_after_ms or 0) / (component.period_ms or 100)),
+            citation=str(quantity.citation or ""),
+        )
 
 
 def _anew(quantity: Quantity) -> str:

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 10f1f0633be914f0
+# Inputs: ff50161e2978d084
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 015cd21c1223113a
+# Inputs: 3afabee53f08244f
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: ef67438766adcd14
+# Inputs: 972845ccf9282882
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 10f1f0633be914f0
+# Inputs: ff50161e2978d084
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -32,10 +32,10 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(171)
+_SIZE = const(175)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(83)
+_BATTERY_SIZE = const(85)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -51,34 +51,36 @@ _BATTERY_FAILSAFE_NUMBER = const(11)
 _BATTERY_SWAPS_NUMBER = const(12)
 _BATTERY_MONITORED = const(13)
 _BATTERY_PROTECTED = const(14)
-_BATTERY_COUNT = const(15)
-_BATTERY_MULTIPLIER = const(16)
-_BATTERY_FAILURES = const(17)
-_BATTERY_IS_LOGGED = const(18)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_WARNED_MS = const(20)
-_BATTERY_GONE = const(21)
-_BATTERY_CURRENT_COUNT = const(22)
-_BATTERY_CURRENT_MULTIPLIER = const(23)
-_BATTERY_CURRENT_OFFSET = const(24)
-_BATTERY_CURRENT_FAILURES = const(25)
-_BATTERY_CURRENT_IS_LOGGED = const(26)
-_BATTERY_CURRENT_IS_READ = const(27)
-_BATTERY_CURRENT_EXPIRES_MS = const(28)
-_BATTERY_CURRENT_SINCE_MS = const(29)
-_BATTERY_CONSUMED_REST = const(30)
-_BATTERY_ENERGY_LOW = const(31)
-_BATTERY_ENERGY_MIDDLE = const(32)
-_BATTERY_ENERGY_HIGH = const(33)
-_BATTERY_BATT_CAPACITY = const(34)
-_BATTERY_TIME_LEFT_MEAN = const(35)
-_BATTERY_TREND_COUNT = const(36)
-_BATTERY_TREND_NEWER = const(37)
-_BATTERY_TREND_OLDER = const(38)
-_BATTERY_TREND_READINGS = const(39)
-_BATTERY_CELLS_MV_AGE = const(79)
-_BATTERY_CELLS_MV = const(80)
-_VEHICLE = const(166)
+_BATTERY_LOWEST_CELL_MV = const(15)
+_BATTERY_HIGHEST_CELL_MV = const(16)
+_BATTERY_COUNT = const(17)
+_BATTERY_MULTIPLIER = const(18)
+_BATTERY_FAILURES = const(19)
+_BATTERY_IS_LOGGED = const(20)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_WARNED_MS = const(22)
+_BATTERY_GONE = const(23)
+_BATTERY_CURRENT_COUNT = const(24)
+_BATTERY_CURRENT_MULTIPLIER = const(25)
+_BATTERY_CURRENT_OFFSET = const(26)
+_BATTERY_CURRENT_FAILURES = const(27)
+_BATTERY_CURRENT_IS_LOGGED = const(28)
+_BATTERY_CURRENT_IS_READ = const(29)
+_BATTERY_CURRENT_EXPIRES_MS = const(30)
+_BATTERY_CURRENT_SINCE_MS = const(31)
+_BATTERY_CONSUMED_REST = const(32)
+_BATTERY_ENERGY_LOW = const(33)
+_BATTERY_ENERGY_MIDDLE = const(34)
+_BATTERY_ENERGY_HIGH = const(35)
+_BATTERY_BATT_CAPACITY = const(36)
+_BATTERY_TIME_LEFT_MEAN = const(37)
+_BATTERY_TREND_COUNT = const(38)
+_BATTERY_TREND_NEWER = const(39)
+_BATTERY_TREND_OLDER = const(40)
+_BATTERY_TREND_READINGS = const(41)
+_BATTERY_CELLS_MV_AGE = const(81)
+_BATTERY_CELLS_MV = const(82)
+_VEHICLE = const(170)
 _VEHICLE_SIZE = const(5)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
@@ -190,6 +192,18 @@ class BatteryState(Component):
     cold = below(_BATTERY_TEMPERATURE_CDEGC, -2000)  # FR-00072.5
     # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
     protected = truth(_BATTERY_PROTECTED)
+    # Voltage of the cell that has the least [mV]
+    # V, or None while it is unknown; FR-00072.5
+    lowest_cell_mv, lowest_cell = number(_BATTERY_LOWEST_CELL_MV, -1073741823, 1073741823, "lowest_cell", 1000)
+    # Voltage of the cell that has the most [mV]
+    # V, or None while it is unknown; FR-00072.5
+    highest_cell_mv, highest_cell = number(_BATTERY_HIGHEST_CELL_MV, -1073741823, 1073741823, "highest_cell", 1000)
+    # Whether a cell is charged above what it stands, whatever the pack's voltage is
+    cell_over_voltage = at_least(_BATTERY_HIGHEST_CELL_MV, 4250)  # FR-00072.5
+    # Whether a cell is below what it stands, whatever the pack's voltage is
+    cell_under_voltage = below(_BATTERY_LOWEST_CELL_MV, 3000)  # FR-00072.5
+    # Whether more is drawn than the pack stands for seconds
+    over_current = at_least(_BATTERY_CURRENT_CA, 13200)  # FR-00072.5
     # Failed readings in a row
     failures = whole(_BATTERY_FAILURES)
     # When the last good reading will be too old

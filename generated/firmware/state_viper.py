@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 10f1f0633be914f0
+# Inputs: ff50161e2978d084
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -11,7 +11,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(83)
+_BATTERY_SIZE = const(85)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -24,24 +24,26 @@ _BATTERY_TEMPERATURE_CDEGC = const(8)
 _BATTERY_TREND_MV_S = const(9)
 _BATTERY_SWAPS_NUMBER = const(12)
 _BATTERY_MONITORED = const(13)
-_BATTERY_COUNT = const(15)
-_BATTERY_MULTIPLIER = const(16)
-_BATTERY_FAILURES = const(17)
-_BATTERY_IS_LOGGED = const(18)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_WARNED_MS = const(20)
-_BATTERY_GONE = const(21)
-_BATTERY_CURRENT_EXPIRES_MS = const(28)
-_BATTERY_CONSUMED_REST = const(30)
-_BATTERY_ENERGY_LOW = const(31)
-_BATTERY_ENERGY_MIDDLE = const(32)
-_BATTERY_ENERGY_HIGH = const(33)
-_BATTERY_TREND_COUNT = const(36)
-_BATTERY_TREND_NEWER = const(37)
-_BATTERY_TREND_OLDER = const(38)
-_BATTERY_TREND_READINGS = const(39)
-_BATTERY_CELLS_MV_AGE = const(79)
-_BATTERY_CELLS_MV = const(80)
+_BATTERY_LOWEST_CELL_MV = const(15)
+_BATTERY_HIGHEST_CELL_MV = const(16)
+_BATTERY_COUNT = const(17)
+_BATTERY_MULTIPLIER = const(18)
+_BATTERY_FAILURES = const(19)
+_BATTERY_IS_LOGGED = const(20)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_WARNED_MS = const(22)
+_BATTERY_GONE = const(23)
+_BATTERY_CURRENT_EXPIRES_MS = const(30)
+_BATTERY_CONSUMED_REST = const(32)
+_BATTERY_ENERGY_LOW = const(33)
+_BATTERY_ENERGY_MIDDLE = const(34)
+_BATTERY_ENERGY_HIGH = const(35)
+_BATTERY_TREND_COUNT = const(38)
+_BATTERY_TREND_NEWER = const(39)
+_BATTERY_TREND_OLDER = const(40)
+_BATTERY_TREND_READINGS = const(41)
+_BATTERY_CELLS_MV_AGE = const(81)
+_BATTERY_CELLS_MV = const(82)
 
 
 @micropython.viper
@@ -76,6 +78,23 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     while count < 3:
                         battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
                         count += 1
+                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+                else:
+                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+                    count = 0
+                    while count < 3:
+                        value = (battery[_BATTERY_CELLS_MV + count] ^ sign) - sign
+                        count += 1
+                        if value == _UNKNOWN:
+                            continue
+                        if (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign == _UNKNOWN:
+                            battery[_BATTERY_LOWEST_CELL_MV] = value
+                        if value < (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign:
+                            battery[_BATTERY_LOWEST_CELL_MV] = value
+                        if value > (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign:
+                            battery[_BATTERY_HIGHEST_CELL_MV] = value
             told = 0
             count = (battery[_BATTERY_COUNT] ^ sign) - sign
             if count < 0 or count > 4095:
@@ -110,6 +129,8 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     while count < 3:
                         battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
                         count += 1
+                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
                     battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
                 if battery[_BATTERY_GONE] and is_gone == 0:
                     told |= 2

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 789e9a50a91695a3
+# Inputs: 94925dac8eb31342
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -23,7 +23,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(83)
+_BATTERY_SIZE = const(85)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -38,13 +38,15 @@ _BATTERY_HEALTH_NUMBER = const(10)
 _BATTERY_FAILSAFE_NUMBER = const(11)
 _BATTERY_MONITORED = const(13)
 _BATTERY_PROTECTED = const(14)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_CURRENT_EXPIRES_MS = const(28)
-_BATTERY_TREND_COUNT = const(36)
-_BATTERY_TREND_NEWER = const(37)
-_BATTERY_TREND_OLDER = const(38)
-_BATTERY_CELLS_MV = const(80)
-_VEHICLE = const(166)
+_BATTERY_LOWEST_CELL_MV = const(15)
+_BATTERY_HIGHEST_CELL_MV = const(16)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_CURRENT_EXPIRES_MS = const(30)
+_BATTERY_TREND_COUNT = const(38)
+_BATTERY_TREND_NEWER = const(39)
+_BATTERY_TREND_OLDER = const(40)
+_BATTERY_CELLS_MV = const(82)
+_VEHICLE = const(170)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
 _VEHICLE_MODE_NUMBER = const(2)
@@ -451,6 +453,8 @@ def write_battery_status(value, place, wire, words, instance):
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.cell_under_voltage
+    #   MAV_BATTERY_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     wire[50] = 0
@@ -460,6 +464,12 @@ def write_battery_status(value, place, wire, words, instance):
     value = words[battery + _BATTERY_VOLTAGE_MV]
     if value != _UNKNOWN and value < 9000:
         wire[50] |= 0x1
+    value = words[battery + _BATTERY_LOWEST_CELL_MV]
+    if value != _UNKNOWN and value < 3000:
+        wire[50] |= 0x1
+    value = words[battery + _BATTERY_CURRENT_CA]
+    if value >= 13200:
+        wire[50] |= 0x8
     value = words[battery + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[50] |= 0x10
@@ -726,14 +736,20 @@ def write_battery_status_v2(value, place, wire, words, instance):
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.cell_over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.cell_under_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
     wire[20] = 0
     wire[21] = 0
@@ -750,6 +766,15 @@ def write_battery_status_v2(value, place, wire, words, instance):
         wire[20] |= 0x1
     if value != _UNKNOWN and value < 9000:
         wire[20] |= 0x1
+    value = words[battery + _BATTERY_HIGHEST_CELL_MV]
+    if value >= 4250:
+        wire[20] |= 0x1
+    value = words[battery + _BATTERY_LOWEST_CELL_MV]
+    if value != _UNKNOWN and value < 3000:
+        wire[20] |= 0x1
+    value = words[battery + _BATTERY_CURRENT_CA]
+    if value >= 13200:
+        wire[20] |= 0x1
     value = words[battery + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[20] |= 0x1
@@ -763,13 +788,23 @@ def write_battery_status_v2(value, place, wire, words, instance):
     value = words[battery + _BATTERY_VOLTAGE_MV]
     if value >= 12750:
         wire[21] |= 0x2
+    value = words[battery + _BATTERY_HIGHEST_CELL_MV]
+    if value >= 4250:
+        wire[21] |= 0x2
+    value = words[battery + _BATTERY_VOLTAGE_MV]
     if value != _UNKNOWN and value < 9000:
+        wire[21] |= 0x4
+    value = words[battery + _BATTERY_LOWEST_CELL_MV]
+    if value != _UNKNOWN and value < 3000:
         wire[21] |= 0x4
     value = words[battery + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[21] |= 0x8
     if value != _UNKNOWN and value < -2000:
         wire[21] |= 0x10
+    value = words[battery + _BATTERY_CURRENT_CA]
+    if value >= 13200:
+        wire[21] |= 0x20
     if words[battery + _BATTERY_COUNTED_FROM_FULL]:
         wire[22] |= 0x4
 

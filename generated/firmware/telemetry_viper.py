@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 789e9a50a91695a3
+# Inputs: 94925dac8eb31342
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -30,7 +30,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(83)
+_BATTERY_SIZE = const(85)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -45,13 +45,15 @@ _BATTERY_HEALTH_NUMBER = const(10)
 _BATTERY_FAILSAFE_NUMBER = const(11)
 _BATTERY_MONITORED = const(13)
 _BATTERY_PROTECTED = const(14)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_CURRENT_EXPIRES_MS = const(28)
-_BATTERY_TREND_COUNT = const(36)
-_BATTERY_TREND_NEWER = const(37)
-_BATTERY_TREND_OLDER = const(38)
-_BATTERY_CELLS_MV = const(80)
-_VEHICLE = const(166)
+_BATTERY_LOWEST_CELL_MV = const(15)
+_BATTERY_HIGHEST_CELL_MV = const(16)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_CURRENT_EXPIRES_MS = const(30)
+_BATTERY_TREND_COUNT = const(38)
+_BATTERY_TREND_NEWER = const(39)
+_BATTERY_TREND_OLDER = const(40)
+_BATTERY_CELLS_MV = const(82)
+_VEHICLE = const(170)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
 _VEHICLE_MODE_NUMBER = const(2)
@@ -539,12 +541,20 @@ def battery_status_frame(link, state, instance: int):
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.cell_under_voltage
+    #   MAV_BATTERY_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     flags = 0
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value != _UNKNOWN and value < 9000:
         flags |= 0x1
+    value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 3000:
+        flags |= 0x1
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value >= 13200:
+        flags |= 0x8
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
         flags |= 0x10
@@ -908,14 +918,20 @@ def battery_status_v2_frame(link, state, instance: int):
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.cell_over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.cell_under_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
     flags = 0
     value = (battery[_BATTERY_HEALTH_NUMBER] ^ sign) - sign
@@ -928,6 +944,15 @@ def battery_status_v2_frame(link, state, instance: int):
     if value >= 12750:
         flags |= 0x1
     if value != _UNKNOWN and value < 9000:
+        flags |= 0x1
+    value = (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign
+    if value >= 4250:
+        flags |= 0x1
+    value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 3000:
+        flags |= 0x1
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value >= 13200:
         flags |= 0x1
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
@@ -942,13 +967,23 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value >= 12750:
         flags |= 0x200
+    value = (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign
+    if value >= 4250:
+        flags |= 0x200
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value != _UNKNOWN and value < 9000:
+        flags |= 0x400
+    value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 3000:
         flags |= 0x400
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
         flags |= 0x800
     if value != _UNKNOWN and value < -2000:
         flags |= 0x1000
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value >= 13200:
+        flags |= 0x2000
     if battery[_BATTERY_COUNTED_FROM_FULL]:
         flags |= 0x40000
     wire32[5] = flags

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 015cd21c1223113a
+# Inputs: 3afabee53f08244f
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

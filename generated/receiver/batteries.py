@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: b48eee2ecfc59dfe
+# Inputs: f338443eb1f91c85
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -33,7 +33,7 @@ def _read_battery_status(message):
         "is_charging": is_entry(get("charge_state"), 7),
         "mode": entry(enum_names.MAV_BATTERY_MODE, get("mode")),
         "fault_bitmask": flags(enum_names.MAV_BATTERY_FAULT, get("fault_bitmask")),
-        "under_voltage": is_set(get("fault_bitmask"), 0x1),
+        "over_current": is_set(get("fault_bitmask"), 0x8),
         "hot": is_set(get("fault_bitmask"), 0x10),
         "cold": is_set(get("fault_bitmask"), 0x20),
         "cells": single(
@@ -60,10 +60,9 @@ def _read_battery_status_v2(message):
         "status_flags": flags(enum_names.MAV_BATTERY_STATUS_FLAGS, get("status_flags")),
         "charging": is_set(get("status_flags"), 0x2),
         "protected": is_set(get("status_flags"), 0x80),
-        "over_voltage": is_set(get("status_flags"), 0x200),
-        "under_voltage": is_set(get("status_flags"), 0x400),
         "hot": is_set(get("status_flags"), 0x800),
         "cold": is_set(get("status_flags"), 0x1000),
+        "over_current": is_set(get("status_flags"), 0x2000),
         "counted_from_full": is_set(get("status_flags"), 0x40000),
         "is_charging": is_set(get("status_flags"), 0x2),
         "temperature": scaled(get("temperature"), 1, 100),  # degC
@@ -280,13 +279,12 @@ class BatteryView(View):
         "is_charging": (1, 0),
         "left": (1,),
         "mode": (0,),
-        "over_voltage": (1,),
+        "over_current": (1, 0),
         "protected": (1,),
         "remaining": (1, 0),
         "status_flags": (1,),
         "temperature": (1, 0),
         "time_left": (0,),
-        "under_voltage": (1, 0),
         "voltage": (1, 0),
     }
     FLAGS = ("fault_bitmask", "status_flags")
@@ -373,9 +371,9 @@ class BatteryView(View):
         return self._quantity("mode")
 
     @property
-    def over_voltage(self):
-        """Whether the pack is charged above what its cells stand."""
-        return self._quantity("over_voltage")
+    def over_current(self):
+        """Whether more is drawn than the pack stands for seconds."""
+        return self._quantity("over_current")
 
     @property
     def protected(self):
@@ -401,11 +399,6 @@ class BatteryView(View):
     def time_left(self):
         """How long the charge is enough, as far as the last half minute tells. Unit: s."""
         return self._quantity("time_left")
-
-    @property
-    def under_voltage(self):
-        """Whether the pack is below what its cells stand."""
-        return self._quantity("under_voltage")
 
     @property
     def voltage(self):

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 4415520036ee1e78
+# Inputs: 6aef75f318e11c8e
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

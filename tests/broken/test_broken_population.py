@@ -8,6 +8,7 @@ from test_broken_tables import BATTERY as STATUS
 from test_broken_tables import SYS, Case, check_place, name_of
 
 CELLS = "messages/battery_cell_voltages.yaml"
+OVER = "at_least: discharge_maximum_burst_current"
 EXTENDED = "voltages_ext: {each: battery.cells, from: 10,"
 WHOLE = "{each: battery.cells, state: battery.voltage, split: true,"
 
@@ -21,6 +22,27 @@ CASES = [
     Case("bad-following", "state.yaml", "        below: 0\n", "        below: 0\n        at_least: 1\n", "both limits"),
     Case("bad-following", "state.yaml", "        below: 0\n", "", "no limit"),
     Case("bad-following", "state.yaml", "        below: 0\n", "        below: §0.001\n", "whole number"),
+    Case("bad-following", "state.yaml", OVER, "at_least: §discharge_maximum_curent", "discharge_maximum_current"),
+    Case("bad-following", "state.yaml", OVER, "at_least: §chemistry", "which is no amount in A"),
+    Case("bad-following", "state.yaml", OVER, "at_least: §weight", "has 250 g, which is no amount in A"),
+    Case("bad-extreme", "state.yaml", "lowest_of: cells", "lowest_of: §cell", "did you mean cells", is_alone=False),
+    Case("bad-extreme", "state.yaml", "lowest_of: cells", "lowest_of: §voltage", "no list", is_alone=False),
+    Case(
+        "bad-extreme",
+        "state.yaml",
+        "        stored: mV\n        lowest_of: cells",
+        "        stored: cV\n        lowest_of: §cells",
+        "kept in mV, not cV",
+        is_alone=False,
+    ),
+    Case(
+        "bad-quantity",
+        "state.yaml",
+        "lowest_of: cells",
+        "lowest_of: §cells\n        boolean: true",
+        "cannot have",
+        is_alone=False,
+    ),
     Case(
         "bad-quantity", "state.yaml", "follows: current", "initial: true\n        follows: §current", "without initial"
     ),

@@ -106,9 +106,10 @@ def cells(millivolts):
     return filled + [65535] * (10 - len(filled))
 
 
-def faults(millivolts, temperature):
-    """By hand: deep discharge below 3.0 V a cell, over- and under-temperature from 60 and below -20 degC."""
+def faults(millivolts, temperature, centiamperes):
+    """By hand: deep discharge below 3.0 V a cell, 132 A or more, and from 60 and below -20 degC."""
     bits = 0 if millivolts is None or millivolts >= 3 * 3000 else 1
+    bits |= 8 if centiamperes is not None and centiamperes >= 13200 else 0
     if temperature is not None:
         bits |= 16 if temperature >= 6000 else 32 if temperature < -2000 else 0
     return bits
@@ -151,7 +152,7 @@ def expected_frames(state) -> list[str]:
                 limited(battery["consumed_mah"], -(2**31), 2**31 - 1, -1),
                 limited(battery["energy_hj"], -(2**31), 2**31 - 1, -1),
                 remaining,
-                *([] if dialect is v10 else [0, 0, [0] * 4, 0, faults(voltage, temperature)]),
+                *([] if dialect is v10 else [0, 0, [0] * 4, 0, faults(voltage, temperature, battery["current_ca"])]),
             )
         )
     senders = [v20.MAVLink(None, srcSystem=1, srcComponent=1), v10.MAVLink(None, srcSystem=1, srcComponent=1)]

@@ -135,7 +135,29 @@ def _aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"    {age} = {age} + 1"
         yield f"    if {age} > {math.ceil((stale_ms or 0) / (component.period_ms or 100))}:"
         yield f"        {age} = {UNKNOWN}"
-        yield from indented(_all_unknown(quantity, code), 2)
+        yield from indented(_all_unknown(quantity, component, code), 2)
+        if extremes := component.extremes(quantity):
+            yield "    else:"
+            yield from indented([*_found(extremes, quantity, code)], 2)
+
+
+def _found(extremes: Iterable[Quantity], listed: Quantity, code: SpelledCode) -> Iterator[str]:
+    """Find the lowest and the highest value of a list, of those that are known."""
+    words = [(each, code.word(each.component, each.attribute)) for each in extremes]
+    yield from (f"{word} = {UNKNOWN}" for _, word in words)
+    yield "count = 0"
+    yield f"while count < {max(listed.elements or (0,))}:"
+    yield f"    value = {code.number_of(code.half(listed, 0, 'count'))}"
+    yield "    count += 1"
+    yield f"    if value == {UNKNOWN}:"
+    yield "        continue"
+    for extreme, word in words:
+        number = code.number_of(word)
+        if extreme.derivation.is_of_lowest:
+            yield f"    if {number} == {UNKNOWN}:"
+            yield f"        {word} = value"
+        yield f"    if value {'<' if extreme.derivation.is_of_lowest else '>'} {number}:"
+        yield f"        {word} = value"
 
 
 def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
@@ -158,13 +180,17 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield f"    {code.word(name, reading.word('expires_ms'))} = {later}"
 
 
-def _all_unknown(quantity: Quantity, code: SpelledCode) -> list[str]:
-    """Make a list unknown; ``count`` counts its values, since one more variable would put all on the heap."""
+def _all_unknown(quantity: Quantity, component: Component, code: SpelledCode) -> list[str]:
+    """Make a list unknown, and the lowest and the highest of it.
+
+    ``count`` counts its values, since one more variable would put all on the heap.
+    """
     return [
         "count = 0",
         f"while count < {max(quantity.elements or (0,))}:",
         f"    {code.half(quantity, 0, 'count')} = {UNKNOWN}",
         "    count += 1",
+        *(f"{code.word(each.component, each.attribute)} = {UNKNOWN}" for each in component.extremes(quantity)),
     ]
 
 
@@ -264,7 +290,7 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
         yield f"if {gone} or is_gone:"
     for quantity in forgotten:
         word = code.word(name, quantity.attribute)
-        yield from indented(_all_unknown(quantity, code) if quantity.elements else [f"{word} = {UNKNOWN}"])
+        yield from indented(_all_unknown(quantity, component, code) if quantity.elements else [f"{word} = {UNKNOWN}"])
     yield f"if {gone} and is_gone == 0:"
     yield f"    told |= {RETURNED}"
     yield f"    if {code.number_of(counted)} == {UNKNOWN}:"

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: cfe9057e856565af
+# Inputs: a81f52debc9cad31
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -21,10 +21,10 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(25)
+_SIZE = const(28)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(25)
+_BATTERY_SIZE = const(28)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -38,15 +38,18 @@ _BATTERY_SWAPS_NUMBER = const(10)
 _BATTERY_MONITORED = const(11)
 _BATTERY_USED_UP = const(12)
 _BATTERY_PROTECTED = const(13)
-_BATTERY_NUMBER = const(14)
-_BATTERY_COUNT = const(15)
-_BATTERY_MULTIPLIER = const(16)
-_BATTERY_FAILURES = const(17)
-_BATTERY_IS_LOGGED = const(18)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_WARNED_MS = const(20)
-_BATTERY_GONE = const(21)
-_BATTERY_CELLS_MV = const(22)
+_BATTERY_LOWEST_CELL_MV = const(14)
+_BATTERY_HIGHEST_CELL_MV = const(15)
+_BATTERY_NUMBER = const(16)
+_BATTERY_COUNT = const(17)
+_BATTERY_MULTIPLIER = const(18)
+_BATTERY_FAILURES = const(19)
+_BATTERY_IS_LOGGED = const(20)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_WARNED_MS = const(22)
+_BATTERY_GONE = const(23)
+_BATTERY_CELLS_MV_AGE = const(24)
+_BATTERY_CELLS_MV = const(25)
 
 
 class BatteryState(Component):
@@ -100,7 +103,7 @@ class BatteryState(Component):
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell [mV]
-    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv")
+    cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv", age=_BATTERY_CELLS_MV_AGE)
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack [cdegC]
     # degC, or None while it is unknown; FR-00074.9
@@ -130,6 +133,18 @@ class BatteryState(Component):
     cold = below(_BATTERY_TEMPERATURE_CDEGC, -2000)  # FR-00072.5
     # Whether protective circuits in the pack are on
     protected = truth(_BATTERY_PROTECTED)
+    # Voltage of the cell that has the least [mV]
+    # V, or None while it is unknown; FR-00072.5
+    lowest_cell_mv, lowest_cell = number(_BATTERY_LOWEST_CELL_MV, -1073741823, 1073741823, "lowest_cell", 1000)
+    # Voltage of the cell that has the most [mV]
+    # V, or None while it is unknown; FR-00072.5
+    highest_cell_mv, highest_cell = number(_BATTERY_HIGHEST_CELL_MV, -1073741823, 1073741823, "highest_cell", 1000)
+    # Whether a cell is charged above what it stands, whatever the pack's voltage is
+    cell_over_voltage = at_least(_BATTERY_HIGHEST_CELL_MV, 4250)  # FR-00072.5
+    # Whether a cell is below what it stands, whatever the pack's voltage is
+    cell_under_voltage = below(_BATTERY_LOWEST_CELL_MV, 3000)  # FR-00072.5
+    # Whether more is drawn than the pack stands for seconds
+    over_current = at_least(_BATTERY_CURRENT_CA, 13200)  # FR-00072.5
     # What messages call it
     number = whole(_BATTERY_NUMBER)
     # Failed readings in a row

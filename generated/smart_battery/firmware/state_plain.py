@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: cfe9057e856565af
+# Inputs: a81f52debc9cad31
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -10,13 +10,17 @@ _UNKNOWN = const(-0x3FFFFFFF - 1)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_SWAPS_NUMBER = const(10)
 _BATTERY_MONITORED = const(11)
-_BATTERY_COUNT = const(15)
-_BATTERY_MULTIPLIER = const(16)
-_BATTERY_FAILURES = const(17)
-_BATTERY_IS_LOGGED = const(18)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_WARNED_MS = const(20)
-_BATTERY_GONE = const(21)
+_BATTERY_LOWEST_CELL_MV = const(14)
+_BATTERY_HIGHEST_CELL_MV = const(15)
+_BATTERY_COUNT = const(17)
+_BATTERY_MULTIPLIER = const(18)
+_BATTERY_FAILURES = const(19)
+_BATTERY_IS_LOGGED = const(20)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_WARNED_MS = const(22)
+_BATTERY_GONE = const(23)
+_BATTERY_CELLS_MV_AGE = const(24)
+_BATTERY_CELLS_MV = const(25)
 
 
 def read_battery(words, every, board, ticks, first):
@@ -48,6 +52,32 @@ def _read_battery(battery, board, ticks, instance):
 
 
 def _take_battery(battery, now_ms):
+    # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
+    if battery[_BATTERY_CELLS_MV_AGE] != _UNKNOWN:
+        battery[_BATTERY_CELLS_MV_AGE] = battery[_BATTERY_CELLS_MV_AGE] + 1
+        if battery[_BATTERY_CELLS_MV_AGE] > 20:
+            battery[_BATTERY_CELLS_MV_AGE] = _UNKNOWN
+            count = 0
+            while count < 3:
+                battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                count += 1
+            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+        else:
+            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+            count = 0
+            while count < 3:
+                value = battery[_BATTERY_CELLS_MV + count]
+                count += 1
+                if value == _UNKNOWN:
+                    continue
+                if battery[_BATTERY_LOWEST_CELL_MV] == _UNKNOWN:
+                    battery[_BATTERY_LOWEST_CELL_MV] = value
+                if value < battery[_BATTERY_LOWEST_CELL_MV]:
+                    battery[_BATTERY_LOWEST_CELL_MV] = value
+                if value > battery[_BATTERY_HIGHEST_CELL_MV]:
+                    battery[_BATTERY_HIGHEST_CELL_MV] = value
     told = 0
     count = battery[_BATTERY_COUNT]
     if count < 0 or count > 4095:

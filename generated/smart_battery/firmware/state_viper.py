@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: cfe9057e856565af
+# Inputs: a81f52debc9cad31
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -15,13 +15,17 @@ _BATTERY = const(0)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_SWAPS_NUMBER = const(10)
 _BATTERY_MONITORED = const(11)
-_BATTERY_COUNT = const(15)
-_BATTERY_MULTIPLIER = const(16)
-_BATTERY_FAILURES = const(17)
-_BATTERY_IS_LOGGED = const(18)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_WARNED_MS = const(20)
-_BATTERY_GONE = const(21)
+_BATTERY_LOWEST_CELL_MV = const(14)
+_BATTERY_HIGHEST_CELL_MV = const(15)
+_BATTERY_COUNT = const(17)
+_BATTERY_MULTIPLIER = const(18)
+_BATTERY_FAILURES = const(19)
+_BATTERY_IS_LOGGED = const(20)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_WARNED_MS = const(22)
+_BATTERY_GONE = const(23)
+_BATTERY_CELLS_MV_AGE = const(24)
+_BATTERY_CELLS_MV = const(25)
 
 
 @micropython.viper
@@ -47,6 +51,32 @@ def read_battery(words, every, board, ticks, first: int) -> int:
             if first >= 0:
                 battery[_BATTERY_COUNT] = -1000000000
                 battery[_BATTERY_COUNT] = int(board.read_battery_adc())
+            # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
+            if (battery[_BATTERY_CELLS_MV_AGE] ^ sign) - sign != _UNKNOWN:
+                battery[_BATTERY_CELLS_MV_AGE] = battery[_BATTERY_CELLS_MV_AGE] + 1
+                if battery[_BATTERY_CELLS_MV_AGE] > 20:
+                    battery[_BATTERY_CELLS_MV_AGE] = _UNKNOWN
+                    count = 0
+                    while count < 3:
+                        battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                        count += 1
+                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+                else:
+                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+                    count = 0
+                    while count < 3:
+                        value = (battery[_BATTERY_CELLS_MV + count] ^ sign) - sign
+                        count += 1
+                        if value == _UNKNOWN:
+                            continue
+                        if (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign == _UNKNOWN:
+                            battery[_BATTERY_LOWEST_CELL_MV] = value
+                        if value < (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign:
+                            battery[_BATTERY_LOWEST_CELL_MV] = value
+                        if value > (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign:
+                            battery[_BATTERY_HIGHEST_CELL_MV] = value
             told = 0
             count = (battery[_BATTERY_COUNT] ^ sign) - sign
             if count < 0 or count > 4095:

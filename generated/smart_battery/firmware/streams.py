@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/streams.yaml: do not edit.
-# Inputs: cfbc1e589543aab5
+# Inputs: 85f40312c402bb5d
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time

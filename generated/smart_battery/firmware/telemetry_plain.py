@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: ab238a7e60e029a8
+# Inputs: ca73f0912f036818
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -37,9 +37,11 @@ _BATTERY_COUNTED_FROM_FULL = const(8)
 _BATTERY_TEMPERATURE_CDEGC = const(9)
 _BATTERY_USED_UP = const(12)
 _BATTERY_PROTECTED = const(13)
-_BATTERY_NUMBER = const(14)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_CELLS_MV = const(22)
+_BATTERY_LOWEST_CELL_MV = const(14)
+_BATTERY_HIGHEST_CELL_MV = const(15)
+_BATTERY_NUMBER = const(16)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_CELLS_MV = const(25)
 _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
@@ -264,6 +266,8 @@ def write_battery_status(value, place, wire, words, instance):
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.cell_under_voltage
+    #   MAV_BATTERY_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     wire[50] = 0
@@ -273,6 +277,12 @@ def write_battery_status(value, place, wire, words, instance):
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
     if value != _UNKNOWN and value < 9000:
         wire[50] |= 0x1
+    value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
+    if value != _UNKNOWN and value < 3000:
+        wire[50] |= 0x1
+    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    if value >= 13200:
+        wire[50] |= 0x8
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[50] |= 0x10
@@ -524,14 +534,20 @@ def write_battery_status_v2(value, place, wire, words, instance):
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.cell_over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.cell_under_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
     wire[20] = 0
     wire[21] = 0
@@ -546,6 +562,15 @@ def write_battery_status_v2(value, place, wire, words, instance):
         wire[20] |= 0x1
     if value != _UNKNOWN and value < 9000:
         wire[20] |= 0x1
+    value = words[_BATTERY + _BATTERY_HIGHEST_CELL_MV]
+    if value >= 4250:
+        wire[20] |= 0x1
+    value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
+    if value != _UNKNOWN and value < 3000:
+        wire[20] |= 0x1
+    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    if value >= 13200:
+        wire[20] |= 0x1
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[20] |= 0x1
@@ -559,13 +584,23 @@ def write_battery_status_v2(value, place, wire, words, instance):
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
     if value >= 12750:
         wire[21] |= 0x2
+    value = words[_BATTERY + _BATTERY_HIGHEST_CELL_MV]
+    if value >= 4250:
+        wire[21] |= 0x2
+    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
     if value != _UNKNOWN and value < 9000:
+        wire[21] |= 0x4
+    value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
+    if value != _UNKNOWN and value < 3000:
         wire[21] |= 0x4
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[21] |= 0x8
     if value != _UNKNOWN and value < -2000:
         wire[21] |= 0x10
+    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    if value >= 13200:
+        wire[21] |= 0x20
     if words[_BATTERY + _BATTERY_COUNTED_FROM_FULL]:
         wire[22] |= 0x4
 

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: ab238a7e60e029a8
+# Inputs: ca73f0912f036818
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -44,9 +44,11 @@ _BATTERY_COUNTED_FROM_FULL = const(8)
 _BATTERY_TEMPERATURE_CDEGC = const(9)
 _BATTERY_USED_UP = const(12)
 _BATTERY_PROTECTED = const(13)
-_BATTERY_NUMBER = const(14)
-_BATTERY_EXPIRES_MS = const(19)
-_BATTERY_CELLS_MV = const(22)
+_BATTERY_LOWEST_CELL_MV = const(14)
+_BATTERY_HIGHEST_CELL_MV = const(15)
+_BATTERY_NUMBER = const(16)
+_BATTERY_EXPIRES_MS = const(21)
+_BATTERY_CELLS_MV = const(25)
 _SMART_BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(16))[:16]
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
@@ -313,12 +315,20 @@ def battery_status_frame(link, state, instance: int):
 
     # fault_bitmask: (FR-00068.6)
     #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.under_voltage
+    #   MAV_BATTERY_FAULT_DEEP_DISCHARGE if battery.cell_under_voltage
+    #   MAV_BATTERY_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     flags = 0
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value != _UNKNOWN and value < 9000:
         flags |= 0x1
+    value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 3000:
+        flags |= 0x1
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value >= 13200:
+        flags |= 0x8
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
         flags |= 0x10
@@ -669,14 +679,20 @@ def battery_status_v2_frame(link, state, instance: int):
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.used_up
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cell_under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_NOT_READY_TO_USE if battery.cold
     #   MAV_BATTERY_STATUS_FLAGS_CHARGING if battery.charging
     #   MAV_BATTERY_STATUS_FLAGS_PROTECTIONS_ENABLED if battery.protected
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.over_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_VOLT if battery.cell_over_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.under_voltage
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_VOLT if battery.cell_under_voltage
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_TEMPERATURE if battery.hot
     #   MAV_BATTERY_STATUS_FLAGS_FAULT_UNDER_TEMPERATURE if battery.cold
+    #   MAV_BATTERY_STATUS_FLAGS_FAULT_OVER_CURRENT if battery.over_current
     #   MAV_BATTERY_STATUS_FLAGS_CAPACITY_RELATIVE_TO_FULL if battery.counted_from_full
     flags = 0
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
@@ -687,6 +703,15 @@ def battery_status_v2_frame(link, state, instance: int):
     if value >= 12750:
         flags |= 0x1
     if value != _UNKNOWN and value < 9000:
+        flags |= 0x1
+    value = (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign
+    if value >= 4250:
+        flags |= 0x1
+    value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 3000:
+        flags |= 0x1
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value >= 13200:
         flags |= 0x1
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
@@ -701,13 +726,23 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value >= 12750:
         flags |= 0x200
+    value = (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign
+    if value >= 4250:
+        flags |= 0x200
+    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value != _UNKNOWN and value < 9000:
+        flags |= 0x400
+    value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
+    if value != _UNKNOWN and value < 3000:
         flags |= 0x400
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
         flags |= 0x800
     if value != _UNKNOWN and value < -2000:
         flags |= 0x1000
+    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    if value >= 13200:
+        flags |= 0x2000
     if battery[_BATTERY_COUNTED_FROM_FULL]:
         flags |= 0x40000
     wire32[5] = flags

@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 362972926d82681e
+# Inputs: 84dbc34545c81e03
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -233,6 +233,44 @@ def battery_readings_are_timed():
     assert inputs.counts[0][3] == 503, "both sides of the mean were halved, once"
 
 
+def battery_lowest_cell_is_found():
+    board, state, _ = fresh(3063)
+    one = state.battery
+    rising = list(range(5, 8))
+    without = [list(rising), list(rising)]
+    without[0][0] = without[1][-1] = None
+    for values in (rising, rising[::-1], without[0], without[1], [7] * 3, [None] * 3):
+        one.cells_mv = values
+        state.update_battery(board)
+        there = [value for value in values if value is not None]
+        assert one.lowest_cell_mv == (min(there) if there else None), values
+    one.cells_mv = rising
+    for _ in range(20):
+        state.update_battery(board)
+    assert one.lowest_cell_mv == min(rising)
+    state.update_battery(board)
+    assert one.lowest_cell_mv is None, "the list was forgotten"
+
+
+def battery_highest_cell_is_found():
+    board, state, _ = fresh(3063)
+    one = state.battery
+    rising = list(range(5, 8))
+    without = [list(rising), list(rising)]
+    without[0][0] = without[1][-1] = None
+    for values in (rising, rising[::-1], without[0], without[1], [7] * 3, [None] * 3):
+        one.cells_mv = values
+        state.update_battery(board)
+        there = [value for value in values if value is not None]
+        assert one.highest_cell_mv == (max(there) if there else None), values
+    one.cells_mv = rising
+    for _ in range(20):
+        state.update_battery(board)
+    assert one.highest_cell_mv == max(rising)
+    state.update_battery(board)
+    assert one.highest_cell_mv is None, "the list was forgotten"
+
+
 def battery_old_reading_is_unknown():
     for build in [
         telemetry.build_battery_status,
@@ -355,6 +393,8 @@ def every_value_allocates_nothing():
         (state.battery, "monitored"),
         (state.battery, "used_up"),
         (state.battery, "protected"),
+        (state.battery, "lowest_cell_mv"),
+        (state.battery, "highest_cell_mv"),
     )
     for owner, attribute in quantities:
         for value in values:
@@ -445,6 +485,20 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
         "swaps",
         5,
         (-1, 1000001),
+    ),
+    (
+        "battery",
+        "lowest_cell_mv",
+        "lowest_cell",
+        5,
+        (-1073741824, 1073741824),
+    ),
+    (
+        "battery",
+        "highest_cell_mv",
+        "highest_cell",
+        5,
+        (-1073741824, 1073741824),
     ),
 )
 
@@ -636,6 +690,8 @@ CHECKS = (
     ("FR-00069.6", battery_calibration),
     ("NFR-00062.2", battery_scenarios),
     ("NFR-00060.3", battery_steady_cycle_allocates_nothing),
+    ("FR-00072.5", battery_lowest_cell_is_found),
+    ("FR-00072.5", battery_highest_cell_is_found),
     ("FR-00074.1", heartbeat_stream_keeps_its_rate),
     ("FR-00074.3", extra1_stream_keeps_its_rate),
     ("FR-00074.3", extra3_stream_keeps_its_rate),
