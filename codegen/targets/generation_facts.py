@@ -4,7 +4,7 @@ from codegen.frozen import dataclass
 from codegen.model.price import Range, chosen, default_rate, frame_size, price
 from codegen.model.spec import Generation
 from codegen.model.system import Generations, PopulatedMessage, System
-from codegen.targets.firmware.sending import shortest_us
+from codegen.targets.firmware.sending import number_at, shortest_us
 from codegen.targets.naming import parameter_attribute
 
 
@@ -37,6 +37,7 @@ class MessageFacts:
     frames: tuple[tuple[int, int], ...]
     on_connection: bool
     watched: tuple[str, str] | None
+    number_at: int | None
 
 
 def generation_facts(system: System) -> tuple[GenerationFacts, ...]:
@@ -92,4 +93,5 @@ def _message(message: PopulatedMessage, system: System) -> MessageFacts:
         frames=tuple((int(size.low), int(size.high)) for size in sizes),
         on_connection=message.on_connection,
         watched=(watched.component, watched.attribute) if watched else None,
+        number_at=number_at(message),
     )

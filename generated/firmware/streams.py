@@ -30,6 +30,9 @@ _SHORTEST_US = (20000, 20000, 20000, 20000, 1000000, 1000000, 100000, 100000, 10
 # Generations of messages: 1 the old one, 2 the new one, 3 what is sent in any case.
 _GENERATIONS = (3, 3, 1, 2, 1, 2, 3, 3, 3)
 
+# Where the payload of each message has the number of the instance that it is about, None where it has none.
+_NUMBER_AT = (None, None, 32, 26, 18, 44, None, None, 0)
+
 # Streams: the number by which REQUEST_DATA_STREAM asks for each (None: it cannot) and the highest rate in Hz.
 _DATA_STREAMS = (None, 2, 10, 12, None)
 _FASTEST_HZ = (50, 50, 50, 50, 1)
@@ -99,6 +102,30 @@ _ANNOUNCED = (
     (5, _announce_battery, 1, 0),
 )
 _ON_CONNECTION = 4
+
+
+class _One:
+    """In place of a link: counts the frames about the instance with a number, and sends them if it has one."""
+
+    def __init__(self, maker, encode, place, number):
+        self._maker = maker
+        self._encode = encode
+        self._place = place
+        self._number = number
+        self.link = None
+        self.count = 0
+
+    def made(self, _link, *about):
+        """Return the frame of an instance, as its encoder does."""
+        return self._encode(self._maker, *about)
+
+    def send_frame(self, frame):
+        """Send it if it is about that instance. Zeros at the end of a payload are not there."""
+        place = self._place + (10 if frame[0] == 0xFD else 6)
+        if place < len(frame) - 2 and frame[place] == self._number:
+            self.count += 1
+            if self.link is not None:
+                self.link.send_frame(frame)
 
 
 class Streams:
@@ -204,13 +231,30 @@ class Streams:
         link.tx_errors = errors
         return False
 
-    def send(self, message_id):
-        """Send a message once, each of its tables and instances; return whether this vehicle has it."""
+    def send(self, message_id, number=0):
+        """Send a message once, each of its tables and instances; return whether this vehicle has it.
+
+        With a number it is sent about the instance alone that has it in the message, where it is about instances.
+        """
+        return self._send_about(message_id, number, self._link)
+
+    def has(self, message_id, number):
+        """Return whether a message would be about the instance with a number now, or about none; 0 stands for all."""
+        return self._send_about(message_id, number, None)
+
+    def _send_about(self, message_id, number, link):
         found = False
         for index in range(len(_IDS)):
             if _IDS[index] == message_id:
+                if number and _NUMBER_AT[index] is not None:
+                    one = _One(self._link, _ENCODERS[index], _NUMBER_AT[index], number)
+                    one.link = link
+                    _SENDERS[index](one.made, self._state, one)
+                    found = found or one.count > 0
+                    continue
                 found = True
-                self._send(index)
+                if link is not None:
+                    self._send(index)
         return found
 
     def is_withheld(self, _message_id):

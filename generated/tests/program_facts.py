@@ -818,7 +818,7 @@ GENERATIONS = (
 )
 
 # Messages by id: the component that they are about with the boolean that switches it on, the default rate in Hz, the
-# least and the most bytes of a frame by instance, and what announces them.
+# least and the most bytes of a frame by instance, what announces them, and where they have the number of the instance.
 MESSAGES = {
     0: {
         "component": None,
@@ -828,6 +828,7 @@ MESSAGES = {
         "rate": 1.0,
         "frames": ((21, 21),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     1: {
@@ -838,6 +839,7 @@ MESSAGES = {
         "rate": 1.0,
         "frames": ((20, 43),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     147: {
@@ -848,6 +850,7 @@ MESSAGES = {
         "rate": 2.0,
         "frames": ((47, 63), (47, 63)),
         "on_connection": False,
+        "number_at": 32,
         "watched": None,
     },
     148: {
@@ -858,6 +861,7 @@ MESSAGES = {
         "rate": 0.0,
         "frames": ((32, 32),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     300: {
@@ -868,6 +872,7 @@ MESSAGES = {
         "rate": 0.0,
         "frames": ((17, 17),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     369: {
@@ -878,6 +883,7 @@ MESSAGES = {
         "rate": 1.0,
         "frames": ((13, 38), (39, 39)),
         "on_connection": False,
+        "number_at": 26,
         "watched": None,
     },
     370: {
@@ -888,6 +894,7 @@ MESSAGES = {
         "rate": 0.05,
         "frames": ((109, 109), (109, 109)),
         "on_connection": True,
+        "number_at": 18,
         "watched": ("battery", "swaps_number"),
     },
     372: {
@@ -898,6 +905,7 @@ MESSAGES = {
         "rate": 0.05,
         "frames": ((119, 119), (119, 119)),
         "on_connection": True,
+        "number_at": 44,
         "watched": ("battery", "swaps_number"),
     },
     54371: {
@@ -908,6 +916,7 @@ MESSAGES = {
         "rate": 0.0,
         "frames": ((13, 40), (13, 40)),
         "on_connection": False,
+        "number_at": 0,
         "watched": None,
     },
 }

@@ -18,6 +18,7 @@ from codegen.targets.firmware.commands import (
 from codegen.targets.firmware.failsafe import FailsafesView, FailsafeView
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.firmware.receiving import call_name, received_beside
+from codegen.targets.firmware.sending import number_at
 from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
 
@@ -61,7 +62,7 @@ class ProgramView:
     ``force`` is None where nothing can be armed, ``measure_us`` where the user's code is not asked to measure.
     ``order`` are the parts of a pass, ``calls`` those with a period of their own. ``connecting`` are the
     statements that make the connection of a port. ``commands`` are those that commands.py answers, ``methods`` those of
-    the vehicle that do the commands of the project.
+    the vehicle that do the commands of the project. ``numbered``: a message tells which instance it is about.
     """
 
     imports: tuple[str, ...]
@@ -101,6 +102,7 @@ class ProgramView:
     commands: tuple[AnsweredView, ...]
     methods: tuple[MethodView, ...]
     takes_long: bool
+    numbered: bool
     modes: tuple[ModeView, ...]
     mode_statements: tuple[str, ...]
     cited: dict[str, str]
@@ -156,6 +158,7 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         commands=tuple(AnsweredView(each.name, each.method) for each in program.built_in if each.method),
         methods=method_views(program),
         takes_long=_takes_long(program),
+        numbered=any(number_at(message) is not None for message in system.messages),
         modes=mode_views(program.modes),
         mode_statements=mode_statements(program.modes),
         cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},

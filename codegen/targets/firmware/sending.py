@@ -16,7 +16,7 @@ class SentView:
     ``way`` is what sends all instances and pages of what ``encoder`` makes, or one. ``never`` is for the generation
     that was not chosen for good. ``is_alone``: no other table is of the same message, so that frames with its id are
     its own. ``tells`` is called to know whether it is not withheld, None where it never is: what builds it, or a
-    function that has to be made, whose statements are ``telling``.
+    function that has to be made, whose statements are ``telling``. ``number_at`` is where its payload has its instance.
     """
 
     id: int
@@ -32,6 +32,7 @@ class SentView:
     tells: str | None
     telling: str
     enabled: str | None
+    number_at: int | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,14 @@ def sent_view(message: PopulatedMessage, system: System, *, never: bool) -> Sent
         tells=_tells(message),
         telling=_telling(message) if message.withheld_for and message_about(message) else "",
         enabled=enabled,
+        number_at=number_at(message),
     )
+
+
+def number_at(message: PopulatedMessage) -> int | None:
+    """Where the payload has the number of the instance that it is about, in its lowest byte; None where it has none."""
+    places = (each.covers.offset for each in message.answers if each.is_instance_number)
+    return next(places, None)
 
 
 def _way(message: PopulatedMessage, arguments: list[str], is_measured: list[str]) -> WayView:

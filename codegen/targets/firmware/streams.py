@@ -88,6 +88,8 @@ class StreamsView:
     shortest_us: str
     data_streams: str
     fastest_hz: str
+    number_at: str
+    numbered: bool
     generation_of: str
     chosen: str
     choosing: tuple[str, ...]
@@ -130,6 +132,8 @@ def streams_view(system: System) -> StreamsView:
         shortest_us=_tuple([message.shortest_us for message in messages]),
         data_streams=_tuple([stream.data_stream for stream in streams]),
         fastest_hz=_tuple([stream.fastest_hz for stream in streams]),
+        number_at=_tuple([message.number_at for message in messages]),
+        numbered=system.program is not None and any(message.number_at is not None for message in messages),
         generation_of=_generation_of(messages, system) if system.generations else "",
         chosen=_chosen(system),
         choosing=_choosing_lines(system),

@@ -110,7 +110,10 @@ class Commands:
         message_id = command.whole(1, 0, _LARGEST_ID)
         if message_id == messages.MessageInterval.ID:
             return self._interval_of(command, 2)
-        return self._answer_with(message_id)
+        number = command.whole(2, 0, 255)  # of the instance, where the message is about one of several; 0: all of them
+        if number is None or (message_id is not None and not self._connection.streams.has(message_id, number)):
+            return _MAV_RESULT_DENIED, None
+        return self._answer_with(message_id, number)
 
     def _request_capabilities(self, command):
         return self._answer_if_asked(command, "AutopilotVersion")
@@ -126,15 +129,15 @@ class Commands:
             return _MAV_RESULT_DENIED, None
         return self._answer_with(message_id) if is_asked else (_MAV_RESULT_ACCEPTED, None)
 
-    def _answer_with(self, message_id):
+    def _answer_with(self, message_id, number=0):
         if message_id is None or self._connection.streams.interval_us(message_id) == 0:
             return _MAV_RESULT_DENIED, None  # not a message of this vehicle
         if self._connection.streams.is_withheld(message_id):
             return _MAV_RESULT_TEMPORARILY_REJECTED, None  # what it tells is unknown
-        return _MAV_RESULT_ACCEPTED, (self._send_message, message_id)
+        return _MAV_RESULT_ACCEPTED, (self._send_message, (message_id, number))
 
-    def _send_message(self, message_id):
-        """Send a message once, all instances; return whether the port took any of them.
+    def _send_message(self, asked):
+        """Send a message once, all instances or the one that is asked for; return whether the port took any of them.
 
         If it took none, they are sent again and do not count as lost, see Connection.send(). If it took some, the
         others are lost: on a slow link there might never be room for all at once.
@@ -142,7 +145,7 @@ class Commands:
         link = self._connection.link
         sequence = link.sequence
         errors = link.tx_errors
-        self._connection.streams.send(message_id)
+        self._connection.streams.send(*asked)
         failed = link.tx_errors - errors
         if failed == 0 or (link.sequence - sequence) & 0xFF != failed:
             return True

@@ -341,7 +341,7 @@ GENERATIONS = (
 )
 
 # Messages by id: the component that they are about with the boolean that switches it on, the default rate in Hz, the
-# least and the most bytes of a frame by instance, and what announces them.
+# least and the most bytes of a frame by instance, what announces them, and where they have the number of the instance.
 MESSAGES = {
     0: {
         "component": None,
@@ -351,6 +351,7 @@ MESSAGES = {
         "rate": 1.0,
         "frames": ((21, 21),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     147: {
@@ -361,6 +362,7 @@ MESSAGES = {
         "rate": 0.5,
         "frames": ((47, 63),),
         "on_connection": False,
+        "number_at": 32,
         "watched": None,
     },
     148: {
@@ -371,6 +373,7 @@ MESSAGES = {
         "rate": 0.0,
         "frames": ((32, 32),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     300: {
@@ -381,6 +384,7 @@ MESSAGES = {
         "rate": 0.0,
         "frames": ((17, 17),),
         "on_connection": False,
+        "number_at": None,
         "watched": None,
     },
     369: {
@@ -391,6 +395,7 @@ MESSAGES = {
         "rate": 0.5,
         "frames": ((13, 39),),
         "on_connection": False,
+        "number_at": 26,
         "watched": None,
     },
     370: {
@@ -401,6 +406,7 @@ MESSAGES = {
         "rate": 0.05,
         "frames": ((109, 109),),
         "on_connection": True,
+        "number_at": 18,
         "watched": ("battery", "swaps_number"),
     },
     372: {
@@ -411,6 +417,7 @@ MESSAGES = {
         "rate": 0.05,
         "frames": ((119, 119),),
         "on_connection": True,
+        "number_at": 44,
         "watched": ("battery", "swaps_number"),
     },
     54371: {
@@ -421,6 +428,7 @@ MESSAGES = {
         "rate": 0.0,
         "frames": ((13, 40),),
         "on_connection": False,
+        "number_at": 0,
         "watched": None,
     },
 }

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 46569238a8f3dff5
+# Inputs: a545622c4f52f977
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -9,13 +9,14 @@ from program_bench import (
     Port,
     main,
     messages,
+    needs,
     needs_arming,
     new_craft,
     ready_craft,
     run,
     run_passes,
 )
-from program_facts import ANSWERED, COMPONENT_ID, FORCE_ARM, ON_REQUEST, SENT, SYSTEM_ID
+from program_facts import ANSWERED, COMPONENT_ID, FORCE_ARM, MESSAGES, ON_REQUEST, SENT, SYSTEM_ID
 
 import dialect
 
@@ -139,6 +140,38 @@ def full_port_delays_but_does_not_reorder():
 def _flag(craft, station):
     run(craft, SECOND_US)
     return station.received(messages.Heartbeat)[-1].base_mode & ARMED
+
+
+def one_instance_is_sent_on_request():
+    """The second parameter is the number of an instance, 0 is all; for one that is not there it is denied."""
+    craft, station = _met()
+    asked = [number for number in SENT if number in MESSAGES and MESSAGES[number]["number_at"] is not None]
+    needs(asked, "a message with the number of its instance")
+    for number in asked:
+        present = _numbers_told(craft, station, number, 0)
+        assert present, number
+        for one in {each for each in present if each}:
+            assert _numbers_told(craft, station, number, one) == [each for each in present if each == one], number
+        absent = next(each for each in range(1, 256) if each not in present)
+        for one in (absent, 255 if 255 not in present else absent, 0.5, -1, 256, float("nan")):
+            assert _result(craft, station, dialect.MAV_CMD_REQUEST_MESSAGE, number, one) == DENIED, (number, one)
+            run_passes(craft, 1)
+
+
+def _numbers_told(craft, station, number, one):
+    """Return the numbers of the instances that messages are about which are sent on request."""
+    place = 10 + MESSAGES[number]["number_at"]
+    station.port.frames = []
+    station.command(dialect.MAV_CMD_REQUEST_MESSAGE, number, one)
+    before = craft.connections[0].streams._due_ms[:]
+    for index in range(len(before)):  # nothing of its own accord meanwhile
+        craft.connections[0].streams._due_ms[index] += 1000000
+    run_passes(craft, 4)
+    craft.connections[0].streams._due_ms[:] = before
+    found = [frame for frame in station.port.frames if frame[7] | frame[8] << 8 | frame[9] << 16 == number]
+    acks = station.received(messages.CommandAck)
+    assert [ack.result for ack in acks] == [ACCEPTED], (number, one, acks)
+    return [frame[place] if place < len(frame) - 2 else 0 for frame in found]
 
 
 def arming_by_command():
@@ -320,6 +353,7 @@ CHECKS = (
     (full_port_delays_but_does_not_reorder, "services.commands"),
     (answers_across_the_wrap, "services.commands"),
     (message_follows_the_acknowledgement, "services.request"),
+    (one_instance_is_sent_on_request, "services.request"),
     (arming_by_command, "arming.command", "arming.reasons"),
     (restart_by_command, "services.restart"),
     (pings_are_answered, "services.ping"),
