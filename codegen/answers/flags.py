@@ -95,7 +95,16 @@ class FlagsAnswer(KindOfAnswer):
         words = [f"{name} if {quantity.path}" for name, _, quantity in self.conditional]
         line = f"{label} {', '.join(words)} {cited}"
         head = [line] if len(line) < 100 else [f"{label} {cited}", *(f"#   {word}" for word in words)]
-        return head + code.flags(covers, self.mask, [(value, quantity) for _, value, quantity in self.conditional])
+        return head + code.flags(covers, self.mask, self._each_once())
+
+    def _each_once(self) -> list[tuple[int, Quantity]]:
+        """Each condition once with all of its bits, and one behind the other what the same quantity decides."""
+        bits: dict[str, int] = {}
+        deciding: dict[str, dict[str, Quantity]] = {}
+        for _, value, quantity in self.conditional:
+            bits[quantity.path] = bits.get(quantity.path, 0) | value
+            deciding.setdefault(quantity.decided_by, {})[quantity.path] = quantity
+        return [(bits[path], each) for group in deciding.values() for path, each in group.items()]
 
     def words(self) -> Words:
         """The flags, each with its condition."""

@@ -53,7 +53,7 @@ class Follows(Derivation):
 
     def holds(self, limit: str) -> str:
         # Unknown is less than every limit.
-        return f"value != {UNKNOWN} and value < {limit}" if self.is_below else f"value >= {limit}"
+        return f"value < {limit} and value != {UNKNOWN}" if self.is_below else f"value >= {limit}"
 
     def attribute(self, place: str, own: str) -> str:
         compare = "below" if self.is_below else "at_least"

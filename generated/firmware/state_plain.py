@@ -118,7 +118,7 @@ def _take_battery(battery, now_ms):
             told = 1
         # Whether it is absent; another one may have been put in (FR-00073.8).
         is_gone = 0
-        if value != _UNKNOWN and value < 3000:
+        if value < 3000 and value != _UNKNOWN:
             is_gone = 1
         if battery[_BATTERY_GONE] or is_gone:
             battery[_BATTERY_CURRENT_CA] = _UNKNOWN

@@ -110,7 +110,8 @@ class Commands:
         message_id = command.whole(1, 0, _LARGEST_ID)
         if message_id == messages.MessageInterval.ID:
             return self._interval_of(command, 2)
-        number = command.whole(2, 0, 255)  # of the instance, where the message is about one of several; 0: all of them
+        asked = command.param(2)  # the number of an instance, where the message is about one of several
+        number = 0 if asked != asked else command.whole(2, 0, 255)  # noqa: PLR0124  NaN is not given: all, as 0 is
         if number is None or (message_id is not None and not self._connection.streams.has(message_id, number)):
             return _MAV_RESULT_DENIED, None
         return self._answer_with(message_id, number)

@@ -96,7 +96,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     told = 1
                 # Whether it is absent; another one may have been put in (FR-00073.8).
                 is_gone = 0
-                if value != _UNKNOWN and value < 3000:
+                if value < 3000 and value != _UNKNOWN:
                     is_gone = 1
                 if battery[_BATTERY_GONE] and is_gone == 0:
                     told |= 2

@@ -275,10 +275,10 @@ def write_battery_status(value, place, wire, words, instance):
     wire[52] = 0
     wire[53] = 0
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
-    if value != _UNKNOWN and value < 9000:
+    if value < 9000 and value != _UNKNOWN:
         wire[50] |= 0x1
     value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
-    if value != _UNKNOWN and value < 3000:
+    if value < 3000 and value != _UNKNOWN:
         wire[50] |= 0x1
     value = words[_BATTERY + _BATTERY_CURRENT_CA]
     if value >= 13200:
@@ -286,7 +286,7 @@ def write_battery_status(value, place, wire, words, instance):
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[50] |= 0x10
-    if value != _UNKNOWN and value < -2000:
+    if value < -2000 and value != _UNKNOWN:
         wire[50] |= 0x20
 
 
@@ -554,53 +554,39 @@ def write_battery_status_v2(value, place, wire, words, instance):
     wire[22] = 0
     wire[23] = 0
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
-    if value != _UNKNOWN and value < 9900:
+    if value < 9900 and value != _UNKNOWN:
         wire[20] |= 0x1
+    if value >= 12750:
+        wire[20] |= 0x1
+        wire[21] |= 0x2
+    if value < 9000 and value != _UNKNOWN:
+        wire[20] |= 0x1
+        wire[21] |= 0x4
     if words[_BATTERY + _BATTERY_USED_UP]:
         wire[20] |= 0x1
-    if value >= 12750:
-        wire[20] |= 0x1
-    if value != _UNKNOWN and value < 9000:
-        wire[20] |= 0x1
     value = words[_BATTERY + _BATTERY_HIGHEST_CELL_MV]
     if value >= 4250:
         wire[20] |= 0x1
+        wire[21] |= 0x2
     value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
-    if value != _UNKNOWN and value < 3000:
+    if value < 3000 and value != _UNKNOWN:
         wire[20] |= 0x1
+        wire[21] |= 0x4
     value = words[_BATTERY + _BATTERY_CURRENT_CA]
     if value >= 13200:
         wire[20] |= 0x1
+        wire[21] |= 0x20
+    if value < 0 and value != _UNKNOWN:
+        wire[20] |= 0x2
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
         wire[20] |= 0x1
-    if value != _UNKNOWN and value < -2000:
+        wire[21] |= 0x8
+    if value < -2000 and value != _UNKNOWN:
         wire[20] |= 0x1
-    value = words[_BATTERY + _BATTERY_CURRENT_CA]
-    if value != _UNKNOWN and value < 0:
-        wire[20] |= 0x2
+        wire[21] |= 0x10
     if words[_BATTERY + _BATTERY_PROTECTED]:
         wire[20] |= 0x80
-    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
-    if value >= 12750:
-        wire[21] |= 0x2
-    value = words[_BATTERY + _BATTERY_HIGHEST_CELL_MV]
-    if value >= 4250:
-        wire[21] |= 0x2
-    value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
-    if value != _UNKNOWN and value < 9000:
-        wire[21] |= 0x4
-    value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
-    if value != _UNKNOWN and value < 3000:
-        wire[21] |= 0x4
-    value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
-    if value >= 6000:
-        wire[21] |= 0x8
-    if value != _UNKNOWN and value < -2000:
-        wire[21] |= 0x10
-    value = words[_BATTERY + _BATTERY_CURRENT_CA]
-    if value >= 13200:
-        wire[21] |= 0x20
     if words[_BATTERY + _BATTERY_COUNTED_FROM_FULL]:
         wire[22] |= 0x4
 

@@ -36,11 +36,16 @@ class Streams:
     def announce(self):
         """Nothing waits."""
 
-    def send(self, message_id):
-        """Send all instances of a message once."""
+    def has(self, message_id, number):
+        """Return whether a message would be about an instance; 0 is all."""
+        return message_id in self._intervals and (message_id != 147 or number < 2)
+
+    def send(self, message_id, number=0):
+        """Send all instances of a message once, or the one with a number."""
         if message_id == 147:
             for battery in self._batteries:
-                self._link.send(battery)
+                if number in (0, battery.id):
+                    self._link.send(battery)
         elif message_id in self._intervals:
             self._link.send({0: self._heartbeat, 148: self._version, 300: self._protocol}[message_id])
         return message_id in self._intervals
