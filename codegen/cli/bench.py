@@ -78,6 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _bench(connection: "Connection", system: "System", seconds: float, report: "Report") -> "BenchRecord | None":
     """What was measured; None after a finding."""
     from codegen.bench import facts_for_bench
+    from codegen.cli.progress import working
     from codegen.deploy.bench import NOT_DEPLOYED, measured, prepare_bench, record_of, steps
     from codegen.deploy.prepared import prepare
     from codegen.deploy.transfer import identified
@@ -85,8 +86,9 @@ def _bench(connection: "Connection", system: "System", seconds: float, report: "
 
     board = identified(connection)
     print(f"{board.words} ({connection.port})", file=sys.stderr)
-    files = board_files(system, board, connection.port, report)
-    prepared = None if report.has_errors else prepare(connection, board, system, files, report)
+    with working("compiling, and looking what the board has"):
+        files = board_files(system, board, connection.port, report)
+        prepared = None if report.has_errors else prepare(connection, board, system, files, report)
     if prepared is None:
         return None
     if not prepared.plan.is_empty:
@@ -98,12 +100,10 @@ def _bench(connection: "Connection", system: "System", seconds: float, report: "
     facts, inputs = facts_for_bench(system)
     prepare_bench(connection, facts)
     lines: list[list[object]] = []
-    for name, call in steps(facts, seconds):
-        if sys.stderr.isatty():
-            print(f"\r{name:<60}", end="", file=sys.stderr, flush=True)
-        lines += _lines(connection.run(call))
-    if sys.stderr.isatty():
-        print(f"\r{'':<60}\r", end="", file=sys.stderr, flush=True)
+    with working("measuring on the board") as now:
+        for name, call in steps(facts, seconds):
+            now(name)
+            lines += _lines(connection.run(call))
     found = measured(iter(lines), seconds, has_loop=bool(facts["program"]))
     about = {"project": system.spec.project.project, "program": system.spec.program, "inputs": inputs}
     return record_of(board, about, found, prepared.files, own_ports=bool(facts["own_ports"]))

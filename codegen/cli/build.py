@@ -53,15 +53,18 @@ def run(arguments: argparse.Namespace) -> int:
         return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project))
     from codegen import pipeline
     from codegen.cli.output import emit
+    from codegen.cli.progress import working
     from codegen.diagnostics import Report
 
     report = Report()
-    systems = pipeline.read_systems(project, report)
-    system = systems[0] if systems else None
-    pipeline.check_scenarios(project, systems, report)
+    with working("reading the specification") as now:
+        systems = pipeline.read_systems(project, report)
+        system = systems[0] if systems else None
+        pipeline.check_scenarios(project, systems, report)
+        now("rendering what is generated")
+        rendered = {} if system is None or report.has_errors else pipeline.render_systems(systems)
     if system is None or report.has_errors:
         return emit(None, "", arguments, report)
-    rendered = pipeline.render_systems(systems)
     folder = pipeline.output_folder(system)
     code = emit(rendered, folder, arguments, report)
     read, beside = pipeline.files_read(systems), pipeline.folders_read(systems)
@@ -69,7 +72,8 @@ def run(arguments: argparse.Namespace) -> int:
         stamp.keep(project, started, read, folder, rendered, beside)
     if arguments.mpy is not None and not code:
         compiled = Report()
-        boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
+        with working(f"compiling the firmware for {arguments.mpy}"):
+            boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
         code = emit(boards, pipeline.board_folder(system, arguments.mpy), arguments, compiled)
     if not code and not (arguments.check or arguments.diff or arguments.dry_run):
         print("".join(f"{line}\n" for line in pipeline.what_is_made(systems)), end="", file=sys.stderr)

@@ -47,23 +47,25 @@ def run(arguments: argparse.Namespace) -> int:
     if project is None and not arguments.documents:
         return report_no_project()
     from codegen.cli.findings import print_findings
+    from codegen.cli.progress import working
     from codegen.decode.reach import folders_of
     from codegen.diagnostics import Report
     from codegen.load.confined import confined
 
     report = Report()
-    if arguments.documents:
-        files = _check_documents(arguments, project, report)
-    else:
-        assert project is not None
-        with confined(folders_of(project)):
-            files = _check_project(project, report)
-    if project is not None:
-        from codegen.cli.waived import waivers_of, with_waivers
+    with working("reading and checking"):
+        if arguments.documents:
+            files = _check_documents(arguments, project, report)
+        else:
+            assert project is not None
+            with confined(folders_of(project)):
+                files = _check_project(project, report)
+        if project is not None:
+            from codegen.cli.waived import waivers_of, with_waivers
 
-        waivers = waivers_of(project)
-        with confined(folders_of(project)):
-            report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
+            waivers = waivers_of(project)
+            with confined(folders_of(project)):
+                report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
     print_findings(report, arguments.format, shows_waived=arguments.waived)
     return report.exit_code
 

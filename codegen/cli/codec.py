@@ -63,6 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         print(f"codegen codec: {fault}", file=sys.stderr)
         return 2
     from codegen.cli.output import emit
+    from codegen.cli.progress import working
     from codegen.codec import codec_of, mip_list, read_codec_dialect
     from codegen.diagnostics import Report
 
@@ -70,12 +71,13 @@ def run(arguments: argparse.Namespace) -> int:
     machine_code = not (arguments.bytecode or arguments.mpy == "bytecode")
     dialect = read_codec_dialect(arguments.dialect, report)
     options = {"enums": enums, "machine_code": machine_code, "package": arguments.package}
-    files = {} if dialect is None else codec_of(dialect, names, report, **options)
-    rendered: dict[str, str | bytes] = {**files}
-    if rendered and arguments.mpy is not None:
-        from codegen.mpy import compiled
+    with working("making the codec"):
+        files = {} if dialect is None else codec_of(dialect, names, report, **options)
+        rendered: dict[str, str | bytes] = {**files}
+        if rendered and arguments.mpy is not None:
+            from codegen.mpy import compiled
 
-        rendered = compiled(rendered, arguments.mpy, report)
+            rendered = compiled(rendered, arguments.mpy, report)
     if rendered and arguments.package is not None:
         rendered["package.json"] = mip_list(rendered)
     # A module that is left over would be imported instead of its successor; what was edited by hand stays all the same.

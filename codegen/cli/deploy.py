@@ -115,13 +115,15 @@ def _deploy(
     wifi: tuple[str, bytes] | None,
     report: "Report",
 ) -> None:
+    from codegen.cli.progress import working
     from codegen.deploy.prepared import prepare
     from codegen.deploy.transfer import identified, put, transfer
 
     board = identified(connection)
     print(f"{board.words} ({connection.port})", file=sys.stderr)
-    files = board_files(system, board, connection.port, report)
-    prepared = None if report.has_errors else prepare(connection, board, system, files, report)
+    with working("compiling, and looking what the board has"):
+        files = board_files(system, board, connection.port, report)
+        prepared = None if report.has_errors else prepare(connection, board, system, files, report)
     if prepared is None:
         connection.restart()  # it runs on with what it has
         return
@@ -132,9 +134,10 @@ def _deploy(
         connection.restart()
         return
     if not todo.is_empty:
-        for count, step in enumerate(transfer(connection, prepared.files, todo, prepared.owned), 1):
-            _show_progress(f"{count}/{len(todo.removals) + len(todo.copies)} {step}")
-        _show_progress("")
+        steps = len(todo.removals) + len(todo.copies)
+        with working("looking at the board") as now:
+            for count, step in enumerate(transfer(connection, prepared.files, todo, prepared.owned), 1):
+                now(f"{count}/{steps} {step}")
     for each in todo.removals:
         if each.kept:
             print(f"{each.path} was not codegen's: it is {each.kept} now", file=sys.stderr)
@@ -176,12 +179,6 @@ def _summary(todo: "Plan") -> str:
     gone = [each for each in todo.removals if each.path not in todo.copies and not each.kept]
     removed = f", {len(gone)} removed" if gone else ""
     return f"{len(todo.copies)} files copied, {todo.unchanged} unchanged{removed}"
-
-
-def _show_progress(text: str) -> None:
-    """One line that is written over, where somebody looks."""
-    if sys.stderr.isatty():
-        print(f"\r{text:<60}", end="" if text else "\r", file=sys.stderr, flush=True)
 
 
 def _show_log(connection: "Connection", system: "System", seconds: float, board: "Board", report: "Report") -> None:

@@ -94,7 +94,10 @@ def _usage(message: str, hint: str | None = None) -> int:
 
 
 def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: Any) -> int:
+    from contextlib import ExitStack
+
     from codegen.cli.diff_report import print_review
+    from codegen.cli.progress import working
     from codegen.cli.project import project_file
     from codegen.diff.review import fails
     from codegen.sides import Unreadable, default_head, opened
@@ -102,22 +105,26 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
     project = project_file(arguments)
     base_around = _around(project, arguments.dialect, arguments.base_pymavlink)
     head_around = _around(project, arguments.dialect, arguments.head_pymavlink)
-    with opened(arguments.base, base_around) as base:
+    with ExitStack() as sides:
+        with working(f"reading {arguments.base}"):
+            base = sides.enter_context(opened(arguments.base, base_around))
         if isinstance(base, Unreadable):
             return _unreadable(base)
-        with opened(arguments.head or default_head(base), head_around) as head:
-            if isinstance(head, Unreadable):
-                return _unreadable(head)
+        with working("reading the other side"):
+            head = sides.enter_context(opened(arguments.head or default_head(base), head_around))
+        if isinstance(head, Unreadable):
+            return _unreadable(head)
+        with working("comparing"):
             found = _review(base, head, threshold, is_all=arguments.all)
-            waivers = _waivers(arguments.waivers, project, head)
-            found, code = _with_severities(found, waivers)
-            found, wrong = _waived(found, waivers, head)
-            code = max(code, wrong)
-            print_review(found, arguments.format)
-            if found.faults and not arguments.allow_errors:
-                print(f"codegen diff: {found.fault_line} (--allow-errors compares all the same)", file=sys.stderr)
-                return 1
-            return 1 if fails(found, kinds) else code
+        waivers = _waivers(arguments.waivers, project, head)
+        found, code = _with_severities(found, waivers)
+        found, wrong = _waived(found, waivers, head)
+        code = max(code, wrong)
+        print_review(found, arguments.format)
+        if found.faults and not arguments.allow_errors:
+            print(f"codegen diff: {found.fault_line} (--allow-errors compares all the same)", file=sys.stderr)
+            return 1
+        return 1 if fails(found, kinds) else code
 
 
 def _around(project: str | None, dialect: str | None, pymavlink: str | None) -> "Around":

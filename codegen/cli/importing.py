@@ -155,6 +155,7 @@ def _nonsense(arguments: argparse.Namespace) -> str | None:
 def _surroundings(arguments: argparse.Namespace, report: "Report") -> "tuple[tuple[System, ...], Dialect | None]":
     """The programs of the project, if there is one, and the dialect; None after a finding."""
     from codegen import pipeline
+    from codegen.cli.progress import working
     from codegen.cli.project import project_file
     from codegen.codec import read_codec_dialect
     from codegen.diagnostics import Report
@@ -164,7 +165,8 @@ def _surroundings(arguments: argparse.Namespace, report: "Report") -> "tuple[tup
         return (), read_codec_dialect(arguments.dialect or "common", report)
     # What is wrong with the project is for check to say: a table that is imported may be what is missing.
     reading = Report()
-    systems = pipeline.read_systems(project, reading)
+    with working("reading the specification"):
+        systems = pipeline.read_systems(project, reading)
     if not systems:
         report.extend(reading)
         return (), None

@@ -107,11 +107,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "Simulation | list[str] | None":
     """The simulation to run, or the lines of --list; None after findings. UsageError: it cannot be run so."""
+    if sys.platform == "win32" and not arguments.list:  # it waits for pipes and stops processes as POSIX has it
+        raise UsageError("the simulation runs on Linux and macOS; under Windows, in its Linux (WSL)")
     speed = _speed(arguments.speed)
     duration_ms = None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration)
     from codegen import pipeline
+    from codegen.cli.progress import working
 
-    systems = pipeline.read_systems(project, report)
+    with working("reading the specification"):
+        systems = pipeline.read_systems(project, report)
     if not systems or report.has_errors:
         return None
     scenarios = _scenarios(arguments, systems, report)
@@ -141,7 +145,9 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         raise UsageError(f"--out: {problem}") from None
     _check_files(arguments)
     code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
-    _warn_of_stale([module for system in cast for module in pipeline.stale_firmware(system)])
+    with working("comparing the firmware with the specification"):
+        stale = [module for system in cast for module in pipeline.stale_firmware(system)]
+    _warn_of_stale(stale)
     return Simulation(
         scenario=scenario,
         duration_ms=duration_ms,

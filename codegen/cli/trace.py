@@ -73,9 +73,11 @@ def run(arguments: argparse.Namespace) -> int:
     if project is None:
         return report_no_project()
     from codegen import pipeline
+    from codegen.cli.progress import working
 
     reading = Report()
-    systems = pipeline.read_systems(project, reading)
+    with working("reading the specification"):
+        systems = pipeline.read_systems(project, reading)
     if not systems or reading.has_errors:
         print_findings(reading)
         return reading.exit_code or 2

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from codegen import pipeline
 from codegen.bench import bench_inputs_of
 from codegen.cli.findings import FORMATS, findings_text, print_findings
+from codegen.cli.progress import working
 from codegen.decode.bench_record import decode_bench
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report, did_you_mean
@@ -29,7 +30,8 @@ from codegen.trace.view import TraceView, only, trace_view
 def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
     """Print or write the report, then the findings where there is room for them; return the exit code."""
     report = Report()
-    trace = pipeline.read_trace(systems, report)
+    with working("reading documents and tests"):
+        trace = pipeline.read_trace(systems, report)
     lock = pipeline.read_trace_lock(project, report)
     trace, results = _results(arguments.results, trace, systems, report)
     if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read

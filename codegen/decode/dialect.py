@@ -23,7 +23,8 @@ EMPTY_INCLUDE = Rule(
 )
 DUPLICATE_MESSAGE = Rule(
     "message-duplicate",
-    "Two messages of a file have the same name or id. Rename or renumber one; the second is not read.",
+    "Two messages of a file have the same id, or the same name, be it in capitals or in small letters: pages and "
+    "functions are called by it. Rename or renumber one; the second is not read.",
 )
 
 _ROOT_ATTRIBUTES = frozenset({"file"})
@@ -90,12 +91,13 @@ def _distinct(messages: list[MessageDefinition], report: Report) -> tuple[Messag
     by_name: dict[str, MessageDefinition] = {}
     by_id: dict[int, MessageDefinition] = {}
     for message in messages:
-        if first := by_name.get(message.name):
+        if first := by_name.get(message.name.lower()):
             problem = f"there is a second message {message.name}"
+            problem += "" if first.name == message.name else f", as {first.name}"
         elif message.id != UNNUMBERED and (first := by_id.get(message.id)):
             problem = f"{message.name} has the id {message.id} of {first.name}"
         else:
-            by_name[message.name] = by_id[message.id] = message
+            by_name[message.name.lower()] = by_id[message.id] = message
             continue
         report.add(DUPLICATE_MESSAGE, message.place, problem, related=[(first.place, "the first one")])
     return tuple(by_name.values())

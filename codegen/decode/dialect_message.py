@@ -19,7 +19,8 @@ REPEATED_EXTENSIONS = Rule(
 )
 DUPLICATE_FIELD = Rule(
     "field-duplicate",
-    "Two fields of a message have the same name. Rename or remove one; the second is not read.",
+    "Two fields of a message have the same name, be it in capitals or in small letters: constants are called by it. "
+    "Rename or remove one; the second is not read.",
 )
 UNKNOWN_FIELD_TYPE = Rule(
     "field-type",
@@ -96,12 +97,12 @@ def _fields(message: XmlElement, name: str | None, read: ElementReader) -> tuple
             field = _field(child, is_extension, read)
             if field is None:
                 continue
-            first = fields.setdefault(field.name, field)
+            first = fields.setdefault(field.name.lower(), field)
             if first is not field:
                 related = [(first.place, "the first one")]
-                read.report.add(
-                    DUPLICATE_FIELD, field.place, f"{shown} has a second field {field.name}", related=related
-                )
+                problem = f"{shown} has a second field {field.name}"
+                problem += "" if first.name == field.name else f", as {first.name}"
+                read.report.add(DUPLICATE_FIELD, field.place, problem, related=related)
     if not 1 <= written <= MAX_FIELDS:
         read.report.add(FIELD_COUNT, read.place(message), f"{shown} has {written or 'no'} fields")
     return tuple(fields.values())

@@ -24,6 +24,7 @@ BAD_PROGRAM_LIST = Rule(
     "file lies in a folder of its own, and its base is the folder of the project that lists it.",
 )
 
+_DEVICES = "con|prn|aux|nul|com[0-9]|lpt[0-9]"
 OUTPUT_FOLDERS = ("firmware", "mocks", "tests", "docs", "schemas", "receiver")
 """The folders of the output that a program cannot be called like."""
 SPECIFICATION_FOLDERS = ("messages", "receives", "dialects", "requirements")
@@ -89,6 +90,8 @@ def list_programs(project_file: str, report: Report) -> tuple[ListedProgram, ...
 def _problems(name: str, path: str, base: Project, folders: dict[str, str]) -> Iterator[str]:
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
         yield f"{name} is no name for a program: lower-case letters, digits and underscores"
+    if re.fullmatch(_DEVICES, name):
+        yield f"{name} is no name for a program: Windows keeps it for a device, and could not check out its folder"
     if name in OUTPUT_FOLDERS:
         yield f"the output has a folder {name} already"
     folder, above = os.path.dirname(path), os.path.dirname(base.place.file)

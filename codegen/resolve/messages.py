@@ -8,8 +8,9 @@ from codegen.source import Place
 
 MESSAGE_CONFLICT = Rule(
     "message-conflict",
-    "Two files of the dialect define the same message name or id, and not alike. Remove or renumber one of them; to "
-    "change attributes of a message, use a corrections file.",
+    "Two files of the dialect define the same message name or id, and not alike, or names that differ in capital "
+    "letters alone: pages and functions are called by them. Remove or renumber one of them; to change attributes of a "
+    "message, use a corrections file.",
 )
 BAD_MESSAGE_ID = Rule(
     "message-id",
@@ -23,11 +24,12 @@ def merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, M
     by_name: dict[str, MessageDefinition] = {}
     for file in files:
         for message in file.messages:
-            first = by_name.setdefault(message.name, message)
+            first = by_name.setdefault(message.name.lower(), message)
             if _stated(first) != _stated(message):
                 problem = f"{message.name} is defined twice, and not alike"
+                problem = problem if first.name == message.name else f"{message.name} is there as {first.name} already"
                 report.add(MESSAGE_CONFLICT, message.place, problem, related=[(first.place, "the first definition")])
-    return by_name
+    return {message.name: message for message in by_name.values()}
 
 
 def numbered_messages(messages: Mapping[str, MessageDefinition], report: Report) -> list[MessageDefinition]:

@@ -58,6 +58,11 @@ ENTRY = '<entry name="A" value="1"/>'
             id="extensions twice",
         ),
         pytest.param(in_message(f"{GOOD}\n  {GOOD}"), ["5:3 field-duplicate"], id="field twice"),
+        pytest.param(
+            in_message('<field type="uint8_t" name="v"/>\n<field type="uint8_t" name="V"/>'),
+            ["5:1 field-duplicate"],
+            id="field twice but for capitals",
+        ),
         pytest.param(in_message('<field name="f"/>'), ["4:1 dialect-missing-attribute"], id="no type"),
         pytest.param(in_message('<field type="uint8_t"/>'), ["4:1 dialect-missing-attribute"], id="no field name"),
         pytest.param(in_message('<field type="uint8" name="f"/>'), ["4:1 field-type"], id="type"),
@@ -129,7 +134,9 @@ def test_everything_wrong_is_reported_in_one_run(read: Read) -> None:
     assert [(entry.name, entry.value) for entry in result.dialect.enums["E"].entries] == [("B", 7)]
 
 
-@pytest.mark.parametrize(("first", "second"), [(("1", "A"), ("2", "A")), (("1", "A"), ("1", "B"))])
+@pytest.mark.parametrize(
+    ("first", "second"), [(("1", "A"), ("2", "A")), (("1", "A"), ("1", "B")), (("1", "A"), ("2", "a"))]
+)
 def test_two_messages_of_one_name_or_id(first: tuple[str, str], second: tuple[str, str], read: Read) -> None:
     """Within a file; the finding names the first one."""
     messages = "\n".join(f'<message id="{id_}" name="{name}">{GOOD}</message>' for id_, name in (first, second))

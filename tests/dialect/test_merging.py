@@ -121,6 +121,7 @@ def test_the_same_message_twice_is_fine(read: Read) -> None:
     [
         message(FIELD, number=2),
         message(FIELD, name="N"),
+        message(FIELD, number=2, name="m"),
         message(FIELD.replace("uint8_t", "int8_t")),
         message(FIELD.replace("'V'", "'mV'")),
         message(FIELD + FIELD.replace("'f'", "'g'")),
