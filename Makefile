@@ -18,7 +18,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test browser valgrind lint clean benchmarks conformance reference
+.PHONY: build test browser valgrind lint clean benchmarks conformance reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -58,6 +58,12 @@ conformance: $(INSTALLED) $(MICROPYTHON32)
 # docs/reference.md has every key of the specification, as the schemas state it; a test holds it to them.
 reference: $(INSTALLED)
 	$(BIN)/python -c 'from codegen.key_reference import reference_page; print(reference_page(), end="")' > docs/reference.md
+
+# The site of docs/: build/site/pages/index.html opens from the disk. Every link and every anchor is checked.
+docs: $(INSTALLED)
+	$(BIN)/python docs/site/assemble.py
+	NO_MKDOCS_2_WARNING=true $(BIN)/mkdocs build --strict --quiet --config-file docs/site/mkdocs.yml
+	@echo "build/site/pages/index.html"
 
 # The generated folder is committed and belongs to `codegen build --clean`: it stays. So does what codegen keeps in the
 # cache of the user (~/.cache/codegen, see CONTRIBUTING.md): it holds no answer that a build would not find again.

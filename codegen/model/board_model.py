@@ -57,6 +57,9 @@ class BoardModelSpec(Written):
     taken: Mapping[str, str] = described(
         "GPIO numbers that the board needs for itself, each with what for.", default_factory=dict
     )
+    labels: Mapping[str, str] = described(
+        "What is printed beside a pin, or its number on the header, by GPIO number: pin 31.", default_factory=dict
+    )
     adc: ConverterSpec | None = described("Its converter.", default=None)
     uarts: Mapping[str, UartSpec] = described("UARTs by number.", default_factory=dict)
     uart_pins: UartPins = described(
@@ -101,11 +104,15 @@ class I2c:
 
 @dataclass(frozen=True, slots=True)
 class BoardModel:
-    """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for."""
+    """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for.
+
+    ``labels`` are what people find at a pin, by GPIO number.
+    """
 
     name: str
     pins: frozenset[int]
     taken: Mapping[int, str]
+    labels: Mapping[int, str]
     adc: Converter | None
     uarts: Mapping[int, Uart]
     i2c: Mapping[int, I2c]

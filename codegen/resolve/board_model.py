@@ -33,6 +33,7 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
     pins = _pins(spec.pins, spec.at("pins"), found)
     known = None if found.has_errors else pins  # of what is wrong itself nothing else is held to be beyond it
     taken = {number: what for key, what in spec.taken.items() for number in _pins(key, spec.at(f"taken.{key}"), found)}
+    labels = {pin: text for key, text in spec.labels.items() for pin in _pins(key, spec.at(f"labels.{key}"), found)}
     uarts = {}
     for key, uart in spec.uarts.items():
         number = _number(key, "uarts", uart.place, found)
@@ -51,8 +52,9 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
             )
     adc = _converter(spec, known, found)
     _among(known, frozenset(taken), spec.at("taken"), found)
+    _among(known, frozenset(labels), spec.at("labels"), found)
     report.extend(found)
-    return None if found.has_errors else BoardModel(spec.name, pins, taken, adc, uarts, buses, spec)
+    return None if found.has_errors else BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, spec)
 
 
 def _number(key: str, section: str, place: Place, report: Report) -> int | None:

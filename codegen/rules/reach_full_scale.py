@@ -5,9 +5,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.model.conversion import Conversion, Factor, factors_by_instance
+from codegen.model.conversion import Conversion, factors_by_instance
+from codegen.model.full_scale import largest, most_in_use
 from codegen.model.system import System
-from codegen.model.unit import decimal, read_measure
+from codegen.model.unit import decimal
 from codegen.model.vehicle import Instance, Parameter, Quantity
 from codegen.source import Place
 
@@ -49,29 +50,12 @@ def check(system: System) -> Iterator[Diagnostic]:
             yield Diagnostic(place, RULE, message, _hint(full, conversion, multiplier, quantity, numbers), (related,))
 
 
-def most_in_use(quantity: Quantity, part: Instance) -> Fraction | None:
-    """What a quantity of an instance reaches, in its unit; None where nothing tells it."""
-    reaches = quantity.spec.reaches
-    if reaches is None:
-        return None
-    measure = read_measure(reaches) or read_measure(str(part.facts.get(reaches)))
-    most = measure.in_unit(quantity.unit) if measure else None
-    count = part.count(quantity.spec.per) if quantity.spec.per else 1
-    return None if most is None or count is None else most * count
-
-
 def _place(system: System, quantity: Quantity, part: Instance) -> Place:
     """Where it is said: at the count that multiplies it, at the fact, or at the quantity."""
     fact = quantity.spec.per or quantity.spec.reaches
     if fact is None or fact not in part.facts:
         return quantity.spec.at("reaches")
     return system.spec.board.fact_place(quantity.component, part.number, fact)
-
-
-def largest(conversion: Conversion, multiplier: Factor, quantity: Quantity) -> Fraction:
-    """What the ADC shows at full scale with the default of a multiplier, in the unit of the quantity."""
-    product = conversion.channel.full_scale * multiplier.default * conversion.numerator
-    return Fraction(product // conversion.denominator) / quantity.steps
 
 
 def least_multiplier(most: Fraction, conversion: Conversion, multiplier: Parameter, quantity: Quantity) -> Fraction:

@@ -64,6 +64,7 @@ UNSEEN = {
     "BoardModel.spec": "what was written",
     "BoardModel.pins": "what can be connected; what is connected is compared",
     "BoardModel.taken": "what can be connected; what is connected is compared",
+    "BoardModel.labels": "what is printed on the board: the drawing of the wiring alone has it",
     "BoardModel.uarts": "what can be connected; what is connected is compared",
     "BoardModel.i2c": "what can be connected; what is connected is compared",
     "Converter.pins": "what can be connected; what is connected is compared",

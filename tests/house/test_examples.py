@@ -3,6 +3,7 @@
 import re
 import shlex
 import subprocess
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 import yaml
 
 from codegen.cli.parser import parser_for
+from codegen.model.divider import divider, ohms
 
 ROOT = Path(__file__).parents[2]
 WORKFLOWS = sorted((ROOT / "examples").glob("*.yml"))
@@ -84,3 +86,21 @@ def test_what_has_rights_runs_nothing_of_a_fork() -> None:
     assert "checkout" not in str(comment)
     for path in WORKFLOWS:
         assert all("${{" not in script for script in scripts(read(path.name))), "names reach the shell as variables"
+
+
+def test_dividers_of_the_rover_page_are_those_that_codegen_draws() -> None:
+    """The table of docs/rover.md: resistors, multiplier and full scale by the number of cells."""
+    rows = re.findall(
+        r"^\| (\d) cells \| ([\d.]+) V \| (.*?) over (.*?) \| ([\d.]+) \| ([\d.]+) V \|$",
+        (ROOT / "docs/rover.md").read_text(),
+        re.MULTILINE,
+    )
+    assert [int(row[0]) for row in rows] == [3, 4]
+    for cells, full, upper, lower, multiplier, shown in rows:
+        found = divider(Fraction(multiplier))
+        assert found is not None
+        assert (ohms(found.upper), ohms(found.lower)) == (upper, lower)
+        assert float(full) == pytest.approx(4.2 * int(cells))
+        assert float(shown) == pytest.approx(3.3 * float(multiplier), abs=0.006)
+        assert Fraction(full) / found.ratio < Fraction("3.3")
+    assert f"BATT_VOLT_MULT: {rows[1][4]}" in (ROOT / "docs/rover.md").read_text()

@@ -4,9 +4,17 @@ from codegen.model.system import System
 from codegen.targets.origin import origin_of, specification_file
 from codegen.targets.pages.bandwidth import bandwidth_page
 from codegen.targets.pages.message import message_page
-from codegen.targets.pages.navigation import PROGRAM_PAGE, message_path, takes_anything
+from codegen.targets.pages.navigation import (
+    PROGRAM_PAGE,
+    WIRING_DRAWING,
+    WIRING_PAGE,
+    is_wired,
+    message_path,
+    takes_anything,
+)
 from codegen.targets.pages.overview import overview_page
 from codegen.targets.pages.program import program_page
+from codegen.targets.pages.wiring import wiring_view
 from codegen.targets.rendered import rendered_page
 
 
@@ -31,6 +39,11 @@ def render_pages(system: System) -> dict[str, str]:
     if takes_anything(system):
         program = program_page(system, origin.open)
         files[f"docs/{PROGRAM_PAGE}"] = origin.closed(rendered_page("pages/program.html.j2", program))
+    if is_wired(system):
+        origin = origin_of(system, shared)
+        wiring = wiring_view(system, origin.open)
+        files[f"docs/{WIRING_PAGE}"] = origin.closed(rendered_page("pages/wiring.html.j2", wiring))
+        files[f"docs/{WIRING_DRAWING}"] = origin.closed(rendered_page("pages/drawing.svg.j2", wiring))
     origin = origin_of(system, system.spec.files, wires)
     overview = overview_page(system, origin.open, cited)
     files["docs/index.html"] = origin.closed(rendered_page("pages/overview.html.j2", overview))

@@ -1,6 +1,7 @@
 """The links that every page has to the others of its program."""
 
 from codegen.frozen import dataclass
+from codegen.model.connections import connections
 from codegen.model.system import System
 
 PAGES = (("index.html", "Overview"), ("bandwidth.html", "Bandwidth"))
@@ -8,6 +9,12 @@ PAGES = (("index.html", "Overview"), ("bandwidth.html", "Bandwidth"))
 
 PROGRAM_PAGE = "program.html"
 """The page on what comes in, of projects in which something does."""
+
+WIRING_PAGE = "wiring.html"
+"""The page on what is connected to which pin, of programs whose board is known."""
+
+WIRING_DRAWING = "wiring.svg"
+"""The drawing of it, for documents."""
 
 TRACE_PAGE = "trace.html"
 """The page about the requirements of a project, which its further programs share."""
@@ -40,6 +47,11 @@ def takes_anything(system: System) -> bool:
     return bool(system.program or system.receptions or system.polled)
 
 
+def is_wired(system: System) -> bool:
+    """Whether anything is connected to pins that the board is known to have."""
+    return system.board is not None and next(connections(system), None) is not None
+
+
 def shared_docs(system: System) -> str:
     """The way from ``docs/`` of a program to that of its project, where it is another one."""
     return "../../docs/" if system.spec.program else ""
@@ -53,6 +65,7 @@ def navigation(system: System, here: str) -> Navigation:
         pages=(
             *(Link(up + path, label, path == here) for path, label in PAGES),
             *([Link(up + PROGRAM_PAGE, "Program", here == PROGRAM_PAGE)] if takes_anything(system) else []),
+            *([Link(up + WIRING_PAGE, "Wiring", here == WIRING_PAGE)] if is_wired(system) else []),
             Link(shared + TRACE_PAGE, "Requirements", here == TRACE_PAGE),
         ),
         messages=tuple(

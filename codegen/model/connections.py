@@ -1,0 +1,115 @@
+"""What is connected to the pins of the board: inputs of the converter, UARTs of links, buses and sensors."""
+
+from collections.abc import Iterator
+
+from codegen.frozen import dataclass
+from codegen.model.system import System
+from codegen.model.vehicle import AdcChannel, Component, Parameter, Reading
+from codegen.source import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Connection:
+    """What is connected to a pin: ``owner`` in words, where that is written, the pins that could be taken instead.
+
+    ``parameter`` is the key or the parameter that says the pin, ``named`` where a quantity names its ADC channel. What
+    ``rests`` is switched off by the default of the parameter ``switch``: its pin may be shared, and is no good one to
+    move to. An input of the converter has its ``reading`` and which ``instance`` it is; ``bus`` is what several devices
+    share.
+    """
+
+    gpio: int
+    owner: str
+    place: Place
+    others: frozenset[int]
+    parameter: str
+    named: Place | None = None
+    switch: str = ""
+    reading: Reading | None = None
+    instance: int = 0
+    bus: str = ""
+
+    @property
+    def rests(self) -> bool:
+        """Whether nothing is read there by default."""
+        return bool(self.switch)
+
+
+def connections(system: System) -> Iterator[Connection]:
+    """All of them, inputs of the converter first; none without a board."""
+    yield from _converter(system)
+    yield from _links(system)
+    yield from _sensors(system)
+
+
+def _converter(system: System) -> Iterator[Connection]:
+    """The inputs of each instance; one channel may serve several components."""
+    seen: set[tuple[str, int]] = set()
+    for reading in system.readings():
+        component, quantity, channel = reading.component, reading.quantity, reading.conversion.channel
+        name = component.name
+        assert system.board is not None
+        assert system.board.adc is not None
+        inputs = system.board.adc.pins & system.board.free
+        for number, gpio in enumerate(system.gpios(component, channel)):
+            is_shared = not number and (channel.name, gpio) in seen
+            if is_shared:
+                continue
+            switch = _is_off(system, component, number) or _is_unread(system, channel, number)
+            if not switch:
+                seen.add((channel.name, gpio))
+            written = system.spec.board.instances.get(name, ())
+            place = written[number].place if number < len(written) else component.spec.place
+            owner = f"{name} {number + 1}" if component.instances > 1 else name
+            owner = owner if reading.is_first else f"{quantity.name} of {owner}"
+            parameter = _parameter(channel.pin, number)
+            named = quantity.spec.at("adc")
+            yield Connection(gpio, owner, place, inputs, parameter, named, switch, reading, number)
+
+
+def _links(system: System) -> Iterator[Connection]:
+    for link in system.links:
+        uart = None if system.board is None or link.spec.uart is None else system.board.uarts.get(link.spec.uart)
+        if uart is None or system.board is None:
+            continue
+        for key, pin, pins in (("tx", link.spec.tx, uart.tx), ("rx", link.spec.rx, uart.rx)):
+            if pin is not None:
+                yield Connection(pin, f"{key} of {link.name}", link.spec.at(key), pins & system.board.free, key)
+
+
+def _sensors(system: System) -> Iterator[Connection]:
+    """The pins of sensors; the lines of a bus once."""
+    seen: set[tuple[int, str]] = set()
+    for source in system.sources.values():
+        for pin in source.pins():
+            if pin.shared and (pin.gpio, pin.shared) in seen:
+                continue
+            seen.add((pin.gpio, pin.shared))
+            place = source.polling.spec.at(pin.key)
+            owner = f"{pin.key} of {source.name}"
+            yield Connection(pin.gpio, owner, place, pin.choices, pin.key, bus=pin.shared)
+
+
+def _is_off(system: System, component: Component, number: int) -> str:
+    """The parameter that switches an instance off by default; empty where it is on."""
+    switch = component.switch
+    if switch is None:
+        return ""
+    own = switch.siblings[number] if switch.siblings else switch.name
+    return own if system.parameters.get(own, switch).default == 0 else ""
+
+
+def _is_unread(system: System, channel: AdcChannel, number: int) -> str:
+    """The parameter whose default decides that the channel is not read; empty where it is."""
+    if channel.when is None:
+        return ""
+    switch, steps = channel.when
+    own = switch.siblings[number] if switch.siblings else switch.name
+    return own if system.parameters.get(own, switch).default != steps else ""
+
+
+def _parameter(pin: Parameter | None, number: int) -> str:
+    """The parameter whose default is the pin of an instance."""
+    if pin is None:
+        return ""
+    return pin.siblings[number] if pin.siblings else pin.name
