@@ -42,7 +42,8 @@ def main() -> None:
     shipped = Path(found.origin).parent / "artifacts" / "micropython-wasi.wasm"
     named, spilled = MODULE.with_name("named.wasm"), MODULE.with_name("spilled.wasm")
     named.write_bytes(shipped.read_bytes() + name_of_first_global(b"__stack_pointer"))
-    node, _ = compute_driver_executable()  # the one of playwright: it is new enough
+    own = TOOLS / "node"  # where the system has no npm: that of playwright needs a library that a bare system lacks
+    node = own if own.exists() else compute_driver_executable()[0]  # playwright's is new enough
     enabled = [f"--enable-{feature}" for feature in FEATURES]
     subprocess.run([node, WASM_OPT, named, "--spill-pointers", *enabled, "-o", spilled], check=True)
     MODULE.write_bytes(Module.from_file(engine(), str(spilled)).serialize())
