@@ -6,7 +6,11 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from codegen.output_files import MANIFEST
+
 if TYPE_CHECKING:
+    import subprocess
+
     from watchfiles import Change
 
 ENDINGS = (".yaml", ".yml", ".xml", ".md")
@@ -21,8 +25,19 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "watch",
         parents=[common],
         description="Build and check now, and again whenever a file of the specification changes; Ctrl-C ends it. "
-        "What a build refuses to overwrite stays, as with codegen build.",
+        "What a build refuses to overwrite stays, as with codegen build. With --deploy or --sim that is what follows "
+        "where nothing is wrong, and code of yours counts, too.",
     )
+    follows = parser.add_mutually_exclusive_group()
+    follows.add_argument("--deploy", action="store_true", help="then bring the program to the board on USB")
+    follows.add_argument(
+        "--sim",
+        metavar="SCENARIO",
+        nargs="?",
+        const="nominal",
+        help="then start the simulation anew, which goes on without an end (default: nominal)",
+    )
+    parser.add_argument("--port", metavar="P", help="of the board for --deploy (default: the only one there is)")
     parser.set_defaults(run=run)
 
 
@@ -36,30 +51,67 @@ def run(arguments: argparse.Namespace) -> int:
     if not os.path.isfile(project):
         print(f"codegen watch: there is no {project}", file=sys.stderr)
         return 2
+    if arguments.port is not None and not arguments.deploy:
+        print("codegen watch: --port belongs to --deploy", file=sys.stderr)
+        return 2
+    following = Following(project, arguments.deploy, arguments.port, arguments.sim)
     try:
         while True:
-            _until_project_changes(project)
+            _until_project_changes(project, following)
     except KeyboardInterrupt:
         return 0
+    finally:
+        following.end()
 
 
-def _until_project_changes(project: str) -> None:
+class Following:
+    """What follows a build without a fault: a deploy, a simulation that runs until the next one, or nothing."""
+
+    def __init__(self, project: str, deploys: bool, port: str | None, scenario: str | None) -> None:
+        self._project = project
+        self._deploy = ["deploy", "--log", "2", *([] if port is None else ["--port", port])] if deploys else []
+        self._scenario = scenario
+        self._simulation: subprocess.Popen[bytes] | None = None
+
+    @property
+    def folders(self) -> list[str]:
+        """Where code lies that belongs to it, too: that of the project."""
+        own = os.path.dirname(os.path.dirname(self._project))
+        return [own] if self._deploy or self._scenario is not None else []
+
+    def begin(self) -> None:
+        """Do it, or start it in place of what ran before."""
+        if self._deploy:
+            _codegen(self._project, self._deploy).wait()
+        if self._scenario is not None:
+            self.end()
+            self._simulation = _codegen(self._project, ["sim", self._scenario, "--duration", "forever"])
+
+    def end(self) -> None:
+        """End the simulation, if one runs."""
+        if self._simulation is not None:
+            self._simulation.terminate()
+            self._simulation.wait()
+
+
+def _until_project_changes(project: str, following: Following) -> None:
     """Build and check with each change until the project file changed, which may name other files now."""
     from watchfiles import watch
 
     from codegen.source import shown_path
 
-    files, folder = named_files(project), os.path.dirname(project)
+    files, folder, beside = named_files(project), os.path.dirname(project), following.folders
 
     def is_watched(_change: "Change", path: str) -> bool:
-        return path in files or (path.startswith(folder + os.sep) and is_specification(path))
+        is_specified = path in files or (path.startswith(folder + os.sep) and is_specification(path))
+        return is_specified or any(is_code(path, each) for each in beside)
 
-    found = watch(
-        *_folders(folder, files), watch_filter=is_watched, debounce=300, rust_timeout=WAKE_MS, yield_on_timeout=True
-    )
+    folders = [*_folders(folder, files), *beside]
+    found = watch(*folders, watch_filter=is_watched, debounce=300, rust_timeout=WAKE_MS, yield_on_timeout=True)
     changes = next(found)  # from here on no change is missed, those during the build included
     while project not in {path for _, path in changes}:
-        _build_and_check(project)
+        if _build_and_check(project):
+            following.begin()
         print(f"watching {shown_path(folder)}; Ctrl-C ends it", file=sys.stderr, flush=True)
         changes = next(each for each in found if each)
         print(f"{', '.join(sorted({shown_path(path) for _, path in changes}))} changed", file=sys.stderr, flush=True)
@@ -86,19 +138,28 @@ def is_specification(path: str) -> bool:
     return name.endswith(ENDINGS) and not name.startswith((".", "#", "~"))
 
 
+def is_code(path: str, folder: str) -> bool:
+    """Whether a path is a module of the folder of a project, not generated and not of an environment."""
+    below = path.removeprefix(folder + os.sep)
+    names = below.split(os.sep)
+    is_ours = names[0] == "build" or os.path.exists(os.path.join(folder, names[0], MANIFEST))
+    is_hidden = any(name.startswith((".", "#", "~", "__")) for name in names)
+    return below != path and names[-1].endswith(".py") and not (is_ours or is_hidden)
+
+
 def _folders(folder: str, files: Iterable[str]) -> list[str]:
     """The folder of the specification, and those of files elsewhere that are there."""
     others = {os.path.dirname(path) for path in files if not path.startswith(folder + os.sep)}
     return [folder, *sorted(other for other in others if os.path.isdir(other))]
 
 
-def _build_and_check(project: str) -> None:
-    """Run both as processes of their own: nothing that was read before counts."""
+def _build_and_check(project: str) -> bool:
+    """Whether nothing is wrong. After a build that fails, check would say the same again."""
+    return not any(_codegen(project, [command]).wait() for command in ("build", "check"))
+
+
+def _codegen(project: str, arguments: list[str]) -> "subprocess.Popen[bytes]":
+    """Start a command as a process of its own: nothing that was read before counts."""
     import subprocess
 
-    for command in ("build", "check"):
-        done = subprocess.run(  # noqa: S603
-            [sys.executable, "-m", "codegen", "--project", project, command], check=False
-        )
-        if done.returncode:
-            return  # check would say the same again
+    return subprocess.Popen([sys.executable, "-m", "codegen", "--project", project, *arguments])  # noqa: S603

@@ -18,9 +18,9 @@ WAIT_S = 30
 class Watching:
     """A running command, whose lines are read as they come."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, *options: str) -> None:
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "codegen", "watch"],
+            [sys.executable, "-m", "codegen", "watch", *options],
             cwd=folder,
             env={**os.environ, "PYTHONUNBUFFERED": "1"},
             stdout=subprocess.PIPE,
@@ -40,6 +40,13 @@ class Watching:
         """What it says until it watches again."""
         said = ""
         while not said.endswith("watching specs; Ctrl-C ends it\n"):
+            said += self._lines.get(timeout=WAIT_S)
+        return said
+
+    def until(self, text: str) -> str:
+        """What it says until it has said a text."""
+        said = ""
+        while text not in said:
             said += self._lines.get(timeout=WAIT_S)
         return said
 
@@ -105,3 +112,27 @@ def test_without_a_project_it_says_how_to_begin(tmp_path: Path, run: Any, monkey
     assert code == 2
     assert "codegen init" in err
     assert run("watch", "--project", "none.yaml")[0] == 2
+
+
+def test_a_simulation_is_started_anew(project: Path) -> None:
+    """With each change of the specification or of the user's code that leaves nothing wrong."""
+    command = Watching(project, "--sim")
+    try:
+        command.until("Wi-Fi is up")
+        change(project / "app.py", "class", "# faster\nclass")
+        assert "app.py changed" in command.until("Wi-Fi is up")
+        (project / "generated/firmware/own.py").write_text("# what is generated is no code of the user's")
+        change(project / "specs/messages/level.yaml", "tank.level", "tank.levle")
+        said = command.until("did you mean tank.level?")
+        assert "own.py" not in said
+        assert "nominal: " not in said
+        change(project / "specs/messages/level.yaml", "tank.levle", "tank.level")
+        assert "nominal: " in command.until("Wi-Fi is up")
+        assert command.end() == 0
+    finally:
+        command.close()
+
+
+def test_options_belong_together(run: Any) -> None:
+    for options in (["--port", "/dev/ttyACM0"], ["--deploy", "--sim"]):
+        assert run("watch", *options)[0] == 2

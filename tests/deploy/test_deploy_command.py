@@ -1,8 +1,10 @@
 """codegen deploy with the real mpremote, against a board on a pseudo terminal."""
 
 import json
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -77,6 +79,29 @@ def test_program_is_copied_with_what_it_imports_and_runs(deployed: tuple[Path, s
     names = on_board(board, "import os; print('\\n'.join(os.listdir()))").split()
     assert {"main.py", "vehicle.mpy", "app.mpy", "pump.mpy", "deployed.json"} <= set(names)
     assert not {"unused.mpy", "vehicle.py", "deploy.part"} & set(names)
+
+
+def test_watch_deploys_what_changed(project: Path, board: Board) -> None:
+    """`codegen watch --deploy` brings the board what is built and right, and goes on."""
+    command = [sys.executable, "-m", "codegen", "watch", "--deploy", "--port", board.port]
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    running = subprocess.Popen(command, cwd=project, env=environment, **streams)
+    try:
+        said = ""
+        while "watching specs" not in said:
+            said += running.stdout.readline()
+        assert re.search(r"^up to date: \d+ files$", said.partition("KB free")[2], re.MULTILINE)
+        (project / "pump.py").write_text("print('the pump is faster')\n")
+        said = ""
+        while "watching specs" not in said:
+            said += running.stdout.readline()
+        assert "pump.py changed" in said
+        assert re.search(r"^2 files copied, \d+ unchanged$", said, re.MULTILINE)
+    finally:
+        running.send_signal(signal.SIGINT)
+        running.communicate(timeout=20)
+        (project / "pump.py").write_text("print('the pump is ready')\n")
 
 
 def test_second_deploy_copies_nothing(board: Board, run: Any) -> None:

@@ -1,4 +1,4 @@
-"""Every command that a page shows can be typed: its name, its options, its values; targets of make and files are there."""
+"""Every command that a page shows can be typed, with its options and values; targets of make and files are there."""
 
 import argparse
 import re
