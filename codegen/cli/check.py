@@ -4,6 +4,8 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
+from codegen.cli.output import add_format_option
+
 if TYPE_CHECKING:
     from codegen.claims.reading import Reference
     from codegen.diagnostics import Report
@@ -25,13 +27,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="compare DOC with this dialect: one that pymavlink ships, or an XML file (default: the project's; common "
         "without a project)",
     )
-    parser.add_argument(
-        "--format",
-        choices=("text", "json", "github", "sarif", "junit", "gitlab"),
-        default="text",
-        help="how findings are printed: for people, as JSON, as annotations of GitHub, as SARIF 2.1.0, as JUnit, for "
-        "GitLab",
-    )
+    add_format_option(parser)
     parser.add_argument("--waived", action="store_true", help="print waived findings, too, and not only their number")
     parser.set_defaults(run=run)
 

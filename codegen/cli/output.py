@@ -17,6 +17,18 @@ def add_output_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--dry-run", action="store_true", help="write nothing; list the files that would be written")
     parser.add_argument("--force", action="store_true", help="overwrite files that were edited by hand or are foreign")
     parser.add_argument("--clean", action="store_true", help="remove files that are no longer generated")
+    add_format_option(parser)
+
+
+def add_format_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option that says how findings are printed."""
+    parser.add_argument(
+        "--format",
+        choices=("text", "json", "github", "sarif", "junit", "gitlab"),
+        default="text",
+        help="how findings are printed: for people, as JSON, as annotations of GitHub, as SARIF 2.1.0, as JUnit, for "
+        "GitLab",
+    )
 
 
 def nonsense(arguments: argparse.Namespace) -> str | None:
@@ -25,12 +37,15 @@ def nonsense(arguments: argparse.Namespace) -> str | None:
         return "--dry-run lists what would be written; it does not go with --check or --diff"
     if arguments.check and (arguments.force or arguments.clean):
         return "--check compares and never writes; it does not go with --force or --clean"
+    if arguments.format != "text" and (arguments.diff or arguments.dry_run or getattr(arguments, "mpy", None)):
+        return "--format is for the findings of one build; it does not go with --diff, --dry-run or --mpy"
     return None
 
 
 def is_plain(arguments: argparse.Namespace) -> bool:
     """Whether none of the options of add_output_options() was given."""
-    return not any((arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean))
+    given = (arguments.check, arguments.diff, arguments.dry_run, arguments.force, arguments.clean)
+    return not any(given) and arguments.format == "text"
 
 
 def emit(
@@ -44,14 +59,14 @@ def emit(
 
     plan = None if rendered is None or report.has_errors else _plan(rendered, folder, arguments, report)
     if plan is None or arguments.check or arguments.diff or arguments.dry_run:
-        print_findings(report)
+        print_findings(report, arguments.format)
         return report.exit_code if plan is None else _show(arguments, plan, report)
     outcome = None
     if not report.has_errors:
         from codegen.emit.write import write_output
 
         outcome = write_output(plan, report)
-    print_findings(report)
+    print_findings(report, arguments.format)
     if outcome is not None:
         removed = f", {outcome.removed} removed" if outcome.removed else ""
         noun = "file" if outcome.written == 1 else "files"

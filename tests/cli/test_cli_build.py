@@ -1,5 +1,6 @@
 """``codegen build`` and its options: what is written, what is printed where, and the exit code."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -167,3 +168,20 @@ def test_nonsense_is_refused_before_anything_is_read(pipeline: Any, run: Any, op
     assert (code, out) == (2, "")
     assert "codegen" in err
     assert pipeline.projects == []
+
+
+def test_findings_have_the_forms_of_check(pipeline: Any, run: Any) -> None:
+    """One document for each run, about the specification and about the output."""
+    assert json.loads(run("build", "--format", "json")[1])["findings"] == []
+    assert json.loads(run("build", "--format", "json")[1])["findings"] == []  # nothing to do
+    pipeline.findings = [(DOUBTFUL, 3, "it is odd")]
+    code, out, err = run("build", "--format", "github")
+    assert (code, "1 warning" in err) == (0, False)
+    assert out == "::warning file=specs/codegen.yaml,line=3,col=1,title=doubtful-table::it is odd\n"
+    (pipeline.folder / "a.py").write_text("mine\n")
+    for options in (["--check"], []):
+        code, out, _ = run("build", "--format", "json", *options)
+        assert code == 1
+        assert {each["file"] for each in json.loads(out)["findings"]} > {"generated/a.py"}
+    for option in ("--diff", "--dry-run", "--mpy=bytecode"):
+        assert run("build", "--format", "json", option)[0] == 2

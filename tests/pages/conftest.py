@@ -1,9 +1,16 @@
 """Pages are rendered once for all tests."""
 
+import os
 import shutil
+import sys
+from pathlib import Path
 
 import pytest
 from rendered import PROJECTS, Program, programs_of
+
+NODE = Path(sys.executable).with_name("node")
+if NODE.exists():  # installed where the system has none; playwright's own needs a library that a bare system lacks
+    os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(NODE))
 
 
 @pytest.fixture(scope="session")
