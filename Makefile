@@ -18,13 +18,13 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test browser valgrind lint clean benchmarks conformance reference docs
+.PHONY: build test browser valgrind tools lint clean benchmarks conformance reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
 # The types are checked beside the tests, which wait now and then.
-test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind
+test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind tools
 	@failed=""; rm -rf $(RESULTS); mkdir -p $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
 	$(BIN)/mypy > $(RESULTS)/mypy.txt 2>&1 & types=$$!; \
@@ -121,6 +121,11 @@ browser:
 	@for name in $(BROWSERS); do command -v "$$name" >/dev/null && exit 0; done; \
 	$(call debian,chromium,for the tests of the pages); \
 	echo "there is no Chromium for the tests of the pages: install one ($(BROWSERS))" >&2
+
+# Specifications are compared with revisions, and patches are applied, as people do it.
+tools:
+	@for name in git patch; do command -v $$name >/dev/null && continue; \
+	( $(call debian,$$name,for the tests) ); done; true
 
 # Instructions are counted by valgrind: without it the tests that count them fail, and say so.
 valgrind:
