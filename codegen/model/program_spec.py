@@ -39,11 +39,11 @@ class StorageSpec(Written):
     step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: kept, defaults, power_cut, steps, set, read, reboot, over_link.",
+        "Criteria for single aspects: kept, defaults, power_cut, steps, set, read, reboot, over_link, lost.",
         default_factory=dict,
     )
 
-    ASPECTS = ("kept", "defaults", "power_cut", "steps", "set", "read", "reboot", "over_link")
+    ASPECTS = ("kept", "defaults", "power_cut", "steps", "set", "read", "reboot", "over_link", "lost")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,13 +95,13 @@ class ServicesSpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: commands, request, intervals, data_streams, restart, ping, texts, garbage, "
-        "links, stations.",
+        "links, stations, standing (what is told again).",
         default_factory=dict,
     )
 
     ASPECTS = (
         *("commands", "request", "intervals", "data_streams", "restart", "ping", "texts", "garbage", "links"),
-        "stations",
+        *("stations", "standing"),
     )
 
 

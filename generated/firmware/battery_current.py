@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ff50161e2978d084
+# Inputs: 5be914065686fc9d
 """The current of the battery: imported only where it is measured.
 
 The board gets `read_battery_current_adc()` by connect(), and behind() lets the state take readings

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ff50161e2978d084
+# Inputs: 5be914065686fc9d
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time

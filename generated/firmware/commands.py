@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: e11289d2e4aa6e43
+# Inputs: 82cf61049dcea8cb
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 from struct import pack_into, unpack_from

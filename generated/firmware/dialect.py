@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: e11289d2e4aa6e43
+# Inputs: 82cf61049dcea8cb
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_REQUEST_MESSAGE = 512

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: e11289d2e4aa6e43
+# Inputs: 82cf61049dcea8cb
 """The program: what the board starts."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: 2b93f072c15ca849
+# Inputs: f701a39f2573988a
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -9,6 +9,14 @@ from conversion import to_steps
 # name: (smallest, largest, numerator, denominator, type, used after a restart only)
 # A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
 _TABLE = {
+    "ARMING_CHECK": (
+        1,
+        1,
+        1,
+        1,
+        6,  # int32
+        False,
+    ),
     "BATT2_AMP_OFFSET": (
         0,
         3300,
@@ -331,6 +339,8 @@ class Parameters:
 
     def __init__(self):
         self.changes = 0
+        # Which arming checks are made; 1 is all of them, and none can be left out.
+        self.arming_check = 1  # 1: All
         # Voltage of the current sensor while no current flows.
         self.batt2_amp_offset = 0  # 0 V, in steps of 0.001 V
         # Current for each volt of the current sensor.

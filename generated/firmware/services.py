@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 0fa10d22d109a1da
+# Inputs: a6f496c18dbfdc00
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -75,6 +75,7 @@ class Services:
     """
 
     def __init__(self, vehicle, connection):
+        self._vehicle = vehicle
         self._connection = connection
         self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
@@ -144,7 +145,8 @@ class Services:
         if message.wire[_HEARTBEAT_TYPE_AT] == _MAV_TYPE_GCS:
             self.ground_station = (system, component)
             self.heard_ms = now_ms
-            self.listeners.hear(system, component, now_ms)
+            if self.listeners.hear(system, component, now_ms):
+                self._vehicle.remind()
         if self.components.hear(system, component, now_ms):
             self._connection.streams.connect()
 

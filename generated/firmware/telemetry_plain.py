@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 94925dac8eb31342
+# Inputs: 197eefbe44e72eb7
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -179,7 +179,7 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     #   MAV_SYS_STATUS_PREARM_CHECK if vehicle.ready
     wire[8] = 0
     wire[9] = 0
-    wire[10] = 0
+    wire[10] = 16
     wire[11] = 0
     value = words[battery + _BATTERY_VOLTAGE_MV]
     if value != _UNKNOWN:

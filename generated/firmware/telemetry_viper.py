@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 94925dac8eb31342
+# Inputs: 197eefbe44e72eb7
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -272,7 +272,7 @@ def encode_sys_status(link, state):
     # onboard_control_sensors_health: (FR-00067.3)
     #   MAV_SYS_STATUS_SENSOR_BATTERY if battery.healthy
     #   MAV_SYS_STATUS_PREARM_CHECK if vehicle.ready
-    flags = 0
+    flags = 0x100000
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value != _UNKNOWN:
         flags |= 0x2000000

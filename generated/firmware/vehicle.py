@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 3afabee53f08244f
+# Inputs: a46c1ef16165ef0d
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -33,6 +33,7 @@ REPORT_US = 10000000  # between two texts about missed slots
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
 _SAVE_MS = const(100)  # how often it is looked whether there is something to save
+_REMIND_S = const(30)  # from one time that what stands is said to the next
 _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
 
 
@@ -64,6 +65,8 @@ class Vehicle:
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")
         self.scheduler.every(REPORT_US, self._report, "report")
+        self._quiet_s = _REMIND_S
+        self.scheduler.every(1000000, self._remind, "reminder")  # FR-00070.12
         ports = self.board.open_ports() if ports is None else ports
         self.connections = [self._connect(port) for port in ports]
         self.battery_failsafes = battery_failsafes(self)
@@ -106,6 +109,8 @@ class Vehicle:
 
     def arming_problem(self):
         """Return the first reason not to arm, as a text, or None; FR-00020.10."""
+        if self._has_lost:
+            return self._stored_problem
         for failsafe in self.battery_failsafes:
             problem = failsafe.problem()
             if problem is not None:
@@ -120,6 +125,8 @@ class Vehicle:
 
     def _is_ready(self):
         """Return whether nothing speaks against arming, without making a text of what does."""
+        if self._has_lost:
+            return False
         for failsafe in self.battery_failsafes:
             if failsafe.problem() is not None:
                 return False
@@ -220,6 +227,22 @@ class Vehicle:
         for connection in self.connections:
             connection.report()
 
+    def remind(self):
+        """Let what stands be said within a second: somebody has come who has not heard it."""
+        self._quiet_s = 1
+
+    def _remind(self):
+        """Say again while disarmed what was lost and what speaks against arming."""
+        self._quiet_s -= 1
+        if self._quiet_s > 0 or self.is_armed:
+            return
+        self._quiet_s = _REMIND_S
+        if self._stored_problem is not None:
+            self.texts("warning:", self._stored_problem)
+        problem = self.arming_problem()
+        if problem is not None and not self._has_lost:
+            self.texts("warning: PreArm:", problem)
+
     def _set_status(self):
         vehicle = self.state.vehicle
         vehicle.status = _MAV_STATE_ACTIVE if vehicle.armed else _MAV_STATE_STANDBY
@@ -253,8 +276,13 @@ class Vehicle:
 
     def _load_parameters(self):
         stored = self.storage.load()
-        if stored is None and self.storage.problem is not None:  # beside a whole one it is what a power cut leaves
-            self.texts("warning: parameters have their defaults:", self.storage.problem)
+        self._stored_problem = self.storage.problem  # until parameters are saved anew
+        self._has_lost = False
+        if self._stored_problem is not None:
+            self._has_lost = stored is None  # a power cut during a save leaves the ones before it
+            what = "have their defaults" if self._has_lost else "are those of an earlier save"
+            self._stored_problem = f"parameters {what}: {self._stored_problem}"
+            self.texts("warning:", self._stored_problem)
         for problem in self.parameters.restore(stored or b""):
             self.texts("warning:", problem)
 
@@ -291,7 +319,10 @@ class Vehicle:
             await asyncio.sleep_ms(1)
         problem = self._guard.error or self.storage.problem
         if problem is None:
-            self._saved = changes
+            # What was damaged is written over as well: once more, for the saves take turns.
+            self._saved = changes if self._stored_problem is None else None
+            self._stored_problem = None
+            self._has_lost = False
         else:
             self._failed_ms = time.ticks_ms()  # it is tried again
             self.texts("error: parameters are not saved:", problem)

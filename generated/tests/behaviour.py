@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 4a8150130a1ebc89
+# Inputs: 71b01bfd747bbf57
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -758,6 +758,7 @@ def late_pass_sends_no_burst():
 def parameters_start_with_their_defaults():
     parameters = Parameters()
     for attribute, name, steps, value in (
+        ("arming_check", "ARMING_CHECK", 1, 1.0),
         ("batt2_amp_offset", "BATT2_AMP_OFFSET", 0, 0.0),
         ("batt2_amp_pervlt", "BATT2_AMP_PERVLT", 1700, 17.0),
         ("batt2_arm_mah", "BATT2_ARM_MAH", 0, 0.0),
@@ -799,7 +800,7 @@ def parameters_start_with_their_defaults():
     ):
         assert getattr(parameters, attribute) == steps, name
         assert abs(parameters.get(name) - value) < 1e-5, name
-    assert len(parameters.names()) == 38
+    assert len(parameters.names()) == 39
 
 
 def parameters_keep_their_limits():

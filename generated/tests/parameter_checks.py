@@ -1,10 +1,10 @@
 # Generated from templates/tests/program/parameter_checks.py: do not edit.
-# Inputs: 8cd3b0c9ee00717c
+# Inputs: dd902e965a21cac8
 """Parameters over a link: read, listed, set, refused, and when they count."""
 
 import struct
 
-from program_bench import GroundStation, Port, main, messages, needs, new_craft, run_passes, save
+from program_bench import SETTABLE, GroundStation, Port, main, messages, needs, new_craft, run_passes, save
 from program_facts import MEASURED, PARAMETERS, SYSTEM_ID
 
 import dialect
@@ -129,7 +129,7 @@ def change_is_announced_on_other_links():
     ports = [Port(), Port()]
     craft = new_craft(ports=ports)
     one, other = [GroundStation(port) for port in ports]
-    for facts in PARAMETERS:
+    for facts in SETTABLE:
         steps = next(each for each in _accepted(facts) if each != facts["default"])
         one.send(messages.ParamSet, param_id=facts["name"], param_value=_worth(facts, steps))
         run_passes(craft, 4)
@@ -138,7 +138,7 @@ def change_is_announced_on_other_links():
         assert [(value.param_id, value.param_value) for value in told] == [(facts["name"], _worth(facts, steps))], told
     assert [connection.faults for connection in craft.connections] == [0, 0], craft.said()
     late = [text for _, text in craft.said() if text.endswith("counts from the next start")]
-    assert len(late) == len([facts for facts in PARAMETERS if facts["after_restart"]]), late
+    assert len(late) == len([facts for facts in SETTABLE if facts["after_restart"]]), late
 
 
 def multiplier_counts_from_the_next_start():

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 6aef75f318e11c8e
+# Inputs: 2924fc3026188a7e
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -110,10 +110,12 @@ CRITERIA = {
     "services.ping": ("FR-00070.7",),
     "services.request": ("FR-00070.2",),
     "services.restart": ("FR-00070.6",),
+    "services.standing": ("FR-00070.12",),
     "services.stations": ("FR-00070.11",),
     "services.texts": ("FR-00070.8",),
     "storage.defaults": ("NFR-00061.2",),
     "storage.kept": ("NFR-00061.1",),
+    "storage.lost": ("NFR-00061.9",),
     "storage.over_link": ("NFR-00061.8",),
     "storage.power_cut": ("NFR-00061.3",),
     "storage.read": ("NFR-00061.6",),
@@ -261,6 +263,18 @@ PRIORITY = ()
 
 # Parameters: name, attribute, default, smallest and largest in steps; a value is steps * numerator / denominator.
 PARAMETERS = (
+    {
+        "name": "ARMING_CHECK",
+        "attribute": "arming_check",
+        "default": 1,
+        "minimum": 1,
+        "maximum": 1,
+        "numerator": 1,
+        "denominator": 1,
+        "type": 6,
+        "after_restart": False,
+        "choices": (1,),
+    },
     {
         "name": "BATT2_AMP_OFFSET",
         "attribute": "batt2_amp_offset",
@@ -837,7 +851,7 @@ MESSAGES = {
         "instances": 1,
         "pages": 1,
         "rate": 1.0,
-        "frames": ((20, 43),),
+        "frames": ((23, 43),),
         "on_connection": False,
         "number_at": None,
         "watched": None,

@@ -1,10 +1,11 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 1caa56271c400f7a
+# Inputs: 96ef0ce7a70f21fd
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
     SECOND_US,
     TURN_US,
+    Flash,
     GroundStation,
     Port,
     main,
@@ -16,7 +17,7 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import ANSWERED, COMPONENT_ID, FORCE_ARM, MESSAGES, ON_REQUEST, SENT, SYSTEM_ID
+from program_facts import ANSWERED, COMPONENT_ID, FILES, FORCE_ARM, MESSAGES, ON_REQUEST, SENT, SYSTEM_ID
 
 import dialect
 
@@ -286,6 +287,32 @@ def texts_reach_every_link():
     assert [text.text for text in stations[0].received(messages.Statustext)] == ["one"]
 
 
+def what_stands_is_told_again():
+    """While disarmed every 30 s, and within a second to a ground station that appears; nothing while armed."""
+    flash = Flash()
+    flash.files.update(dict.fromkeys(FILES, b"rubbish"))
+    craft = ready_craft(flash=flash)
+    station = craft.ground_station()
+    counts = []
+    for seconds in (25, 10, 25):
+        run(craft, seconds * SECOND_US)
+        counts.append(len(craft.said("parameters have their defaults: ")))
+    assert counts == [1, 2, 3], counts
+    station.received()
+    station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
+    run(craft, 2 * SECOND_US)
+    said = [text.text for text in station.received(messages.Statustext)]
+    assert said[:1] == [craft.said("parameters have")[-1][1][:50]], said
+    if FORCE_ARM is not None:
+        craft.check_arming = lambda: "no"
+        craft._has_lost = False  # as a save leaves it
+        run(craft, 31 * SECOND_US)
+        assert len(craft.said("PreArm: no")) == 1, craft.said()
+        craft.arm(force=True)
+        run(craft, 60 * SECOND_US)
+        assert len(craft.said("PreArm: no")) == 1, craft.said()
+
+
 def garbage_is_survived():
     """Random bytes, cut and altered frames around whole ones: the whole ones are answered, and faults are counted.
 
@@ -360,6 +387,7 @@ CHECKS = (
     (pings_are_answered, "services.ping"),
     (texts_in_chunks, "services.texts"),
     (texts_reach_every_link, "services.texts"),
+    (what_stands_is_told_again, "services.standing"),
     (garbage_is_survived, "services.garbage"),
     (ground_stations_are_noted, "services.garbage"),
 )

@@ -1,10 +1,11 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 6ab4964672cfcca0
+# Inputs: e0a16afc12f9cb8e
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
 
 from program_bench import (
+    SETTABLE,
     Craft,
     Flash,
     good_count,
@@ -15,6 +16,7 @@ from program_bench import (
     needs,
     needs_arming,
     new_craft,
+    ready_craft,
     run,
     save,
     silent,
@@ -41,9 +43,9 @@ class Start:
 
 
 def _other(facts):
-    """Return steps that are not the default."""
+    """Return steps that are not the default, where there are any."""
     if facts["choices"]:
-        return next(steps for steps in facts["choices"] if steps != facts["default"])
+        return next((steps for steps in facts["choices"] if steps != facts["default"]), facts["default"])
     return facts["maximum"] if facts["default"] != facts["maximum"] else facts["minimum"]
 
 
@@ -105,7 +107,7 @@ def absent_files_give_defaults():
 
 
 def damaged_files_give_defaults_and_a_warning():
-    """Any changed byte is noticed: defaults with one warning; beside a whole slot its values, without one."""
+    """Any changed byte is noticed with one warning: defaults, or beside a whole slot its values."""
     craft = new_craft()
     _set_all(craft)
     save(craft)
@@ -125,17 +127,38 @@ def damaged_files_give_defaults_and_a_warning():
             flash.files.update({FILES[0]: whole, FILES[1]: damaged})
             again = Start(flash)
             assert _values(again) == _values(craft)
-            assert again.said() == [], again.said()
+            assert len(again.said("parameters are those of an earlier save: ")) == len(again.said()) == 1, again.said()
+
+
+def lost_parameters_refuse_arming():
+    """Where nothing that was stored is whole, arming is refused and why is said, until parameters are saved anew."""
+    needs_arming()
+    flash = Flash()
+    flash.files.update(dict.fromkeys(FILES, b"rubbish"))
+    craft = ready_craft(flash=flash)
+    run(craft, 1000000)
+    problem = craft.arm()
+    assert problem.startswith("PreArm: parameters have their defaults: "), problem
+    assert not craft.state.vehicle.ready
+    assert craft.arm(force=True) is None
+    craft.disarm()
+    facts = next((each for each in SETTABLE if each["after_restart"]), SETTABLE[0])  # one that changes nothing now
+    craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
+    live(craft, _wait(1000))
+    run(craft, 1000000)
+    assert craft.arm() is None, craft.said()
+    assert Start(flash).said() == []
 
 
 def power_cut_leaves_old_or_new():
     """After a cut at each byte of a save, from either slot, the old values or the new ones are in force."""
     for saves in (0, 1, 2, 3):
         craft = new_craft()
-        facts = PARAMETERS[0]
+        facts = SETTABLE[0]
         for index in range(saves):
             assert craft.parameters.set(
-                facts["name"], (facts["minimum"] + index % 2) * facts["numerator"] / facts["denominator"]
+                facts["name"],
+                (_other(facts) if index % 2 else facts["default"]) * facts["numerator"] / facts["denominator"],
             )
             save(craft)
         old_files = dict(craft.flash.files)
@@ -158,7 +181,7 @@ def sequence_wraps():
     """After the largest sequence number the next save is still the newer one."""
     craft = new_craft()
     craft.storage._sequence = 0xFFFE
-    for facts in PARAMETERS[:3]:
+    for facts in SETTABLE[:3]:
         craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
         save(craft)
         assert _values(new_craft(flash=craft.flash)) == _values(craft)
@@ -224,7 +247,7 @@ def saving_waits_while_armed():
 def what_is_not_understood_is_skipped():
     """Names that this firmware does not have are skipped with a warning each, and the rest is kept."""
     craft = new_craft()
-    facts = PARAMETERS[0]
+    facts = SETTABLE[0]
     craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
     craft.storage.begin(b"\x07NO_SUCH\x00\x00\x80\x3f" + craft.parameters.dump())
     while craft.storage.step():
@@ -312,7 +335,7 @@ def restart_saves_first():
     """A restart over the link is acknowledged, waits for the save, and then resets the board, once."""
     craft = new_craft()
     station = craft.ground_station()
-    facts = PARAMETERS[-1]
+    facts = SETTABLE[-1]
 
     async def story():
         await asyncio.sleep_ms(300)
@@ -333,6 +356,7 @@ CHECKS = (
     (absent_files_give_defaults, "storage.defaults"),
     (damaged_files_give_defaults_and_a_warning, "storage.defaults"),
     (what_is_not_understood_is_skipped, "storage.defaults"),
+    (lost_parameters_refuse_arming, "storage.lost"),
     (power_cut_leaves_old_or_new, "storage.power_cut"),
     (sequence_wraps, "storage.power_cut"),
     (failed_write_keeps_the_old_values, "storage.power_cut"),

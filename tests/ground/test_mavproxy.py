@@ -46,10 +46,10 @@ def test_rover_is_online(station: Program) -> None:
 @pytest.mark.requirement("NFR-00061.6", "FR-00070")
 def test_all_parameters_are_fetched_though_there_are_no_files(station: Program) -> None:
     """FTP is refused at once, and the parameter messages bring all of them."""
-    assert station.wait_for(r"Received (\d+) parameters")[1] == "38"
+    assert station.wait_for(r"Received (\d+) parameters")[1] == "39"
     assert "(ftp)" not in station.written
     position = station.say("param status")
-    station.wait_for("Have 38/38 params", position)
+    station.wait_for("Have 39/39 params", position)
     position = station.say("param show *")
     for name, value in (("BATT_CAPACITY", "3300"), ("BATT_LOW_VOLT", r"10\.5"), ("SYSID_THISMAV", "1")):
         station.wait_for(rf"{name} +{value}", position)
@@ -122,15 +122,18 @@ def test_link_loses_nothing(station: Program) -> None:
 
 @pytest.mark.requirement("FR-00020.10", "FR-00070.5")
 def test_arming_with_a_low_pack_is_refused(start: Any, tmp_path: Path) -> None:
-    """Refused, and the user reads which check failed."""
+    """Refused, and the user reads which check failed: at once after connecting, and when asked for."""
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "low")
-        station.wait_for("Received 38 parameters")
+        station.wait_for("AP: PreArm: Battery 1 low voltage failsafe")
+        station.wait_for("Received 39 parameters")
         position = station.say("arm throttle")
         station.wait_for("AP: PreArm: Battery 1 low voltage failsafe", position)
         station.wait_for("COMPONENT_ARM_DISARM: FAILED", position)
         assert not re.search(r"\bARMED\b", station.written)
+        assert "breach" not in station.written  # of a fence that there is not
+        assert "checks disabled" not in station.written
 
 
 @pytest.mark.requirement("FR-00068.5", "FR-00021.5")
@@ -139,7 +142,7 @@ def test_remaining_charge(start: Any, tmp_path: Path, estimating: Path) -> None:
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "steady", project=estimating)
-        station.wait_for("Received 38 parameters")
+        station.wait_for("Received 39 parameters")
         position = station.say("watch BATTERY_STATUS")
         station.wait_for(r"< BATTERY_STATUS \{.*battery_remaining : 77,", position)
         position = station.say("bat")
@@ -152,7 +155,7 @@ def test_current_and_charge(start: Any, tmp_path: Path) -> None:
     port = free_port()
     with mavproxy(port, tmp_path) as station:
         start(port, "drawing")
-        station.wait_for("Received 38 parameters")
+        station.wait_for("Received 39 parameters")
         position = station.say("watch BATTERY_STATUS")
         drawn = r"current_battery : 1200, current_consumed : (\d+), energy_consumed : \d+, battery_remaining : (\d+),"
         found = station.wait_for(rf"< BATTERY_STATUS \{{.*{drawn}", position)
@@ -170,6 +173,6 @@ def test_what_a_newcomer_types(tmp_path: Path) -> None:
     root = Path(__file__).resolve().parents[2]
     with Program("codegen sim", sim, root), Program("MAVProxy", station, tmp_path, HOME=str(tmp_path)) as program:
         program.wait_for("online system 1")
-        program.wait_for("Received 38 parameters")
+        program.wait_for("Received 39 parameters")
         position = program.say("watch BATTERY_STATUS")
         program.wait_for(r"< BATTERY_STATUS \{.*voltages : \[12[23]\d\d, 65535", position)

@@ -137,7 +137,7 @@ def test_all_parameters(station: Station) -> None:
     each = ["AMP_OFFSET", "AMP_PERVLT", "ARM_VOLT", "CRT_MAH", "CRT_VOLT", "LOW_MAH", "LOW_VOLT", "VOLT_MULT"]
     assert sorted(floats) == [f"{prefix}_{name}" for prefix in ("BATT2", "BATT") for name in each]
     assert floats["BATT_VOLT_MULT"] == pytest.approx(3.95)
-    assert len(integers) == 22
+    assert len(integers) == 23
     assert integers["BATT_CAPACITY"] == 3300
 
 

@@ -163,7 +163,7 @@ def test_all_parameters(rover: GroundLink) -> None:
     first = rover.wait_for("PARAM_VALUE", position)
     rover.wait_for("PARAM_VALUE", position, lambda value: value.param_index == first.param_count - 1)
     values = rover.since(position, "PARAM_VALUE")
-    assert [value.param_index for value in values] == list(range(38))
+    assert [value.param_index for value in values] == list(range(39))
     names = [value.param_id for value in values]
     assert names == sorted(names)
     for value in values:

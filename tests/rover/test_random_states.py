@@ -118,7 +118,7 @@ def faults(millivolts, temperature, centiamperes):
 def expected_frames(state) -> list[str]:
     """The six frames of a state by pymavlink: three messages, each in MAVLink 2 and MAVLink 1."""
     battery, vehicle = state["battery"], state["vehicle"]
-    voltage, sensor, prearm = battery["voltage_mv"], 1 << 25, 1 << 28
+    voltage, sensor, prearm, fence = battery["voltage_mv"], 1 << 25, 1 << 28, 1 << 20
     current = limited(battery["current_ca"], -32768, 32767, -1)
     remaining = -1 if battery["remaining_pct"] is None else min(max(battery["remaining_pct"], 0), 100)
     frames = []
@@ -131,7 +131,7 @@ def expected_frames(state) -> list[str]:
             dialect.MAVLink_sys_status_message(
                 sensor | prearm,
                 sensor | prearm,
-                (0 if voltage is None else sensor) | (prearm if vehicle["ready"] else 0),
+                (0 if voltage is None else sensor) | (prearm if vehicle["ready"] else 0) | fence,
                 min(max(vehicle["load_dpct"], 0), 1000),
                 65535 if voltage is None else min(max(voltage, 0), 65534),
                 current,

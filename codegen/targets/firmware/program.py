@@ -161,7 +161,10 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         numbered=any(number_at(message) is not None for message in system.messages),
         modes=mode_views(program.modes),
         mode_statements=mode_statements(program.modes),
-        cited={name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
+        cited={
+            **{name: str(program.cited.get(name, "")) for name in ("control", "storage", "arming", "services")},
+            "standing": str(program.aspects.get("services", {}).get("standing", "")),
+        },
     )
 
 

@@ -28,6 +28,7 @@ REPORT_US = 10000000  # between two texts about missed slots
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
 _SAVE_MS = const(100)  # how often it is looked whether there is something to save
+_REMIND_S = const(30)  # from one time that what stands is said to the next
 _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
 
 
@@ -58,6 +59,8 @@ class Vehicle:
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")
         self.scheduler.every(REPORT_US, self._report, "report")
+        self._quiet_s = _REMIND_S
+        self.scheduler.every(1000000, self._remind, "reminder")
         ports = self.board.open_ports() if ports is None else ports
         self.connections = [self._connect(port) for port in ports]
 
@@ -107,6 +110,19 @@ class Vehicle:
         for connection in self.connections:
             connection.report()
 
+    def remind(self):
+        """Let what stands be said within a second: somebody has come who has not heard it."""
+        self._quiet_s = 1
+
+    def _remind(self):
+        """Say again what was lost."""
+        self._quiet_s -= 1
+        if self._quiet_s > 0:
+            return
+        self._quiet_s = _REMIND_S
+        if self._stored_problem is not None:
+            self.texts("warning:", self._stored_problem)
+
     # Links and parameters.
 
     def _connect(self, port):
@@ -115,8 +131,13 @@ class Vehicle:
 
     def _load_parameters(self):
         stored = self.storage.load()
-        if stored is None and self.storage.problem is not None:  # beside a whole one it is what a power cut leaves
-            self.texts("warning: parameters have their defaults:", self.storage.problem)
+        self._stored_problem = self.storage.problem  # until parameters are saved anew
+        self._has_lost = False
+        if self._stored_problem is not None:
+            self._has_lost = stored is None  # a power cut during a save leaves the ones before it
+            what = "have their defaults" if self._has_lost else "are those of an earlier save"
+            self._stored_problem = f"parameters {what}: {self._stored_problem}"
+            self.texts("warning:", self._stored_problem)
         for problem in self.parameters.restore(stored or b""):
             self.texts("warning:", problem)
 
@@ -149,7 +170,10 @@ class Vehicle:
             await asyncio.sleep_ms(1)
         problem = self._guard.error or self.storage.problem
         if problem is None:
-            self._saved = changes
+            # What was damaged is written over as well: once more, for the saves take turns.
+            self._saved = changes if self._stored_problem is None else None
+            self._stored_problem = None
+            self._has_lost = False
         else:
             self._failed_ms = time.ticks_ms()  # it is tried again
             self.texts("error: parameters are not saved:", problem)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: ff52018d27aee933
+# Inputs: 2a0f2807d7517bc3
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -63,6 +63,10 @@ def needs(condition, what):
     """Leave a check out where it is about nothing."""
     if not condition:
         raise NotHereError(what)
+
+
+SETTABLE = [facts for facts in PARAMETERS if len(facts["choices"]) > 1 or facts["minimum"] < facts["maximum"]]
+"""Those of the parameters that have more than one value."""
 
 
 def needs_arming():

@@ -59,6 +59,7 @@ class Services:
     """
 
     def __init__(self, vehicle, connection):
+        self._vehicle = vehicle
         self._connection = connection
         self.commands = Commands(vehicle, connection)
         self.parameters = ParameterService(vehicle, connection)
@@ -128,7 +129,8 @@ class Services:
         if message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS:
             self.ground_station = (system, component)
             self.heard_ms = now_ms
-            self.listeners.hear(system, component, now_ms)
+            if self.listeners.hear(system, component, now_ms):
+                self._vehicle.remind()
         if self.components.hear(system, component, now_ms):
             self._connection.streams.connect()
 

@@ -63,6 +63,10 @@ def needs(condition, what):
         raise NotHereError(what)
 
 
+SETTABLE = [facts for facts in PARAMETERS if len(facts["choices"]) > 1 or facts["minimum"] < facts["maximum"]]
+"""Those of the parameters that have more than one value."""
+
+
 def needs_arming():
     """Leave a check out where the program has nothing to arm."""
     needs(FORCE_ARM is not None, "something to arm")

@@ -2,6 +2,7 @@
 
 from program_bench import (
     SECOND_US,
+    SETTABLE,
     GroundStation,
     main,
     messages,
@@ -170,18 +171,18 @@ def lists_of_parameters_go_side_by_side():
 
 def a_new_value_is_told_to_all():
     """Who sets a parameter is answered, and the others are told."""
-    needs(PARAMETERS, "parameters")
+    needs(SETTABLE, "a parameter with several values")
     scene = Scene()
     scene.seconds(1, 1, 2, 3)
     scene.air.taken = {}
-    limits = scene.craft.parameters.limits(PARAMETERS[0]["name"])
-    now = scene.craft.parameters.get(PARAMETERS[0]["name"])
+    limits = scene.craft.parameters.limits(SETTABLE[0]["name"])
+    now = scene.craft.parameters.get(SETTABLE[0]["name"])
     value = limits[0] if now != limits[0] else limits[1]
-    scene.station(2).send(messages.ParamSet, param_id=PARAMETERS[0]["name"], param_value=value)
+    scene.station(2).send(messages.ParamSet, param_id=SETTABLE[0]["name"], param_value=value)
     run_passes(scene.craft, 4)
     for number in (1, 2, 3):
         found = [each.param_id for each in scene.station(number).received(messages.ParamValue)]
-        assert found == [PARAMETERS[0]["name"]], (number, found)
+        assert found == [SETTABLE[0]["name"]], (number, found)
 
 
 def who_asks_is_answered():

@@ -83,6 +83,10 @@ class Vehicle:
         self.calls.append(["reboot"])
         return self.problem
 
+    def remind(self):
+        """Note that a ground station has appeared."""
+        self.calls.append(["remind"])
+
     def _do(self, name, force, is_armed):
         if self.is_broken:
             raise OSError(5)

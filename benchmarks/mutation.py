@@ -1,0 +1,126 @@
+# ruff: noqa: S603, T201  it runs the generated suite, and prints what that has not noticed
+"""Puts faults into the generated firmware, one at a time, and counts those that the generated suite notices.
+
+`make mutation` draws a sample of the rover's; `--program boat` takes examples/boat. The same seed draws the same faults
+from the same firmware. A fault that changes nothing that anybody can notice is listed in benchmarks/equivalents.yaml,
+with the reason, and does not count.
+"""
+
+import argparse
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from queue import Queue
+
+import yaml
+from measure import ROOT
+from mutants import Mutant, mutants_of
+
+PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
+"""By program the folder with its firmware and its tests; what they read of the project lies above."""
+EQUIVALENTS = ROOT / "benchmarks" / "equivalents.yaml"
+LONGEST_S = 240
+"""What takes longer hangs, which is noticed, too; the suite takes some 40 s."""
+
+
+def main() -> int:
+    """Draw, try, print; 1 where fewer are noticed than `--least` asks for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", choices=PROGRAMS, default="rover")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=60)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="", help="modules whose name has this in it")
+    parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
+    arguments = parser.parse_args()
+    firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
+    texts = {path.name: path.read_text() for path in sorted(firmware.glob("*.py")) if arguments.only in path.stem}
+    known = [mutant for name, text in texts.items() for mutant in mutants_of(name, text)]
+    equivalent = _equivalents(texts)
+    drawn = random.Random(arguments.seed).sample(known, min(arguments.count, len(known)))
+    tried = [mutant for mutant in drawn if _key(mutant, texts) not in equivalent]
+    print(
+        f"{len(known)} faults known, {len(drawn)} drawn, {len(drawn) - len(tried)} of them without effect", flush=True
+    )
+    noticed, all_ = Counter[str](), Counter[str](mutant.file for mutant in tried)
+    with _copies(arguments.program, arguments.jobs) as copies, ThreadPoolExecutor(arguments.jobs) as pool:
+        for mutant, found in zip(tried, pool.map(lambda each: _is_noticed(each, texts, copies), tried), strict=True):
+            noticed[mutant.file] += found
+            if not found:
+                print(f"not noticed: {mutant.shown(texts[mutant.file])}", flush=True)
+    for name in sorted(all_, key=lambda name: (noticed[name] / all_[name], name)):
+        print(f"{name:28} {noticed[name]:3} of {all_[name]:3}")
+    score = 100 * sum(noticed.values()) / max(1, len(tried))
+    print(f"{arguments.program}: {sum(noticed.values())} of {len(tried)} are noticed, {score:.1f} %")
+    return 1 if score < arguments.least else 0
+
+
+def _key(mutant: Mutant, texts: dict[str, str]) -> tuple[str, str, str, str]:
+    line = texts[mutant.file].splitlines()[mutant.line - 1].strip()
+    return mutant.file, line, " ".join(mutant.old.split()), mutant.new
+
+
+def _equivalents(texts: dict[str, str]) -> set[tuple[str, str, str, str]]:
+    """Those that the list names; an entry about a line that is gone is a fault of the list."""
+    found = set()
+    for entry in yaml.safe_load(EQUIVALENTS.read_text()) or ():
+        module, line = entry["module"], entry["line"]
+        if module in texts and line not in map(str.strip, texts[module].splitlines()):
+            raise SystemExit(f"{EQUIVALENTS}: {module} has no line {line!r} any more")
+        found.add((module, line, str(entry["old"]), str(entry["new"])))
+    return found
+
+
+@contextmanager
+def _copies(program: str, count: int) -> "Iterator[Queue[Path]]":
+    """Copies of the project, in which the suite passes as it is."""
+    folder = Path(tempfile.mkdtemp(prefix="codegen-mutation-"))
+    copies: Queue[Path] = Queue()
+    try:
+        for number in range(count):
+            copy = folder / str(number)
+            root = ROOT / "examples/boat" if program == "boat" else ROOT
+            for name in ("specs", "generated"):
+                shutil.copytree(root / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+            for module in root.glob("*.py"):
+                shutil.copy(module, copy)
+            copies.put(copy / "generated" / ("smart_battery" if program == "smart_battery" else ""))
+        first = copies.queue[0]
+        if not _passes(first):
+            raise SystemExit("the suite fails without any fault")
+        yield copies
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_noticed(mutant: Mutant, texts: dict[str, str], copies: "Queue[Path]") -> bool:
+    copy = copies.get()
+    path = copy / "firmware" / mutant.file
+    try:
+        path.write_text(mutant.applied(texts[mutant.file]))
+        return not _passes(copy)
+    finally:
+        path.write_text(texts[mutant.file])
+        copies.put(copy)
+
+
+def _passes(copy: Path) -> bool:
+    """Whether the suite of a copy passes."""
+    options = ["-c", "/dev/null", "--rootdir", str(copy), "-x", "-q", "-p", "no:cacheprovider", "-W", "ignore"]
+    command = [sys.executable, "-B", "-m", "pytest", *options, str(copy / "tests")]
+    try:
+        done = subprocess.run(command, cwd=copy.parent, capture_output=True, timeout=LONGEST_S, check=False)
+    except subprocess.TimeoutExpired:
+        return False
+    return done.returncode == 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
