@@ -77,6 +77,57 @@ def test_messages(laid_out, modules):
         assert first == {key: defaults[key] for key in first}, name
 
 
+@pytest.fixture(scope="session", params=["cpython", "micropython"])
+def carried(request, printed):
+    """What the firmware makes of values of each message, by name; see fields_run.py."""
+    found = printed(request.param, "fields_run.py")
+    assert "" not in found, found[""]
+    return found
+
+
+def packed(known, given):
+    """Return the payload of values by name, as struct packs it; what has none is 0."""
+    payload = b""
+    for name, form, _place in fields_of(known):
+        value = given.get(name, 0)
+        if form.endswith("s"):
+            value = value.encode() if value else b""
+        elif form[:-1]:
+            payload += struct.pack("<" + form, *(value or [0] * int(form[:-1])))
+            continue
+        payload += struct.pack("<" + form, value)
+    return payload
+
+
+def test_fields(carried, modules):
+    """Values of every field, from the smallest to the largest, stand in the payload where the dialect has them."""
+    for name, (found, frames, _unknown) in carried.items():
+        known = message_class(modules[0], name)
+        for given, payload, read in found:
+            assert bytes.fromhex(payload) == packed(known, given), (name, given)
+            assert read == given, name
+        for given, sent in frames:
+            frame = bytes.fromhex(sent)
+            crc = x25crc(frame[1:-2])
+            crc.accumulate([known.crc_extra])
+            assert frame[-2:] == struct.pack("<H", crc.crc), (name, given)
+            assert frame[10:-2] == (packed(known, given).rstrip(b"\0") or b"\0"), (name, given)
+
+
+def test_unknown_fields(carried):
+    """What can be unknown is that at first and when it is set to None, and what is set in between is told."""
+    for name, (_found, _frames, unknown) in carried.items():
+        for field, first, given, told, last in unknown:
+            assert is_without_number(first), (name, field, first)
+            assert told == given, (name, field)
+            assert is_without_number(last), (name, field, last)
+
+
+def is_without_number(value):
+    """Return whether a value is unknown: as a whole, or in each element that can be (the others are 0)."""
+    return value is None or (isinstance(value, list) and None in value and not any(value))
+
+
 def constants():
     """Return file, name and number of each constant of the firmware: `NAME = 5`, or with const()."""
     for path in sorted((HERE.parent / "firmware").glob("*.py")):

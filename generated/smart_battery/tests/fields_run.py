@@ -1,0 +1,92 @@
+# Generated from templates/tests/fields_run.py: do not edit.
+# Inputs: 357df30f6b9833a5
+"""Prints what the firmware puts into the payload of each message, as JSON, on whatever interpreter reads this file.
+
+By name, for each of a few patterns of values: the payload, and the values that are read back from it; then the frames
+of the same values as live ones, of those fields that can be live; then of the fields that can be unknown what they are
+at first, what they are once small values were set, and what they are once they are unknown again.
+"""
+
+import json
+
+import mavlink
+from fields import layout_of
+from messages import ALL
+
+LIVE = "BHIbhi"
+SIZES = {"B": 1, "H": 2, "I": 4, "Q": 8, "b": 1, "h": 2, "i": 4, "q": 8}
+
+
+def element(code, pattern, index):
+    """Return the value of an element: a pattern goes from the smallest over small ones to the largest."""
+    if code in "fd":
+        return (0.0, -1.5, 1024.0, 0.25 * index)[pattern]
+    bits = 8 * SIZES[code]
+    low, high = (0, (1 << bits) - 1) if code.isupper() else (-(1 << bits - 1), (1 << bits - 1) - 1)
+    return (low, low + 1 + index % 7, high - 1 - index % 5, (index * 37 + 1) & high)[pattern]
+
+
+def values(fields, pattern):
+    """Return the value of each field."""
+    found = {}
+    for name, (form, _place, count) in fields.items():
+        if form[-1] == "s":
+            found[name] = "abcdefgh"[: min(count, 2 * pattern)]
+        elif count:
+            found[name] = [element(form[-1], pattern, index) for index in range(count)]
+        else:
+            found[name] = element(form[-1], pattern, len(found))
+    return found
+
+
+class Wire:
+    """What takes frames."""
+
+    def write(self, frame):
+        """Keep one."""
+        self.frame = bytes(frame)
+        return len(frame)
+
+
+def carried(cls):
+    """Return the payloads and what is read of them, then the frames with live values."""
+    fields = {name: field[:3] for name, field in layout_of(cls).items()}
+    found = []
+    for pattern in range(4):
+        given = values(fields, pattern)
+        message = cls(unknown=False).update(**given)
+        found.append([given, bytes(message.wire).hex(), {name: message.raw(name) for name in fields}])
+    live = [name for name, field in fields.items() if field[0][-1] in LIVE]
+    message = cls(live, unknown=False)
+    wire = Wire()
+    link = mavlink.Link(wire, 1, 1, 2, (cls,), cls.LENGTH)
+    frames = []
+    for pattern in range(4):
+        given = values(fields, pattern)
+        flat = []
+        for name in live:
+            flat += given[name] if fields[name][2] else [given[name]]
+        for index, value in enumerate(flat):
+            message.live[index] = value - (1 << 32) if value > 0x7FFFFFFF else value
+        link.send(message)
+        frames.append([{name: given[name] for name in live}, wire.frame.hex()])
+    return [found, frames, unknown(cls, fields)]
+
+
+def unknown(cls, fields):
+    """Return name, values at first, small values that are set, what is read of them, and the values at the end."""
+    found = []
+    given = values(fields, 1)
+    for name, field in layout_of(cls).items():
+        if field[3] and field[4] is not None:
+            message = cls()
+            steps = [name, message.get(name), given[name]]
+            message.set(name, given[name])
+            steps.append(message.get(name))
+            message.set(name, None)
+            steps.append(message.get(name))
+            found.append(steps)
+    return found
+
+
+print(json.dumps({cls.NAME: carried(cls) for cls in ALL}))
