@@ -90,7 +90,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     },
     "cli": {
         *("pipeline", "bench", "codec", "mpy", "stamp", "tool", "depfile", "explain", "catalogue", "emit", "sim"),
-        "deploy",
+        *("deploy", "output_files"),
         *("project_files", "trace", "findings", "waivers", "start", "start_kinds", "schemas"),
         *("documents", "claims", "importing", "decode", "resolve", "load", "model", "diff", "sides", *GROUND),
     },
