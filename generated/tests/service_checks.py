@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 96ef0ce7a70f21fd
+# Inputs: 8203fb56bcd08511
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -293,23 +293,28 @@ def what_stands_is_told_again():
     flash.files.update(dict.fromkeys(FILES, b"rubbish"))
     craft = ready_craft(flash=flash)
     station = craft.ground_station()
-    counts = []
-    for seconds in (25, 10, 25):
-        run(craft, seconds * SECOND_US)
-        counts.append(len(craft.said("parameters have their defaults: ")))
-    assert counts == [1, 2, 3], counts
+    lost = "parameters have their defaults: "
+    run(craft, 5 * SECOND_US)
+    assert len(craft.said(lost)) == 1, craft.said()
+    assert 24 <= craft._quiet_s <= 26  # seconds of the 30 that are left: to wait for them all takes long
+    craft._quiet_s = 2
+    run(craft, 3 * SECOND_US)
+    assert len(craft.said(lost)) == 2, craft.said()
+    assert 28 <= craft._quiet_s <= 30
     station.received()
     station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
     run(craft, 2 * SECOND_US)
     said = [text.text for text in station.received(messages.Statustext)]
-    assert said[:1] == [craft.said("parameters have")[-1][1][:50]], said
+    assert said[:1] == [craft.said(lost)[-1][1][:50]], said
     if FORCE_ARM is not None:
         craft.check_arming = lambda: "no"
         craft._has_lost = False  # as a save leaves it
-        run(craft, 31 * SECOND_US)
+        craft.remind()
+        run(craft, 2 * SECOND_US)
         assert len(craft.said("PreArm: no")) == 1, craft.said()
         craft.arm(force=True)
-        run(craft, 60 * SECOND_US)
+        craft.remind()
+        run(craft, 2 * SECOND_US)
         assert len(craft.said("PreArm: no")) == 1, craft.said()
 
 

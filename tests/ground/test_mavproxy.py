@@ -1,6 +1,7 @@
 """MAVProxy, as a user types into it, against the running firmware. Its default modules are loaded, FTP among them."""
 
 import re
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -128,6 +129,7 @@ def test_arming_with_a_low_pack_is_refused(start: Any, tmp_path: Path) -> None:
         start(port, "low")
         station.wait_for("AP: PreArm: Battery 1 low voltage failsafe")
         station.wait_for("Received 39 parameters")
+        time.sleep(2.1)  # MAVProxy shows no text again within 2 s
         position = station.say("arm throttle")
         station.wait_for("AP: PreArm: Battery 1 low voltage failsafe", position)
         station.wait_for("COMPONENT_ARM_DISARM: FAILED", position)
