@@ -47,10 +47,13 @@ class Mutant:
         assert text[self.start : self.end] == self.old
         return text[: self.start] + self.new + text[self.end :]
 
+    def line_in(self, text: str) -> str:
+        """The line of the file in which the fault begins, without what is only space at its ends."""
+        return text.splitlines()[self.line - 1].strip()
+
     def shown(self, text: str) -> str:
         """The line with the fault, for people."""
-        line = text.splitlines()[self.line - 1].strip()
-        return f"{self.file}:{self.line}: {line}   [{self.old.splitlines()[0]} -> {self.new}]"
+        return f"{self.file}:{self.line}: {self.line_in(text)}   [{self.old.splitlines()[0]} -> {self.new}]"
 
 
 def mutants_of(file: str, text: str) -> list[Mutant]:

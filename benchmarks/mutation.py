@@ -63,8 +63,7 @@ def main() -> int:
 
 
 def _key(mutant: Mutant, texts: dict[str, str]) -> tuple[str, str, str, str]:
-    line = texts[mutant.file].splitlines()[mutant.line - 1].strip()
-    return mutant.file, line, " ".join(mutant.old.split()), mutant.new
+    return mutant.file, mutant.line_in(texts[mutant.file]), " ".join(mutant.old.split()), mutant.new
 
 
 def _equivalents(texts: dict[str, str]) -> set[tuple[str, str, str, str]]:

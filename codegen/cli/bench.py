@@ -4,7 +4,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
-from codegen.cli.deploy import add_board_options, board_files, chosen_system
+from codegen.cli.deploy import add_board_options, chosen_system, looked_at
 
 if TYPE_CHECKING:
     from codegen.deploy.connection import Connection
@@ -80,15 +80,9 @@ def _bench(connection: "Connection", system: "System", seconds: float, report: "
     from codegen.bench import facts_for_bench
     from codegen.cli.progress import working
     from codegen.deploy.bench import NOT_DEPLOYED, measured, prepare_bench, record_of, steps
-    from codegen.deploy.prepared import prepare
-    from codegen.deploy.transfer import identified
     from codegen.source import Place
 
-    board = identified(connection)
-    print(f"{board.words} ({connection.port})", file=sys.stderr)
-    with working("compiling, and looking what the board has"):
-        files = board_files(system, board, connection.port, report)
-        prepared = None if report.has_errors else prepare(connection, board, system, files, report)
+    board, prepared = looked_at(connection, system, report)
     if prepared is None:
         return None
     if not prepared.plan.is_empty:

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from codegen.deploy.board import Board
     from codegen.deploy.connection import Connection
     from codegen.deploy.plan import Plan
+    from codegen.deploy.prepared import Prepared
     from codegen.diagnostics import Report
     from codegen.model.system import System
 
@@ -116,14 +117,9 @@ def _deploy(
     report: "Report",
 ) -> None:
     from codegen.cli.progress import working
-    from codegen.deploy.prepared import prepare
-    from codegen.deploy.transfer import identified, put, transfer
+    from codegen.deploy.transfer import put, transfer
 
-    board = identified(connection)
-    print(f"{board.words} ({connection.port})", file=sys.stderr)
-    with working("compiling, and looking what the board has"):
-        files = board_files(system, board, connection.port, report)
-        prepared = None if report.has_errors else prepare(connection, board, system, files, report)
+    board, prepared = looked_at(connection, system, report)
     if prepared is None:
         connection.restart()  # it runs on with what it has
         return
@@ -149,7 +145,20 @@ def _deploy(
     _show_log(connection, system, arguments.log, board, report)
 
 
-def board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
+def looked_at(connection: "Connection", system: "System", report: "Report") -> "tuple[Board, Prepared | None]":
+    """Say which board it is; return it with what a deploy would do there, None after a finding."""
+    from codegen.cli.progress import working
+    from codegen.deploy.prepared import prepare
+    from codegen.deploy.transfer import identified
+
+    board = identified(connection)
+    print(f"{board.words} ({connection.port})", file=sys.stderr)
+    with working("compiling, and looking what the board has"):
+        files = _board_files(system, board, connection.port, report)
+        return board, None if report.has_errors else prepare(connection, board, system, files, report)
+
+
+def _board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
     """What belongs on the board, by path: compiled, but for main.py; empty after a finding."""
     from codegen import pipeline
     from codegen.deploy.contents import own_modules

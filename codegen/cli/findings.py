@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TextIO
 
+from codegen.cli.progress import is_terminal
 from codegen.diagnostics import Diagnostic, Report
 from codegen.findings.as_json import findings_json
 from codegen.findings.shortened import shortened
@@ -71,5 +72,4 @@ def _print_text(report: Report, *, shows_waived: bool) -> None:
 
 def wants_colour(stream: TextIO | None) -> bool:
     """Whether a stream is a terminal that shows colours, of somebody who has nothing against them."""
-    is_dumb = os.environ.get("TERM") in ("dumb", "")
-    return stream is not None and stream.isatty() and not os.environ.get("NO_COLOR") and not is_dumb
+    return is_terminal(stream) and not os.environ.get("NO_COLOR")

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 
 TYPE_CHECKING = False  # typing takes longer to import than --help may take
 if TYPE_CHECKING:
+    from typing import TextIO
+
     from rich.progress import Progress
 
 _SOON_S = 1.0
@@ -18,7 +20,7 @@ def working(text: str) -> Iterator[Callable[[str], None]]:
 
     Gives a function that changes the text. Nothing else may be printed inside the block.
     """
-    if not sys.stderr.isatty() or os.environ.get("TERM") in ("dumb", ""):
+    if not is_terminal(sys.stderr):
         yield lambda _text: None
         return
     line = _Line(text)
@@ -26,6 +28,11 @@ def working(text: str) -> Iterator[Callable[[str], None]]:
         yield line.change
     finally:
         line.end()
+
+
+def is_terminal(stream: "TextIO | None") -> bool:
+    """Whether a stream is a terminal that can do more than print one line after the other."""
+    return stream is not None and stream.isatty() and os.environ.get("TERM") not in ("dumb", "")
 
 
 class _Line:

@@ -14,8 +14,8 @@ class Connection:
 
     ``parameter`` is the key or the parameter that says the pin, ``named`` where a quantity names its ADC channel. What
     ``rests`` is switched off by the default of the parameter ``switch``: its pin may be shared, and is no good one to
-    move to. An input of the converter has its ``reading`` and which ``instance`` it is; ``bus`` is what several devices
-    share.
+    move to. An input of the converter has its ``reading`` and which ``instance`` it is, anything else the name of the
+    link or the sensor, ``device``; ``bus`` is what several of these share.
     """
 
     gpio: int
@@ -27,6 +27,7 @@ class Connection:
     switch: str = ""
     reading: Reading | None = None
     instance: int = 0
+    device: str = ""
     bus: str = ""
 
     @property
@@ -62,7 +63,7 @@ def _converter(system: System) -> Iterator[Connection]:
             place = written[number].place if number < len(written) else component.spec.place
             owner = f"{name} {number + 1}" if component.instances > 1 else name
             owner = owner if reading.is_first else f"{quantity.name} of {owner}"
-            parameter = _parameter(channel.pin, number)
+            parameter = "" if channel.pin is None else _own(channel.pin, number)
             named = quantity.spec.at("adc")
             yield Connection(gpio, owner, place, inputs, parameter, named, switch, reading, number)
 
@@ -74,7 +75,8 @@ def _links(system: System) -> Iterator[Connection]:
             continue
         for key, pin, pins in (("tx", link.spec.tx, uart.tx), ("rx", link.spec.rx, uart.rx)):
             if pin is not None:
-                yield Connection(pin, f"{key} of {link.name}", link.spec.at(key), pins & system.board.free, key)
+                owner, free = f"{key} of {link.name}", pins & system.board.free
+                yield Connection(pin, owner, link.spec.at(key), free, key, device=link.name)
 
 
 def _sensors(system: System) -> Iterator[Connection]:
@@ -87,16 +89,13 @@ def _sensors(system: System) -> Iterator[Connection]:
             seen.add((pin.gpio, pin.shared))
             place = source.polling.spec.at(pin.key)
             owner = f"{pin.key} of {source.name}"
-            yield Connection(pin.gpio, owner, place, pin.choices, pin.key, bus=pin.shared)
+            yield Connection(pin.gpio, owner, place, pin.choices, pin.key, device=source.name, bus=pin.shared)
 
 
 def _is_off(system: System, component: Component, number: int) -> str:
     """The parameter that switches an instance off by default; empty where it is on."""
     switch = component.switch
-    if switch is None:
-        return ""
-    own = switch.siblings[number] if switch.siblings else switch.name
-    return own if system.parameters.get(own, switch).default == 0 else ""
+    return "" if switch is None or _default(system, switch, number) != 0 else _own(switch, number)
 
 
 def _is_unread(system: System, channel: AdcChannel, number: int) -> str:
@@ -104,12 +103,14 @@ def _is_unread(system: System, channel: AdcChannel, number: int) -> str:
     if channel.when is None:
         return ""
     switch, steps = channel.when
-    own = switch.siblings[number] if switch.siblings else switch.name
-    return own if system.parameters.get(own, switch).default != steps else ""
+    return "" if _default(system, switch, number) == steps else _own(switch, number)
 
 
-def _parameter(pin: Parameter | None, number: int) -> str:
-    """The parameter whose default is the pin of an instance."""
-    if pin is None:
-        return ""
-    return pin.siblings[number] if pin.siblings else pin.name
+def _default(system: System, parameter: Parameter, number: int) -> int:
+    """The default that a parameter has for an instance, in steps."""
+    return system.parameters.get(_own(parameter, number), parameter).default
+
+
+def _own(parameter: Parameter, number: int) -> str:
+    """The name that a parameter has for an instance."""
+    return parameter.siblings[number] if parameter.siblings else parameter.name

@@ -26,8 +26,9 @@ def merged_messages(files: Iterable[DialectFile], report: Report) -> dict[str, M
         for message in file.messages:
             first = by_name.setdefault(message.name.lower(), message)
             if _stated(first) != _stated(message):
-                problem = f"{message.name} is defined twice, and not alike"
-                problem = problem if first.name == message.name else f"{message.name} is there as {first.name} already"
+                is_respelt = first.name != message.name
+                what = f"is there as {first.name} already" if is_respelt else "is defined twice, and not alike"
+                problem = f"{message.name} {what}"
                 report.add(MESSAGE_CONFLICT, message.place, problem, related=[(first.place, "the first definition")])
     return {message.name: message for message in by_name.values()}
 

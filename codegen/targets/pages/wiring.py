@@ -9,7 +9,7 @@ from codegen.model.conversion import factors_by_instance
 from codegen.model.divider import Divider, divider, ohms
 from codegen.model.full_scale import largest, most_in_use
 from codegen.model.system import System
-from codegen.model.unit import decimal, read_measure
+from codegen.model.unit import decimal, ratio, unit_named
 from codegen.targets.origin import Origin
 from codegen.targets.pages.navigation import WIRING_PAGE, Navigation, navigation
 
@@ -42,6 +42,11 @@ class WireView:
     ratio: str = ""
 
     @property
+    def end(self) -> int:
+        """Where the next one begins."""
+        return self.y + (_DIVIDER_HEIGHT if self.upper else _PLAIN_HEIGHT)
+
+    @property
     def divider(self) -> str:
         """``15 kΩ over 5.1 kΩ``; empty where nothing is divided."""
         return f"{self.upper} over {self.lower}" if self.upper else ""
@@ -68,8 +73,8 @@ class WiringView:
 def wiring_view(system: System, origin: Origin) -> WiringView:
     """The view of both, of a system that is wired."""
     assert system.board is not None
-    wires = tuple(_wires(sorted(connections(system), key=lambda each: (each.gpio, each.rests)), system))
-    end = wires[-1].y + (_DIVIDER_HEIGHT if wires[-1].upper else _PLAIN_HEIGHT)
+    found = sorted(connections(system), key=lambda each: (each.gpio, each.rests))
+    wires = tuple(_wires(found, system))
     texts = [text for wire in wires for text in (wire.title, wire.limits, wire.notes)]
     gpios = [wire.gpio for wire in wires]
     adc = system.board.adc
@@ -79,12 +84,12 @@ def wiring_view(system: System, origin: Origin) -> WiringView:
         origin=origin,
         navigation=navigation(system, WIRING_PAGE),
         width=round(_PART_X + 40 + _LETTER * max(map(len, texts))),
-        height=end + 12,
+        height=wires[-1].end + 12,
         reference="" if adc is None else decimal(adc.reference),
         wires=wires,
         alternatives=len(set(gpios)) < len(gpios),
         divided=any(wire.upper for wire in wires),
-        has_bus=any(each.bus for each in connections(system)),
+        has_bus=any(each.bus for each in found),
         summary="; ".join(f"GPIO {wire.gpio}: {wire.title}" for wire in wires),
     )
 
@@ -94,7 +99,7 @@ def _wires(found: Sequence[Connection], system: System) -> Iterable[WireView]:
     for each in found:
         wire = _wire(each, system, y)
         yield wire
-        y += _DIVIDER_HEIGHT if wire.upper else _PLAIN_HEIGHT
+        y = wire.end
 
 
 def _wire(each: Connection, system: System, y: int) -> WireView:
@@ -120,7 +125,7 @@ def _wire(each: Connection, system: System, y: int) -> WireView:
 
 def _decided_by(each: Connection) -> str:
     """The parameter, or the key of board.yaml, that says the pin."""
-    return f"{each.parameter} of board.yaml" if each.parameter.islower() else each.parameter
+    return each.parameter if each.reading is not None else f"{each.parameter} of board.yaml"
 
 
 def _title(each: Connection) -> str:
@@ -131,8 +136,8 @@ def _title(each: Connection) -> str:
         return f"{reading.quantity.name} of {reading.component.name}{f' {each.instance + 1}' if several else ''}"
     if each.bus:
         return each.bus
-    key, _, owner = each.owner.partition(" of ")
-    return f"{_OTHER_END[key]} of {owner}" if key in _OTHER_END else owner
+    end = _OTHER_END.get(each.parameter)
+    return f"{end} of {each.device}" if end else each.device
 
 
 def _limits(each: Connection, system: System) -> str:
@@ -165,10 +170,7 @@ def _shown(each: Connection, system: System) -> Fraction:
 def _divider(each: Connection, system: System) -> Divider | None:
     """The resistors before an input that measures volts; None where it measures anything else, or all of them."""
     reading = each.reading
-    volt = read_measure("1 V")
-    if reading is None or reading.conversion.offset is not None or volt is None:
+    if reading is None or reading.conversion.offset is not None:
         return None
-    in_volts = volt.in_unit(reading.quantity.unit)
-    if in_volts is None:
-        return None
-    return divider(_shown(each, system) / in_volts / reading.conversion.channel.reference)
+    volts = ratio(reading.quantity.unit, unit_named("V"))
+    return None if volts is None else divider(_shown(each, system) * volts / reading.conversion.channel.reference)
