@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from codegen.derivations.follows import BAD_FOLLOWING
+from codegen.derivations.set_by_code import set_by_code
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
@@ -18,7 +19,7 @@ from codegen.model.derivation_spec import MeasuredSpec
 from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
 from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
-from codegen.model.vehicle import Parameter, Quantity, Threshold, by_instance
+from codegen.model.vehicle import Parameter, Quantity, Represented, Threshold, by_instance
 
 if TYPE_CHECKING:
     from codegen.model.system import System
@@ -53,6 +54,7 @@ class Measured(Derivation):
     adc: Conversion
     warns: Threshold | None
     first: str | None
+    by_code: Represented | None = None
 
     @property
     def prefers(self) -> str | None:
@@ -66,6 +68,10 @@ class Measured(Derivation):
     def threshold(self) -> Threshold | None:
         return self.warns
 
+    @property
+    def represented(self) -> Represented | None:
+        return self.by_code
+
     def names(self, quantity: Quantity) -> tuple[str, ...]:
         return (f"{quantity.name}_from_adc",)
 
@@ -75,6 +81,8 @@ class Measured(Derivation):
                 yield factor, f"the {role} of {quantity.path}"
         if self.adc.channel.when is not None:
             yield self.adc.channel.when[0], f"whether {quantity.path} is read"
+        if self.by_code is not None:
+            yield self.by_code.parameter, f"whether code sets {quantity.path}"
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         adc, stored = self.adc, quantity.stored.name
@@ -89,6 +97,9 @@ class Measured(Derivation):
         yield DerivationFact("measured", text, "adc")
         if self.first is not None:
             yield DerivationFact("prefers", f"the sum of {self.first}", "prefers")
+        if self.by_code is not None:
+            where = f"while {self.by_code.parameter.name} is {self.by_code.steps}"
+            yield DerivationFact("set by code", f"{where}, for {self.by_code.stale_after_ms} ms", "set_at")
         if self.warns is not None:
             above = ", ".join(f"{limit} {stored}".rstrip() for limit in dict.fromkeys(self.warns.above))
             yield DerivationFact("warns above", above, "warn_above", is_trust=True)
@@ -100,6 +111,10 @@ class Measured(Derivation):
     ) -> SimulatedInput:
         conversion, count = self.adc, system.components[quantity.component].instances
         channel = conversion.channel
+        if self.by_code is not None:
+            setting = by_instance(self.by_code.parameter, system.parameters, count)[instance]
+            if parameters.get(setting.name, float(setting.default * setting.step)) == self.by_code.steps * setting.step:
+                return set_by_code(quantity, instance)
         gpio: float = channel.gpio
         if channel.pin is not None:
             pin = by_instance(channel.pin, system.parameters, count)[instance]
@@ -121,6 +136,9 @@ class Measured(Derivation):
         yield "measured", f"{samples}, {self.adc.formula}"
         if self.first is not None:
             yield "rather", f"the sum of {self.first}, while all of them are known"
+        if self.by_code is not None:
+            held = f"which counts for {self.by_code.stale_after_ms} ms"
+            yield "elsewhere", f"set by code where {self.by_code.parameter.name} is {self.by_code.steps}, {held}"
         if self.warns is not None:
             pause = "" if self.warns.every_ms is None else f", every {self.warns.every_ms} ms at most"
             limits = ", ".join(str(limit) for limit in dict.fromkeys(self.warns.above))
@@ -155,7 +173,35 @@ def resolve_measured(written: MeasuredSpec, kept: Kept, around: Surroundings) ->
     warns, conversion = _threshold(written, kept, around), _conversion(written, kept, around)
     if conversion is None or not _can_prefer(written, around):
         return None
-    return Measured(conversion, warns, written.prefers)
+    represented = _represented(written, around)
+    return None if around.failed else Measured(conversion, warns, written.prefers, represented)
+
+
+def _represented(written: MeasuredSpec, around: Surroundings) -> Represented | None:
+    """Where code sets the quantity in place of the ADC; None where that is nowhere, or after a finding."""
+    if not written.set_at:
+        if written.set_stale_after is not None:
+            around.bad("set_stale_after", f"{around.name} is set by code nowhere, so set_stale_after says nothing")
+        return None
+    (name, value), *more = written.set_at.items()
+    if more:
+        around.bad("set_at", f"set_at of {around.name} has one parameter, not {len(written.set_at)}")
+    inputs = [name for name, other in around.others.items() if (read := other.written(MeasuredSpec)) and read.adc]
+    if inputs[0] != around.name:
+        around.bad("set_at", f"the converter reads {inputs[0]} before {around.name}: only the first one has set_at")
+    if written.set_stale_after is None:
+        around.bad("set_at", f"{around.name} needs set_stale_after, for what code no longer sets is not true for ever")
+    stale_ms = around.time_ms("set_stale_after", written.set_stale_after)
+    parameter = around.parameter("set_at", name)
+    if parameter is None or stale_ms is None or around.failed:
+        return None
+    steps = value / parameter.step
+    if steps == 0 or steps not in (parameter.choices or range(parameter.minimum, parameter.maximum + 1)):
+        around.bad("set_at", f"{name} is never {decimal(value)}, so code never sets {around.name}")
+        return None
+    if not parameter.spec.reboot:
+        around.bad("set_at", f"{name} is looked at when the board starts", hint=f"{name}: reboot: true")
+    return Represented(parameter, int(steps), math.ceil(stale_ms / (around.period_ms or 100)), stale_ms)
 
 
 def _can_prefer(written: MeasuredSpec, around: Surroundings) -> bool:

@@ -32,17 +32,7 @@ class SetByCode(Derivation):
     def simulated(
         self, quantity: Quantity, instance: int, system: "System", parameters: Mapping[str, float]
     ) -> SimulatedInput:
-        return SimulatedInput(
-            "state",
-            {
-                "component": quantity.component,
-                "instance": instance,
-                "attribute": quantity.attribute,
-                "steps": float(quantity.steps),
-                "is_whole": quantity.kind is QuantityKind.NUMBER and not quantity.storage.is_float,
-            },
-            {"fail": "nothing sets it", "stuck": "it is set to what it was"},
-        )
+        return set_by_code(quantity, instance)
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         if self.anew_with is not None:
@@ -59,3 +49,18 @@ class SetByCode(Derivation):
         is_number = quantity.kind is QuantityKind.NUMBER and self.anew_with is None
         details = ("no ADC channel measures it",) if is_number else ()
         yield Step("source", self.words(quantity), details, quantity.criteria())
+
+
+def set_by_code(quantity: Quantity, instance: int) -> SimulatedInput:
+    """How true values of what code sets reach an instance in a simulation."""
+    return SimulatedInput(
+        "state",
+        {
+            "component": quantity.component,
+            "instance": instance,
+            "attribute": quantity.attribute,
+            "steps": float(quantity.steps),
+            "is_whole": quantity.kind is QuantityKind.NUMBER and not quantity.storage.is_float,
+        },
+        {"fail": "nothing sets it", "stuck": "it is set to what it was"},
+    )

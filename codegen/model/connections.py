@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.frozen import dataclass
 from codegen.model.system import System
-from codegen.model.vehicle import AdcChannel, Component, Parameter, Reading
+from codegen.model.vehicle import Component, Parameter, Reading
 from codegen.source import Place
 
 
@@ -56,7 +56,7 @@ def _converter(system: System) -> Iterator[Connection]:
             is_shared = not number and (channel.name, gpio) in seen
             if is_shared:
                 continue
-            switch = _is_off(system, component, number) or _is_unread(system, channel, number)
+            switch = _is_off(system, component, number) or _is_unread(system, reading, number)
             if not switch:
                 seen.add((channel.name, gpio))
             written = system.spec.board.instances.get(name, ())
@@ -98,8 +98,11 @@ def _is_off(system: System, component: Component, number: int) -> str:
     return "" if switch is None or _default(system, switch, number) != 0 else _own(switch, number)
 
 
-def _is_unread(system: System, channel: AdcChannel, number: int) -> str:
+def _is_unread(system: System, reading: Reading, number: int) -> str:
     """The parameter whose default decides that the channel is not read; empty where it is."""
+    represented, channel = reading.quantity.derivation.represented, reading.conversion.channel
+    if represented and _default(system, represented.parameter, number) == represented.steps:
+        return _own(represented.parameter, number)
     if channel.when is None:
         return ""
     switch, steps = channel.when

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from codegen.model.source_kind import Output
     from codegen.model.summed import Lasting, Rest, Sum
     from codegen.model.system import System
-    from codegen.model.vehicle import Parameter, Quantity, Threshold
+    from codegen.model.vehicle import Parameter, Quantity, Represented, Threshold
 
 
 class DerivationFact(NamedTuple):
@@ -90,6 +90,11 @@ class Derivation(ABC):
     @property
     def threshold(self) -> "Threshold | None":
         """Above what a warning is logged."""
+        return None
+
+    @property
+    def represented(self) -> "Represented | None":
+        """Where code sets what is measured elsewhere."""
         return None
 
     @property

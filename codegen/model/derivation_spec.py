@@ -3,6 +3,7 @@
 They stand among the keys of the quantity (see ``flattened``); what they resolve to is in ``codegen/derivations/``.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import ClassVar
 
@@ -164,6 +165,16 @@ class MeasuredSpec(DerivationSpec):
     prefers: str | None = described(
         "A list of the same component, such as the voltages of cells: while all of its values are known their sum is "
         "the value, whatever the ADC reads, and whether it can be read.",
+        default=None,
+    )
+    set_at: Mapping[str, Fraction] = described(
+        "A parameter and the value at which the quantity is not measured, but set by code, for what another system "
+        "measures, such as BATT_MONITOR: 29. The parameter is used after a restart.",
+        default_factory=dict,
+    )
+    set_stale_after: Amount | None = described(
+        "With set_at: for how long a value is believed after code has set it, such as 5 s. Then it is unknown, and "
+        "with it what restarts when something else is put in its place.",
         default=None,
     )
     warn_above: Fraction | None = described("Log a warning above this value, in unit.", default=None)

@@ -123,6 +123,19 @@ class Threshold:
 
 
 @dataclass(frozen=True, slots=True)
+class Represented:
+    """What code sets in place of the ADC where a ``parameter`` is so many ``steps`` when the board starts.
+
+    A value is believed for so many ``readings`` of the component after it was set, which are ``stale_after_ms``.
+    """
+
+    parameter: Parameter
+    steps: int
+    readings: int
+    stale_after_ms: int
+
+
+@dataclass(frozen=True, slots=True)
 class Trust:
     """When the value of a quantity is no longer believed, and so unknown; None: never for that reason.
 

@@ -106,6 +106,7 @@ def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[Behav
         (reader.cited["read_limit"], "late_reading_keeps_the_last_value", bool(reader.read_limit_us)),
         ("", "readings_are_timed", True),
         (measured.cited["stale_after"], "old_reading_is_unknown", measured.stale_after_ms is not None),
+        (measured.cited["set_stale_after"], "what_code_sets_counts_for_a_while", measured.represented is not None),
         (measured.cited["warn_above"], "high_value_warns_now_and_then", measured.warns),
         (measured.citation, "formula_of_people_agrees", True),
         (measured.cited["calibration"], "calibration", True),

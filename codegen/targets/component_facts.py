@@ -10,7 +10,8 @@ from codegen.model.reach import Reach, reaches
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
 from codegen.model.system import System
-from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind
+from codegen.model.vehicle import Component, Parameter, Quantity, QuantityKind, by_instance
+from codegen.targets.cases import first_attribute
 from codegen.targets.expected import nominal_values
 from codegen.targets.message_case import literal_of
 from codegen.targets.naming import parameter_attribute
@@ -49,6 +50,26 @@ class QuantityFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class RepresentedFacts:
+    """What makes code set the first instance: a parameter's attribute with its steps.
+
+    A ``value`` is believed for so many ``readings``; then it is unknown, and with it what is ``forgotten``: attributes,
+    each with something that it can be set to, and with the comparison that says that it is unknown.
+
+    ``parameters`` are those of all instances; ``by_default`` the ones with which code sets an instance from the start,
+    each with its steps, and with others, with which it is off, or read.
+    """
+
+    parameter: str
+    steps: int
+    value: int
+    readings: int
+    forgotten: tuple[tuple[str, str, str], ...]
+    parameters: tuple[str, ...]
+    by_default: tuple[tuple[str, int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class MeasuredFacts:
     """How a component's quantity comes from an ADC count: ``count * steps * numerator / denominator``.
 
@@ -69,6 +90,7 @@ class MeasuredFacts:
     warning_counts: tuple[int | None, ...]
     invalid_after: int | None
     stale_after_ms: int | None
+    represented: RepresentedFacts | None
     cited: Mapping[str, str]
 
 
@@ -300,7 +322,36 @@ def _measured(quantity: Quantity, component: Component, system: System) -> Measu
         warning_counts=_warning_counts(quantity, component, system),
         invalid_after=quantity.trust.invalid_after,
         stale_after_ms=quantity.trust.stale_after_ms,
+        represented=_represented(quantity, component, system),
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
+    )
+
+
+def _represented(quantity: Quantity, component: Component, system: System) -> RepresentedFacts | None:
+    represented, conversion = quantity.derivation.represented, quantity.derivation.conversion
+    if represented is None or conversion is None:
+        return None
+    returns = component.returns
+    follows = returns is not None and returns.gone.derivation.follows == quantity.name
+    restarting = returns.restarting if returns is not None and follows else ()
+    own = by_instance(represented.parameter, system.parameters, component.instances)
+    choices = represented.parameter.choices or (0, represented.parameter.minimum, represented.parameter.maximum)
+    return RepresentedFacts(
+        parameters=tuple(parameter_attribute(each.name) for each in own),
+        by_default=tuple(
+            (parameter_attribute(each.name), each.default, next(steps for steps in choices if steps != each.default))
+            for each in own
+            if each.default == represented.steps
+        ),
+        parameter=first_attribute(represented.parameter),
+        steps=represented.steps,
+        value=conversion.stored(conversion.channel.full_scale * 3 // 4, *(each.default for each in conversion.factors)),
+        readings=represented.readings,
+        forgotten=tuple(
+            (each.attribute, _alike(each, "1"), f"== {_alike(each, 'None')}" if each.elements else "is None")
+            for each in restarting
+            if each.initial is None and each.name != quantity.derivation.prefers
+        ),
     )
 
 

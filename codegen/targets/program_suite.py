@@ -220,7 +220,13 @@ def _inputs(system: System, component: Component, conversion: Conversion) -> tup
     gpios = system.gpios(component, conversion.channel)
     switch = component.switch
     switches = by_instance(switch, system.parameters, component.instances) if switch else (None,) * len(gpios)
-    return tuple(InputView(gpio, each is None or each.default != 0) for gpio, each in zip(gpios, switches, strict=True))
+    represented = component.readings[0].quantity.derivation.represented
+    setting = by_instance(represented.parameter, system.parameters, component.instances) if represented else ()
+    by_code = [each.default == represented.steps for each in setting] if represented else [False] * len(gpios)
+    return tuple(
+        InputView(gpio, (each is None or each.default != 0) and not is_set)
+        for gpio, each, is_set in zip(gpios, switches, by_code, strict=True)
+    )
 
 
 def _attributes(parameter: Parameter | None) -> tuple[str, ...]:

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5be914065686fc9d
+# Inputs: ade02387dae88746
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine
@@ -30,7 +30,7 @@ class Board:
         parameters = parameters or Parameters()  # a pin that is changed counts from the next start
         pins = [None] * 2
         for instance in range(2):
-            if getattr(parameters, _BATT_MONITOR[instance]) != 0:  # else its pin may be somebody else's
+            if getattr(parameters, _BATT_MONITOR[instance]) not in (0, 29):  # else its pin may be somebody else's
                 pins[instance] = getattr(parameters, _BATT_VOLT_PIN[instance])
         inputs = AdcInputs(log, "battery {}", pins, open_adc, battery_reading)
         self.battery_inputs = inputs  # their figures: failures, times

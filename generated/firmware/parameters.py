@@ -1,5 +1,5 @@
 # Generated from specs/parameters.yaml: do not edit.
-# Inputs: f701a39f2573988a
+# Inputs: bb52ebbfbbaaa1de
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -123,7 +123,7 @@ _TABLE = {
     ),
     "BATT2_MONITOR": (
         0,
-        4,
+        29,
         1,
         1,
         2,  # int8
@@ -251,7 +251,7 @@ _TABLE = {
     ),
     "BATT_MONITOR": (
         0,
-        4,
+        29,
         1,
         1,
         2,  # int8
@@ -325,8 +325,8 @@ _TABLE = {
 NAMES = tuple(sorted(_TABLE))
 
 _CHOICES = {}  # steps that are accepted, where not all between the limits are
-_CHOICES["BATT2_MONITOR"] = (0, 3, 4)
-_CHOICES["BATT_MONITOR"] = (0, 3, 4)
+_CHOICES["BATT2_MONITOR"] = (0, 3, 4, 29)
+_CHOICES["BATT_MONITOR"] = (0, 3, 4, 29)
 _ATTRIBUTES = {}  # where an attribute is not called as its parameter is, in small letters
 
 

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5be914065686fc9d
+# Inputs: ade02387dae88746
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -32,10 +32,10 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(175)
+_SIZE = const(177)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(85)
+_BATTERY_SIZE = const(86)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -57,30 +57,31 @@ _BATTERY_COUNT = const(17)
 _BATTERY_MULTIPLIER = const(18)
 _BATTERY_FAILURES = const(19)
 _BATTERY_IS_LOGGED = const(20)
-_BATTERY_EXPIRES_MS = const(21)
-_BATTERY_WARNED_MS = const(22)
-_BATTERY_GONE = const(23)
-_BATTERY_CURRENT_COUNT = const(24)
-_BATTERY_CURRENT_MULTIPLIER = const(25)
-_BATTERY_CURRENT_OFFSET = const(26)
-_BATTERY_CURRENT_FAILURES = const(27)
-_BATTERY_CURRENT_IS_LOGGED = const(28)
-_BATTERY_CURRENT_IS_READ = const(29)
-_BATTERY_CURRENT_EXPIRES_MS = const(30)
-_BATTERY_CURRENT_SINCE_MS = const(31)
-_BATTERY_CONSUMED_REST = const(32)
-_BATTERY_ENERGY_LOW = const(33)
-_BATTERY_ENERGY_MIDDLE = const(34)
-_BATTERY_ENERGY_HIGH = const(35)
-_BATTERY_BATT_CAPACITY = const(36)
-_BATTERY_TIME_LEFT_MEAN = const(37)
-_BATTERY_TREND_COUNT = const(38)
-_BATTERY_TREND_NEWER = const(39)
-_BATTERY_TREND_OLDER = const(40)
-_BATTERY_TREND_READINGS = const(41)
-_BATTERY_CELLS_MV_AGE = const(81)
-_BATTERY_CELLS_MV = const(82)
-_VEHICLE = const(170)
+_BATTERY_IS_SET = const(21)
+_BATTERY_EXPIRES_MS = const(22)
+_BATTERY_WARNED_MS = const(23)
+_BATTERY_GONE = const(24)
+_BATTERY_CURRENT_COUNT = const(25)
+_BATTERY_CURRENT_MULTIPLIER = const(26)
+_BATTERY_CURRENT_OFFSET = const(27)
+_BATTERY_CURRENT_FAILURES = const(28)
+_BATTERY_CURRENT_IS_LOGGED = const(29)
+_BATTERY_CURRENT_IS_READ = const(30)
+_BATTERY_CURRENT_EXPIRES_MS = const(31)
+_BATTERY_CURRENT_SINCE_MS = const(32)
+_BATTERY_CONSUMED_REST = const(33)
+_BATTERY_ENERGY_LOW = const(34)
+_BATTERY_ENERGY_MIDDLE = const(35)
+_BATTERY_ENERGY_HIGH = const(36)
+_BATTERY_BATT_CAPACITY = const(37)
+_BATTERY_TIME_LEFT_MEAN = const(38)
+_BATTERY_TREND_COUNT = const(39)
+_BATTERY_TREND_NEWER = const(40)
+_BATTERY_TREND_OLDER = const(41)
+_BATTERY_TREND_READINGS = const(42)
+_BATTERY_CELLS_MV_AGE = const(82)
+_BATTERY_CELLS_MV = const(83)
+_VEHICLE = const(172)
 _VEHICLE_SIZE = const(5)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
@@ -131,7 +132,7 @@ class BatteryState(Component):
     )
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
-    voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000)
+    voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000, age=_BATTERY_FAILURES)
     # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [cA]
     # A, or None while it is unknown; FR-00077.3
     current_ca, current = number(_BATTERY_CURRENT_CA, -32768, 32767, "current", 100)
@@ -290,6 +291,7 @@ class SystemState:
             words = self.battery[instance].words
             words[_BATTERY_MONITORED] = 1 if getattr(self.parameters, _BATT_MONITOR[instance]) != 0 else 0
             words[_BATTERY_MULTIPLIER] = getattr(self.parameters, _BATT_VOLT_MULT[instance])
+            words[_BATTERY_IS_SET] = 1 if getattr(self.parameters, _BATT_MONITOR[instance]) == 29 else 0
         self.battery_words = tuple(self.battery[instance].words for instance in range(2))
         self._start_battery()
         self.vehicle = together(VehicleState, self.words, _VEHICLE, _VEHICLE_SIZE, 1, log)
@@ -354,6 +356,8 @@ class SystemState:
         reading = self.battery[instance].voltage
         if not reading or measured is None or None not in self.battery[instance].cells:
             return False  # or it is a sum that calibrates nothing
+        if self.battery[instance].words[_BATTERY_IS_SET]:
+            return False  # code sets it
         own = self.battery[instance].words[_BATTERY_MULTIPLIER]
         old = self.parameters.value(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], own)
         return self.parameters.set(("BATT_VOLT_MULT", "BATT2_VOLT_MULT")[instance], old * measured / reading)

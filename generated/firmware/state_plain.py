@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5be914065686fc9d
+# Inputs: ade02387dae88746
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -24,20 +24,21 @@ _BATTERY_COUNT = const(17)
 _BATTERY_MULTIPLIER = const(18)
 _BATTERY_FAILURES = const(19)
 _BATTERY_IS_LOGGED = const(20)
-_BATTERY_EXPIRES_MS = const(21)
-_BATTERY_WARNED_MS = const(22)
-_BATTERY_GONE = const(23)
-_BATTERY_CURRENT_EXPIRES_MS = const(30)
-_BATTERY_CONSUMED_REST = const(32)
-_BATTERY_ENERGY_LOW = const(33)
-_BATTERY_ENERGY_MIDDLE = const(34)
-_BATTERY_ENERGY_HIGH = const(35)
-_BATTERY_TREND_COUNT = const(38)
-_BATTERY_TREND_NEWER = const(39)
-_BATTERY_TREND_OLDER = const(40)
-_BATTERY_TREND_READINGS = const(41)
-_BATTERY_CELLS_MV_AGE = const(81)
-_BATTERY_CELLS_MV = const(82)
+_BATTERY_IS_SET = const(21)
+_BATTERY_EXPIRES_MS = const(22)
+_BATTERY_WARNED_MS = const(23)
+_BATTERY_GONE = const(24)
+_BATTERY_CURRENT_EXPIRES_MS = const(31)
+_BATTERY_CONSUMED_REST = const(33)
+_BATTERY_ENERGY_LOW = const(34)
+_BATTERY_ENERGY_MIDDLE = const(35)
+_BATTERY_ENERGY_HIGH = const(36)
+_BATTERY_TREND_COUNT = const(39)
+_BATTERY_TREND_NEWER = const(40)
+_BATTERY_TREND_OLDER = const(41)
+_BATTERY_TREND_READINGS = const(42)
+_BATTERY_CELLS_MV_AGE = const(82)
+_BATTERY_CELLS_MV = const(83)
 
 
 def read_battery(words, every, board, ticks, first):
@@ -63,8 +64,9 @@ def read_battery(words, every, board, ticks, first):
 def _read_battery(battery, board, ticks, instance):
     if not battery[_BATTERY_MONITORED]:
         return 0
-    battery[_BATTERY_COUNT] = -1000000000
-    battery[_BATTERY_COUNT] = board.read_battery_adc(instance)
+    if not battery[_BATTERY_IS_SET]:
+        battery[_BATTERY_COUNT] = -1000000000
+        battery[_BATTERY_COUNT] = board.read_battery_adc(instance)
     return _take_battery(battery, ticks())
 
 
@@ -97,7 +99,31 @@ def _take_battery(battery, now_ms):
                     battery[_BATTERY_HIGHEST_CELL_MV] = value
     told = 0
     count = battery[_BATTERY_COUNT]
-    if count < 0 or count > 4095:
+    value = _UNKNOWN
+    if battery[_BATTERY_IS_SET]:
+        # Code sets it; that is forgotten 5000 ms later (FR-00073.10).
+        battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
+        if battery[_BATTERY_FAILURES] > 50:
+            battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+            battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+            battery[_BATTERY_TREND_COUNT] = 0
+            battery[_BATTERY_TREND_NEWER] = 0
+            battery[_BATTERY_TREND_OLDER] = 0
+            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
+            battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
+            battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+            battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+            battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+            count = 0
+            while count < 3:
+                battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                count += 1
+            battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+            battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+            battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
+        value = battery[_BATTERY_VOLTAGE_MV]
+    elif count < 0 or count > 4095:
         # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
         battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
         if battery[_BATTERY_FAILURES] >= 5:
@@ -113,6 +139,7 @@ def _take_battery(battery, now_ms):
         battery[_BATTERY_VOLTAGE_MV] = value
         battery[_BATTERY_FAILURES] = 0
         battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
+    if value != _UNKNOWN:
         if battery[_BATTERY_IS_LOGGED] == 0:
             battery[_BATTERY_IS_LOGGED] = 1
             told = 1

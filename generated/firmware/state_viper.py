@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 5be914065686fc9d
+# Inputs: ade02387dae88746
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -11,7 +11,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(85)
+_BATTERY_SIZE = const(86)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_CA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -30,20 +30,21 @@ _BATTERY_COUNT = const(17)
 _BATTERY_MULTIPLIER = const(18)
 _BATTERY_FAILURES = const(19)
 _BATTERY_IS_LOGGED = const(20)
-_BATTERY_EXPIRES_MS = const(21)
-_BATTERY_WARNED_MS = const(22)
-_BATTERY_GONE = const(23)
-_BATTERY_CURRENT_EXPIRES_MS = const(30)
-_BATTERY_CONSUMED_REST = const(32)
-_BATTERY_ENERGY_LOW = const(33)
-_BATTERY_ENERGY_MIDDLE = const(34)
-_BATTERY_ENERGY_HIGH = const(35)
-_BATTERY_TREND_COUNT = const(38)
-_BATTERY_TREND_NEWER = const(39)
-_BATTERY_TREND_OLDER = const(40)
-_BATTERY_TREND_READINGS = const(41)
-_BATTERY_CELLS_MV_AGE = const(81)
-_BATTERY_CELLS_MV = const(82)
+_BATTERY_IS_SET = const(21)
+_BATTERY_EXPIRES_MS = const(22)
+_BATTERY_WARNED_MS = const(23)
+_BATTERY_GONE = const(24)
+_BATTERY_CURRENT_EXPIRES_MS = const(31)
+_BATTERY_CONSUMED_REST = const(33)
+_BATTERY_ENERGY_LOW = const(34)
+_BATTERY_ENERGY_MIDDLE = const(35)
+_BATTERY_ENERGY_HIGH = const(36)
+_BATTERY_TREND_COUNT = const(39)
+_BATTERY_TREND_NEWER = const(40)
+_BATTERY_TREND_OLDER = const(41)
+_BATTERY_TREND_READINGS = const(42)
+_BATTERY_CELLS_MV_AGE = const(82)
+_BATTERY_CELLS_MV = const(83)
 
 
 @micropython.viper
@@ -66,7 +67,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
         battery = ptr32(int(battery) + 4 * (_BATTERY + _BATTERY_SIZE * first))
     while instance < 2:
         if first < 0 or battery[_BATTERY_MONITORED]:
-            if first >= 0:
+            if first >= 0 and battery[_BATTERY_IS_SET] == 0:
                 battery[_BATTERY_COUNT] = -1000000000
                 battery[_BATTERY_COUNT] = int(board.read_battery_adc(instance))
             # battery.cells is forgotten 2000 ms after one was set (FR-00076.7).
@@ -97,7 +98,31 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                             battery[_BATTERY_HIGHEST_CELL_MV] = value
             told = 0
             count = (battery[_BATTERY_COUNT] ^ sign) - sign
-            if count < 0 or count > 4095:
+            value = _UNKNOWN
+            if battery[_BATTERY_IS_SET]:
+                # Code sets it; that is forgotten 5000 ms later (FR-00073.10).
+                battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
+                if battery[_BATTERY_FAILURES] > 50:
+                    battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                    battery[_BATTERY_TREND_COUNT] = 0
+                    battery[_BATTERY_TREND_NEWER] = 0
+                    battery[_BATTERY_TREND_OLDER] = 0
+                    battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+                    battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
+                    battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
+                    battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                    battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                    battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+                    count = 0
+                    while count < 3:
+                        battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                        count += 1
+                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+                    battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
+                value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+            elif count < 0 or count > 4095:
                 # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
                 battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
                 if battery[_BATTERY_FAILURES] >= 5:
@@ -113,6 +138,7 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                 battery[_BATTERY_VOLTAGE_MV] = value
                 battery[_BATTERY_FAILURES] = 0
                 battery[_BATTERY_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
+            if value != _UNKNOWN:
                 if battery[_BATTERY_IS_LOGGED] == 0:
                     battery[_BATTERY_IS_LOGGED] = 1
                     told = 1

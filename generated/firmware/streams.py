@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: 601295c3663db6b9
+# Inputs: a3348cc409ed5f08
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -38,8 +38,8 @@ _DATA_STREAMS = (None, 2, 10, 12, None)
 _FASTEST_HZ = (50, 50, 50, 50, 1)
 
 # Where the state has, by instance, whether it is measured, and what is watched for changes.
-_BATTERY_MONITORED = (13, 98)
-_BATTERY_SWAPS_NUMBER = (12, 97)
+_BATTERY_MONITORED = (13, 99)
+_BATTERY_SWAPS_NUMBER = (12, 98)
 
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):

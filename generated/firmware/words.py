@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 334617f2b1288c64
+# Inputs: 212003ffea3c4757
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -95,6 +95,14 @@ def accessors(place, low, high, name):
     return get, put
 
 
+def _dated(put, age):
+    def put_now(self, value, put=put, age=age):
+        put(self, value)
+        self.words[age] = 0
+
+    return put_now
+
+
 def whole(place, low=-LARGEST, high=LARGEST, name=""):
     """Return an attribute for a whole number that all messages carry as it is from `low` to `high`.
 
@@ -103,12 +111,14 @@ def whole(place, low=-LARGEST, high=LARGEST, name=""):
     return property(*accessors(place, low, high, name))
 
 
-def number(place, low, high, name, numerator, denominator=1):
+def number(place, low, high, name, numerator, denominator=1, age=None):
     """Return two attributes, for a whole number and for it in the unit of people.
 
-    `numerator` / `denominator` steps make one unit.
+    `numerator` / `denominator` steps make one unit. The word at `age` is 0 once something is set.
     """
     get, put = accessors(place, low, high, name)
+    if age is not None:
+        put = _dated(put, age)
 
     def in_units(self, place=place, numerator=numerator, denominator=denominator):
         value = self.words[place]

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 2a0f2807d7517bc3
+# Inputs: ec9d40fbf16d5c3c
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -256,10 +256,21 @@ class Craft(Vehicle):
         self.flash = flash or Flash()
         self.flash.use()
         Vehicle.__init__(self, board, [Port()] if ports is None else ports, texts or Texts(silent, 500))
+        for name, steps in self.set_by_code:  # they count at the start, and stay what they are
+            setattr(self.parameters, name, steps)
         know(self.state)
         for poller in self.sources.every if hasattr(self, "sources") else ():
             poller.driver = Quiet()
             poller._keep = keep_nothing
+
+    def _load_parameters(self):
+        """Start without what code would have to set all the time."""
+        Vehicle._load_parameters(self)
+        self.set_by_code = []
+        for name, steps, off in [each for measured in MEASURED for each in measured["set_by_code"]]:
+            if getattr(self.parameters, name) == steps:
+                self.set_by_code.append((name, steps))
+                setattr(self.parameters, name, off)
 
     @property
     def port(self):

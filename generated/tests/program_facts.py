@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 2924fc3026188a7e
+# Inputs: f81ed8a235b3bbee
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -90,6 +90,7 @@ CRITERIA = {
     "quantity.multiplier": ("FR-00069.2",),
     "quantity.returns": ("FR-00073.8",),
     "quantity.rounding": ("FR-00069.7",),
+    "quantity.set_stale_after": ("FR-00073.10",),
     "quantity.slope": ("FR-00021.1",),
     "quantity.stale_after": ("FR-00067.3", "FR-00077.4"),
     "quantity.warn_above": ("FR-00069.5",),
@@ -136,6 +137,7 @@ MEASURED = (
         "attribute": "voltage_mv",
         "gpios": [26, 27],
         "are_on": [True, False],
+        "set_by_code": [],
         "pin": "batt_volt_pin",
         "spare_bits": 0,
         "full_scale": 4095,
@@ -436,12 +438,12 @@ PARAMETERS = (
         "attribute": "batt2_monitor",
         "default": 0,
         "minimum": 0,
-        "maximum": 4,
+        "maximum": 29,
         "numerator": 1,
         "denominator": 1,
         "type": 2,
         "after_restart": True,
-        "choices": (0, 3, 4),
+        "choices": (0, 3, 4, 29),
     },
     {
         "name": "BATT2_VOLT_MULT",
@@ -628,12 +630,12 @@ PARAMETERS = (
         "attribute": "batt_monitor",
         "default": 3,
         "minimum": 0,
-        "maximum": 4,
+        "maximum": 29,
         "numerator": 1,
         "denominator": 1,
         "type": 2,
         "after_restart": True,
-        "choices": (0, 3, 4),
+        "choices": (0, 3, 4, 29),
     },
     {
         "name": "BATT_REPORT",

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: e0a16afc12f9cb8e
+# Inputs: 244183e49630e458
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -25,6 +25,7 @@ from parameters import Parameters
 from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS, REPORT_MS, STEP_LIMIT_US
 from storage import Storage
 from texts import Texts
+from vehicle import Vehicle
 
 import dialect
 
@@ -39,7 +40,7 @@ class Start:
         self.texts = Texts(silent, 500)
         self.parameters = Parameters()
         self.storage = Storage(tuple(FILES), CHUNK)
-        Craft._load_parameters(self)
+        Vehicle._load_parameters(self)
 
 
 def _other(facts):

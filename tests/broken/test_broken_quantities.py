@@ -64,6 +64,6 @@ def test_a_quantity_that_is_kept_more_coarsely_than_it_goes_out_is_told(tmp_path
     state.write_text(text.replace("        stored: mAh\n        integral_of", "        integral_of"))
     main(["check"])
     told = capsys.readouterr().out
-    assert "specs/state.yaml:56:7: warning coarse-quantity: battery.consumed is kept in whole mAh" in told
+    assert "specs/state.yaml:59:7: warning coarse-quantity: battery.consumed is kept in whole mAh" in told
     assert "BATTERY_STATUS_V2.capacity_consumed is a float in Ah" in told
     assert "hint: stored: mAh, if whole units are meant" in told

@@ -94,7 +94,7 @@ def test_a_warning_per_needs_cells(tmp_path, monkeypatch, capsys):
     code, out = check(tmp_path, monkeypatch, capsys, changes)
     assert code == 1
     assert (
-        "specs/state.yaml:32:14: error bad-following: board.yaml does not state the fact cells of battery 1" in out
+        "specs/state.yaml:34:14: error bad-following: board.yaml does not state the fact cells of battery 1" in out
     ), out
 
 

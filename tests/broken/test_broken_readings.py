@@ -13,6 +13,8 @@ LEFT = "        left_of: BATT_CAPACITY\n        after: consumed\n"
 LOST = "        left_of: §BATT_CAPA\n        after: consumed\n        requirement: FR-00077.6"
 TIME = "        lasts: left\n        at: current\n        over: 30 s\n"
 PIN = "    pin: BATT_VOLT_PIN\n"
+SET = "        set_at: {BATT_MONITOR: 29}\n"
+FOR = "        set_stale_after: 5 s\n"
 
 
 def measured(lines: str) -> str:
@@ -27,6 +29,22 @@ CASES = [
     Case("bad-amount", STATE, CURRENT, measured("multiplier: §17 amps"), "neither a parameter nor an amount"),
     Case("unknown-parameter", STATE, CURRENT, measured("multiplier: 17 A/V; offset: §BATT_OFFS"), "no parameter"),
     Case("bad-quantity", STATE, CURRENT, "        offset: §0.3 V\n", "needs both adc and multiplier", is_alone=False),
+    Case("bad-quantity", STATE, SET, SET.replace("29", "7").replace("{", "§{"), "BATT_MONITOR is never 7, so code"),
+    Case("bad-quantity", STATE, SET, SET.replace("29", "0").replace("{", "§{"), "BATT_MONITOR is never 0, so code"),
+    Case("unknown-parameter", STATE, SET, SET.replace("MONITOR", "MONITR").replace("{", "§{"), "BATT_MONITOR"),
+    Case(
+        "bad-quantity", STATE, SET, SET.replace("29", "29, BATT_CAPACITY: 1").replace("{", "§{"), "one parameter, not 2"
+    ),
+    Case(
+        "bad-quantity",
+        STATE,
+        SET,
+        SET.replace("BATT_MONITOR: 29", "BATT_LOW_VOLT: 11").replace("{", "§{"),
+        "reboot: true",
+    ),
+    Case("bad-quantity", STATE, SET + FOR, SET.replace("{", "§{"), "needs set_stale_after"),
+    Case("bad-quantity", STATE, SET + FOR, FOR.replace("5", "§5"), "so set_stale_after says nothing"),
+    Case("bad-quantity", STATE, CURRENT, CURRENT + SET.replace("{", "§{") + FOR, "reads voltage before current"),
     Case(
         "reading-beyond-limits",
         STATE,

@@ -475,7 +475,7 @@ CASES = [
         "step of 0.0001",
     ),
     Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "three: §Analog, 3: Voltage", "not a number"),
-    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 5: §Other", "a value that"),
+    Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 30: §Other", "a value that"),
     Case("bad-parameter", "parameters.yaml", "3: Analog Voltage Only", "3: Analog, 1.5: §Other", "a value that"),
     Case("bad-parameter", "parameters.yaml", "default: 3\n", "default: §1\n", "none of its values"),
     Case("unknown-choice", "parameters.yaml", "type: int32", "type: §int64"),
@@ -505,9 +505,9 @@ CASES = [
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §volts", "did you mean voltage"),
     Case("bad-trend", "state.yaml", "trend_of: voltage", "trend_of: §temperature"),
     Case(
-        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:125:17"
+        "bad-trend", "state.yaml", "        trend_of: voltage\n", "", "both trend_of and window", at="state.yaml:128:17"
     ),
-    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:125:19"),
+    Case("bad-trend", "state.yaml", "        window: 4 s\n", "", "both trend_of and window", at="state.yaml:128:19"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §300 ms", "even number of readings"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §21 s", "4 to 200"),
     Case("bad-trend", "state.yaml", "window: 4 s", "window: §410 ms", "even number of readings"),
@@ -517,7 +517,7 @@ CASES = [
         "    update_rate: 10 Hz\n",
         "",
         "needs an update_rate",
-        at="state.yaml:125:17",
+        at="state.yaml:128:17",
         is_alone=False,
     ),
     Case("bad-trend", "state.yaml", "stored: mV/s", "stored: §V/s", "mV/s, not V/s"),
@@ -588,7 +588,7 @@ CASES = [
     ),
 ]
 
-ESTIMATE = "state.yaml:77:16"
+ESTIMATE = "state.yaml:80:16"
 CHEMISTRY = "messages/battery_status.yaml:9:17"
 POINTS = "        {4.20 V: 100, 4.15 V: 95"
 ESTIMATES = [

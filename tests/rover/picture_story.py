@@ -29,7 +29,10 @@ def tell(course, monitor):
     link = Link(Sink())
     for steps in course:
         for name, value in steps:
-            if name in counts:
+            if monitor == 29 and name == "voltage":  # of another system, which says nothing where a reading fails
+                if value >= 0:
+                    state.battery[0].voltage_mv = 3 * value
+            elif name in counts:
                 counts[name] = value
             else:
                 setattr(state.battery[0], name, value)

@@ -97,3 +97,27 @@ def test_both_generations_by_default(project):
     """The suite knows that a battery which comes back is told of by the info of both then."""
     apply(project, "streams.yaml", "parameter: BATT_REPORT", "send: both")
     suite_is_green(project, "micropython and (return or announcement or generation)")
+
+
+@pytest.mark.requirement("FR-00073.1", "FR-00073.4", "FR-00073.10")
+def test_sixteen_packs(project):
+    """The converter has no pins for them: code sets what other systems measure, in the suite and in a simulation."""
+    entry = "    - {{prefix: {0}, doc: A pack on a bus., defaults: {{{0}MONITOR: 29}}}}\n"
+    packs = "".join(entry.format(f"BATT{mark}_") for mark in "3456789ABCDEFG")
+    apply(project, "board.yaml", SECOND, SECOND + packs)
+    suite_is_green(project, f"micropython and (behaviour or {ANYWHERE})")
+    courses = {place: f"points: [[0 s, 12 V], [20 s, {11 + place / 10:.1f} V]]" for place in range(2, 16)}
+    lines = ["scenarios:", "  bus:", "    doc: Sixteen packs.", "    duration: 30 s", "    courses:"]
+    lines += ["      battery.voltage: {value: 12 V}"]
+    lines += [f"      battery[{place}].voltage: {{{points}}}" for place, points in courses.items()]
+    lines += ["    events:", "      - {at: 22 s, fault: fail, of: 'battery[15].voltage', for: 8 s}", "    expect:"]
+    for place in courses:
+        value = 11 + place / 10
+        between = f"[{value - 0.1:.1f} V, {value + 0.1:.1f} V]"
+        lines.append(f"      - {{at: 21 s, told: 'battery[{place}].voltage', between: {between}}}")
+    lines.append("      - {text: Battery 16 health}")
+    scenario = project / "packs.yaml"
+    scenario.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    done = run(project, "sim", str(scenario), "--speed", "max", "--out", "udp:127.0.0.1:9")
+    assert "The failsafe did not fire." in done
+    assert "warning   Battery 16 health: unhealthy" in done

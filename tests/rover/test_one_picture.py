@@ -127,8 +127,8 @@ def assert_one_picture(basic: Any, status: Any, latest: Any) -> None:
     assert status.current_consumed == used
 
 
-@pytest.mark.requirement("FR-00068.3", "FR-00068.9", "FR-00072.4", "FR-00076.7")
-@pytest.mark.parametrize("monitor", [3, 4])
+@pytest.mark.requirement("FR-00068.3", "FR-00068.9", "FR-00072.4", "FR-00073.10", "FR-00076.7")
+@pytest.mark.parametrize("monitor", [3, 4, 29])
 @settings(max_examples=4, deadline=None, derandomize=True)
 @given(courses=st.lists(STEPS, min_size=15, max_size=15))
 def test_three_messages_tell_one_picture(wire: ModuleType, monitor: int, courses: list[Any]) -> None:
@@ -151,6 +151,28 @@ def test_cells_come_before_the_adc_while_they_are_fresh(wire: ModuleType, interp
     for steps in (working, failed):
         for basic, status, latest in steps:
             assert_one_picture(basic, status, latest)
+
+
+@pytest.mark.requirement("FR-00073.10")
+@pytest.mark.parametrize("interpreter", ["python", "micropython"])
+def test_a_pack_of_another_system_is_what_code_says(wire: ModuleType, interpreter: str) -> None:
+    """Its pin says nothing; a swap is noticed; five seconds after the last word of it nothing is known of it."""
+    said: Step = [("voltage", 4000), ("current_ca", 250), ("consumed", 100), *SET[1:]]
+    swap: list[Step] = [[("voltage", 0)], [], [("voltage", 3900), ("current_ca", 100)], []]
+    (steps,) = told(wire, [[[], said, *[[]] * 49, [], *swap]], 29, interpreter)
+    for messages in steps:
+        assert_one_picture(*messages)
+    assert millivolts(steps[0][1]) is None, "the converter reads it"
+    for _, status, latest in (steps[1], steps[50]):
+        assert (millivolts(status), status.current_battery, status.current_consumed) == (12000, 250, 100)
+        assert latest.capacity_remaining == pytest.approx(1.2)
+    for at in (51, -4, -3):
+        _, status, latest = steps[at]
+        assert millivolts(status) == (None if at == 51 else 0)
+        assert (status.current_battery, status.current_consumed, status.battery_remaining) == (-1, -1, -1)
+        assert status.temperature == 32767
+        assert math.isnan(latest.capacity_remaining)
+    assert (millivolts(steps[-1][1]), steps[-1][1].current_battery) == (11700, -1)
 
 
 @pytest.mark.requirement("FR-00075.8", "FR-00073.8")

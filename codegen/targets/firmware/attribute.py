@@ -156,8 +156,12 @@ def _views(quantity: Quantity, component: Component, block: Block, told: Reach) 
         yield AttributeView(quantity.name, f"result({place}, {steps})", "", f"{shown}, {_known_words(quantity)}{cited}")
     else:
         names = f"{quantity.attribute}, {quantity.name}"
+        age = f"age={block.constant('failures')}" if derivation.represented else ""
         yield AttributeView(
-            names, f"number({limits}, {steps})", _lines(above, f"{shown}, {_known_words(quantity)}{cited}"), ""
+            names,
+            f"number({_joined(limits, steps, age)})",
+            _lines(above, f"{shown}, {_known_words(quantity)}{cited}"),
+            "",
         )
 
 

@@ -122,11 +122,12 @@ def _families(system: System) -> tuple[str, ...]:
 def _pin_parameters(system: System) -> tuple[Parameter, ...]:
     """The parameters that have a pin or that switch it on, once each."""
     used: dict[str, Parameter] = {}
-    for name, _, conversion in system.measured():
-        channel = conversion.channel
+    for reading in system.readings():
+        channel = reading.conversion.channel
         deciding = channel.when[0] if channel.when else None
-        first = system.components[name].readings[0].conversion is conversion
-        switches = (channel.pin, _switch(system.components[name]), deciding) if first else (deciding,)
+        represented = reading.quantity.derivation.represented
+        setting = represented.parameter if represented else None
+        switches = (channel.pin, _switch(reading.component), deciding, setting) if reading.is_first else (deciding,)
         used |= {each.name: each for each in switches if each}
     return tuple(used.values())
 
@@ -182,8 +183,13 @@ def _is_on(reading: Reading) -> str:
     conditions = []
     if when is not None:
         conditions.append(f"{parameter_expression(when[0], 'parameters')} == {when[1]}")
-    if switch is not None and (when is None or when[0] is not switch):
-        conditions.append(f"{parameter_expression(switch, 'parameters')} != 0")
+    represented = reading.quantity.derivation.represented
+    others = [] if switch is None or (when is not None and when[0] is switch) else [(switch, 0)]
+    others += [(represented.parameter, represented.steps)] if represented is not None else []
+    for parameter in {each.name: each for each, _ in others}.values():
+        steps = [str(own) for each, own in others if each is parameter]
+        test = f"not in ({', '.join(steps)})" if len(steps) > 1 else f"!= {steps[0]}"
+        conditions.append(f"{parameter_expression(parameter, 'parameters')} {test}")
     return " and ".join(conditions)
 
 

@@ -10,8 +10,8 @@ from codegen.targets.firmware.board import BoardView, ReaderView
 from codegen.targets.firmware.measured_view import (
     MeasuredView,
     TellView,
-    is_read_word,
     measured_view,
+    read_words,
     texts_of,
     unreadable,
 )
@@ -47,7 +47,7 @@ def further_module_view(reading: Reading, board: BoardView, system: System, layo
     """The view of the module."""
     component, block = reading.component, layout.blocks[reading.component.name]
     measured = measured_view(reading, block, "parameters")
-    set_up = (*measured.set_up, *is_read_word(reading, block, "parameters"))
+    set_up = (*measured.set_up, *read_words(reading, block, "parameters"))
     count, failures = (block.constant(reading.word(word)) for word in ("count", "failures"))
     used = {count, failures, *(word for word, _ in set_up)}
     used |= {block.constant(word) for word in block.offsets if any(block.constant(word) in text for _, text in set_up)}

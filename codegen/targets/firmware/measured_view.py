@@ -18,8 +18,8 @@ class MeasuredView:
 
     ``formula`` is for people, in its unit, with the names adc, mult and offset, the ``taken`` of which are arguments.
     ``set_up`` are the words of its factors with the expressions of their steps by instance, ``followed`` those that
-    change while the program runs. What is calibrated is ``plain``: ``own_name`` is the expression of its parameter's
-    name, and its steps stand in the word ``multiplier``.
+    change while the program runs; ``is_set`` is the word that says that code sets it, or "". What is calibrated is
+    ``plain``: ``own_name`` is the expression of its parameter's name, and its steps stand in the word ``multiplier``.
     """
 
     name: str
@@ -38,6 +38,7 @@ class MeasuredView:
     invalid_after: int | None
     stale_after_ms: int | None
     prefers: str
+    is_set: str
     cited: Mapping[str, str]
 
 
@@ -135,6 +136,7 @@ def measured_view(reading: Reading, block: Block, parameters: str = "self.parame
         invalid_after=quantity.trust.invalid_after,
         stale_after_ms=quantity.trust.stale_after_ms,
         prefers=quantity.derivation.prefers or "",
+        is_set=block.constant(reading.word("is_set")) if quantity.derivation.represented else "",
         cited={aspect: quantity.cited(aspect) for aspect in QuantitySpec.ASPECTS},
     )
 
@@ -168,9 +170,13 @@ def _own_name(name: str, siblings: tuple[str, ...]) -> str:
     return f"({names})[instance]" if len(siblings) > 1 else f'"{siblings[0]}"'
 
 
-def is_read_word(reading: Reading, block: Block, parameters: str) -> Iterator[tuple[str, str]]:
-    """The word that says whether a parameter lets an instance be read, with its value; nothing without one."""
+def read_words(reading: Reading, block: Block, parameters: str) -> Iterator[tuple[str, str]]:
+    """The words that say whether code sets an instance, and whether a parameter lets it be read, where they can be."""
     when, enabled = reading.conversion.channel.when, reading.component.enabled
+    represented = reading.quantity.derivation.represented
+    if represented is not None:
+        own = parameter_expression(represented.parameter, parameters)
+        yield block.constant(reading.word("is_set")), f"1 if {own} == {represented.steps} else 0"
     if when is None:
         return
     switch = reading.component.switch

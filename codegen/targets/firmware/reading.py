@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.model.conversion import Factor
 from codegen.model.payload_code import ELEMENT, UNKNOWN, each_element, indented
-from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Returns, Threshold
+from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Represented, Returns, Threshold
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.summing import CLOCK_MASK, begun, summed
 from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, factor_words
@@ -85,7 +85,6 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
     """
     measured, conversion = reading.quantity, reading.conversion
     lasting, stale_ms = measured.trust.invalid_after, measured.trust.stale_after_ms
-    threshold = measured.derivation.threshold
     name, full_scale = reading.component.name, conversion.channel.full_scale
     failures = code.word(name, reading.word("failures"))
     failed = [f"{failures} = {failures} + 1"]
@@ -100,26 +99,59 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
     if stale_ms is not None:
         later = f"now_ms - {(1 << 30) - stale_ms} & {CLOCK_MASK}"  # a sum may be no small integer
         good.append(f"{code.word(name, reading.word('expires_ms'))} = {later}  # in {stale_ms} ms")
-    logged = code.word(name, reading.word("is_logged"))
-    good += [f"if {logged} == 0:", f"    {logged} = 1", f"    told = {FIRST}"]
-    if any(quantity.derivation.curves_by_instance for quantity in reading.given):
-        good.append(f"told |= {GOOD}")
-    if reading.returns:
-        good += _returned(reading.component, reading.returns, code)
-    if threshold is not None:
-        good += _above(reading, threshold, code)
     lasts = _until(lasting) + _cited(measured.cited("invalid_after"))
-    return [
-        *(_aged(reading, code) if reading.is_first else ()),
-        "told = 0",
-        f"count = {code.number_of(code.word(name, reading.word('count')))}",
+    taking = [
         f"if count < 0 or count > {full_scale}:",
         f"    # A failed reading keeps the last value{lasts}.",
         *indented(failed),
         "else:",
         *indented(good),
+    ]
+    if measured.derivation.represented is None:
+        taking += indented([*_followed(reading, code)])
+    else:
+        taking = [f"value = {UNKNOWN}", *_set(reading, measured.derivation.represented, code), *_else(taking)]
+        taking += [f"if value != {UNKNOWN}:", *indented([*_followed(reading, code)])]
+    return [
+        *(_aged(reading, code) if reading.is_first else ()),
+        "told = 0",
+        f"count = {code.number_of(code.word(name, reading.word('count')))}",
+        *taking,
         *_preferred(reading, code),
     ]
+
+
+def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
+    """What follows from a new ``value``."""
+    threshold = reading.quantity.derivation.threshold
+    logged = code.word(reading.component.name, reading.word("is_logged"))
+    yield from (f"if {logged} == 0:", f"    {logged} = 1", f"    told = {FIRST}")
+    if any(quantity.derivation.curves_by_instance for quantity in reading.given):
+        yield f"told |= {GOOD}"
+    if reading.returns:
+        yield from _returned(reading.component, reading.returns, code)
+    if threshold is not None:
+        yield from _above(reading, threshold, code)
+
+
+def _else(statements: list[str]) -> list[str]:
+    """Statements that begin with a condition, behind another one."""
+    return [f"el{statements[0]}", *statements[1:]]
+
+
+def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Iterator[str]:
+    """Where code sets the value: ``value`` is what it has set, unless that was too long ago."""
+    measured, name = reading.quantity, reading.component.name
+    failures = code.word(name, reading.word("failures"))
+    cited = _cited(measured.cited("set_stale_after"))
+    yield f"if {code.word(name, reading.word('is_set'))}:"
+    yield f"    # Code sets it; that is forgotten {represented.stale_after_ms} ms later{cited}."
+    yield f"    {failures} = {failures} + 1"
+    yield f"    if {failures} > {represented.readings}:"
+    yield from indented(forgotten(reading, code), 2)
+    if reading.returns:
+        yield from indented([*_gone(reading.component, reading.returns, code, sums=True)], 2)
+    yield f"    value = {code.number_of(code.word(name, measured.attribute))}"
 
 
 def _aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
@@ -285,12 +317,9 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     assert source
     yield f"if {condition}:"
     yield "    is_gone = 1"
-    forgotten = [quantity for quantity in returns.restarting if _is_forgotten(quantity)]
-    if forgotten:
+    if forgotten := [*_gone(component, returns, code)]:
         yield f"if {gone} or is_gone:"
-    for quantity in forgotten:
-        word = code.word(name, quantity.attribute)
-        yield from indented(_all_unknown(quantity, component, code) if quantity.elements else [f"{word} = {UNKNOWN}"])
+        yield from indented(forgotten)
     yield f"if {gone} and is_gone == 0:"
     yield f"    told |= {RETURNED}"
     yield f"    if {code.number_of(counted)} == {UNKNOWN}:"
@@ -304,6 +333,14 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
         elif not _is_forgotten(quantity):
             yield f"    {word} = {quantity.initial}"
     yield f"{gone} = is_gone"
+
+
+def _gone(component: Component, returns: Returns, code: SpelledCode, *, sums: bool = False) -> Iterator[str]:
+    """Forget what belonged to what is gone; ``sums``, too, where code sets these."""
+    for quantity in returns.restarting:
+        if _is_forgotten(quantity) or (sums and quantity.derivation.sums):
+            word = code.word(component.name, quantity.attribute)
+            yield from _all_unknown(quantity, component, code) if quantity.elements else [f"{word} = {UNKNOWN}"]
 
 
 def _is_forgotten(quantity: Quantity) -> bool:

@@ -23,8 +23,9 @@ class ReadingView:
 
     ``start`` is where the first one stands in the state, in bytes, ``size`` how many words each takes. ``declared`` are
     the statements that the code for one instance needs before it, ``is_read`` is the condition that one is read, "" for
-    always, ``asked`` the count that the board is asked for, and ``turn`` what is done with it; ``changed`` are the
-    statements for its trend, and ``summed`` those for sums, where they have a function of their own.
+    always, ``is_set`` the one that code sets it in place of the board, "" for never, ``asked`` the count that the board
+    is asked for, and ``turn`` what is done with it; ``changed`` are the statements for its trend, and ``summed`` those
+    for sums, where they have a function of their own.
     """
 
     name: str
@@ -34,6 +35,7 @@ class ReadingView:
     size: str
     declared: tuple[str, ...]
     is_read: str
+    is_set: str
     count: str
     asked: str
     measured: str
@@ -87,6 +89,7 @@ def readings_view(
                 size=block.size_constant,
                 declared=(*code.pointers(), *_clock(turn)),
                 is_read=is_read,
+                is_set=code.word(name, reading.word("is_set")) if reading.quantity.derivation.represented else "",
                 count=code.word(name, reading.word("count")),
                 asked=asked,
                 measured=reading.quantity.name,
@@ -124,7 +127,10 @@ def _clock(turn: list[str]) -> list[str]:
 def _turn(reading: Reading, code: SpelledCode, asked: str, is_read: str) -> list[str]:
     """One turn of the loop in machine code: ask for a count, unless it stands there already, and take it over."""
     count = code.word(reading.component.name, reading.word("count"))
-    lines = ["if first >= 0:", f"    {count} = {WAITING}", f"    {count} = int({asked})"]
+    asking = "first >= 0"
+    if reading.quantity.derivation.represented:
+        asking += f" and {code.word(reading.component.name, reading.word('is_set'))} == 0"
+    lines = [f"if {asking}:", f"    {count} = {WAITING}", f"    {count} = int({asked})"]
     lines += taken(reading, code)
     if change := changed(reading, code):
         lines += ["", f"if {known(reading, code)}:", *indented(change)]

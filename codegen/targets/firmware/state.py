@@ -20,8 +20,8 @@ from codegen.targets.firmware.measured_view import (
     MeasuredView,
     TellView,
     further_view,
-    is_read_word,
     measured_view,
+    read_words,
     texts_of,
     unreadable,
 )
@@ -145,6 +145,8 @@ def _families(system: System) -> tuple[FamilyView, ...]:
     for reading in system.readings():
         conversion = reading.conversion
         used += [conversion.channel.when[0]] if conversion.channel.when else []
+        represented = reading.quantity.derivation.represented
+        used += [represented.parameter] if represented else []
         if reading.is_first:
             used += [factor for factor in conversion.factors if isinstance(factor, Parameter)]
             used += fulls(reading).values()
@@ -202,7 +204,7 @@ def _set_up(component: Component, block: Block, measured: MeasuredView | None) -
     for word, full in _sizes(component):
         yield block.constant(word), parameter_expression(full, "self.parameters")
     for reading in component.readings[:1]:
-        yield from is_read_word(reading, block, "self.parameters")
+        yield from read_words(reading, block, "self.parameters")
 
 
 def _sizes(component: Component) -> Iterator[tuple[str, Parameter]]:

@@ -130,8 +130,8 @@ def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
         words = ["count", *FACTOR_WORDS[: len(reading.conversion.factors)], "failures", "is_logged"]
         constant = [word for word, factor in factor_words(reading) if not isinstance(factor, Parameter)]
         yield from ((reading.word(word), 1) for word in words if word not in constant)
-        if reading.is_conditional:
-            yield reading.word("is_read"), 1
+        decided = {"is_read": reading.is_conditional, "is_set": reading.quantity.derivation.represented}
+        yield from ((reading.word(word), 1) for word, is_there in decided.items() if is_there)
         if reading.quantity.trust.stale_after_ms is not None:
             yield reading.word("expires_ms"), 1
         threshold = reading.quantity.derivation.threshold

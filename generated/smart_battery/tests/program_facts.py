@@ -95,6 +95,7 @@ MEASURED = (
         "attribute": "voltage_mv",
         "gpios": [26],
         "are_on": [True],
+        "set_by_code": [],
         "pin": "batt_volt_pin",
         "spare_bits": 0,
         "full_scale": 4095,

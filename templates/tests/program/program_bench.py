@@ -254,10 +254,21 @@ class Craft(Vehicle):
         self.flash = flash or Flash()
         self.flash.use()
         Vehicle.__init__(self, board, [Port()] if ports is None else ports, texts or Texts(silent, 500))
+        for name, steps in self.set_by_code:  # they count at the start, and stay what they are
+            setattr(self.parameters, name, steps)
         know(self.state)
         for poller in self.sources.every if hasattr(self, "sources") else ():
             poller.driver = Quiet()
             poller._keep = keep_nothing
+
+    def _load_parameters(self):
+        """Start without what code would have to set all the time."""
+        Vehicle._load_parameters(self)
+        self.set_by_code = []
+        for name, steps, off in [each for measured in MEASURED for each in measured["set_by_code"]]:
+            if getattr(self.parameters, name) == steps:
+                self.set_by_code.append((name, steps))
+                setattr(self.parameters, name, off)
 
     @property
     def port(self):

@@ -23,6 +23,7 @@ from parameters import Parameters
 from program_facts import CHUNK, CONTROL_US, FILES, LINKS_US, MEASURED, PARAMETERS, REPORT_MS, STEP_LIMIT_US
 from storage import Storage
 from texts import Texts
+from vehicle import Vehicle
 
 import dialect
 
@@ -37,7 +38,7 @@ class Start:
         self.texts = Texts(silent, 500)
         self.parameters = Parameters()
         self.storage = Storage(tuple(FILES), CHUNK)
-        Craft._load_parameters(self)
+        Vehicle._load_parameters(self)
 
 
 def _other(facts):
