@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from codegen.model.source_kind import Output
     from codegen.model.summed import Lasting, Rest, Sum
     from codegen.model.system import System
-    from codegen.model.vehicle import Parameter, Quantity, Represented, Threshold
+    from codegen.model.trust import Threshold
+    from codegen.model.vehicle import Parameter, Quantity, Represented
 
 
 class DerivationFact(NamedTuple):

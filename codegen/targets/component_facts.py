@@ -346,7 +346,7 @@ def _represented(quantity: Quantity, component: Component, system: System) -> Re
         parameter=first_attribute(represented.parameter),
         steps=represented.steps,
         value=conversion.stored(conversion.channel.full_scale * 3 // 4, *(each.default for each in conversion.factors)),
-        readings=represented.readings,
+        readings=represented.readings(component),
         forgotten=tuple(
             (each.attribute, _alike(each, "1"), f"== {_alike(each, 'None')}" if each.elements else "is None")
             for each in restarting

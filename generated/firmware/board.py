@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ade02387dae88746
+# Inputs: eb3a54e983536ee7
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 9f73c2d34d9db331
+# Inputs: 2e2848ade54509f9
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 34849e553bbb22ac
+# Inputs: b335866d67a0614b
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -319,7 +319,7 @@ def battery_what_code_sets_counts_for_a_while():
     assert one.voltage_mv is None
     for value in (9775, 9775 + 1):
         one.voltage_mv = value
-        one.current_ca = 1
+        one.current_ma = 1
         one.consumed_mah = 1
         one.energy_hj = 1
         one.remaining_pct = 1
@@ -331,7 +331,7 @@ def battery_what_code_sets_counts_for_a_while():
             assert one.voltage_mv == value
         state.update_battery(board)
         assert one.voltage_mv is None
-        assert told(one.current_ca) is None
+        assert told(one.current_ma) is None
         assert told(one.consumed_mah) is None
         assert told(one.energy_hj) is None
         assert told(one.remaining_pct) is None
@@ -440,7 +440,7 @@ BATTERY_CURRENT = {
     "name": "battery_current",
     "input": "battery_current_adc",
     "component": "battery",
-    "attribute": "current_ca",
+    "attribute": "current_ma",
     "several": True,
     "counts": (2559, 2431),
     "instances": 2,
@@ -497,7 +497,7 @@ def every_value_allocates_nothing():
     values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
     quantities = (
         (state.battery[0], "voltage_mv"),
-        (state.battery[0], "current_ca"),
+        (state.battery[0], "current_ma"),
         (state.battery[0], "consumed_mah"),
         (state.battery[0], "energy_hj"),
         (state.battery[0], "remaining_pct"),
@@ -548,10 +548,10 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
     ),
     (
         "battery",
-        "current_ca",
+        "current_ma",
         "current",
         5,
-        (-32769, 32768),
+        (-327681, 327671),
     ),
     (
         "battery",

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: f81ed8a235b3bbee
+# Inputs: 0ac4a0c4d18b8cdc
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -166,7 +166,7 @@ MEASURED = (
             "count": "swaps_number",
             "title": "Battery",
             "restarting": [
-                ("current_ca", None),
+                ("current_ma", None),
                 ("consumed_mah", 0),
                 ("energy_hj", 0),
                 ("remaining_pct", None),

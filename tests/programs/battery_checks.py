@@ -212,7 +212,7 @@ def what_the_gauge_says_goes_out():
     """What measure() writes into the state is in the next status of either generation."""
 
     def measure(pack):
-        pack.current_ca = 1234
+        pack.current_ma = 12340
         pack.consumed_mah = 1100
         pack.energy_hj = 456
         pack.left_mah = 2200

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/streams.yaml: do not edit.
-# Inputs: 85f40312c402bb5d
+# Inputs: 22445c695e142b58
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: c5c59c7e9c5c99e7
+# Inputs: b19739996526dbf8
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 84dbc34545c81e03
+# Inputs: a2036522031121e7
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -386,7 +386,7 @@ def every_value_allocates_nothing():
     values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
     quantities = (
         (state.battery, "voltage_mv"),
-        (state.battery, "current_ca"),
+        (state.battery, "current_ma"),
         (state.battery, "consumed_mah"),
         (state.battery, "energy_hj"),
         (state.battery, "remaining_pct"),
@@ -430,10 +430,10 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
     ),
     (
         "battery",
-        "current_ca",
+        "current_ma",
         "current",
         5,
-        (-32769, 32768),
+        (-327681, 327671),
     ),
     (
         "battery",

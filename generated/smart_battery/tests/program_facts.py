@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 0d9112c476d298bc
+# Inputs: 13d2b85d1908bd97
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
