@@ -9,7 +9,7 @@ import pytest
 from projects import HERE, run
 
 SCRIPT = HERE / "view_checks.py"
-TOOLS = {"status", "status_v2", "info", "feed", "equals", "outcome"}
+TOOLS = {"status", "status_v2", "info", "feed", "equals", "two_of_one_name", "outcome"}
 NAMES = [
     node.name
     for node in ast.parse(SCRIPT.read_text()).body

@@ -250,8 +250,121 @@ def contested_numbers_are_told():
     assert (view.components, view.is_contested) == ((1,), False)
     feed(packs, status(), 2 * SECOND, source=180)
     assert (view.components, view.is_contested) == ((1, 180), True)
+    assert view.contest == "reported by components 1, 180"
     feed(packs, status(), 6 * SECOND + 1, source=180)
     assert (view.components, view.is_contested) == ((1, 180), False)
+
+
+def two_of_one_name(packs, seconds, frames, ends=(1 << 30, 1 << 30), lost=()):
+    """Two senders with the same ids: each sends status each second and info each 2 s, until it ends.
+
+    `frames` are the sequence numbers that they begin with; those of `lost` do not arrive.
+    """
+    links = [Link(None, 7, 180), Link(None, 7, 180)]
+    said = []
+    for link, first in zip(links, frames):  # noqa: B905  MicroPython has no strict
+        link.sequence = first
+    for second in range(seconds):
+        for place, link in enumerate(links):
+            sent = [status(voltages=[(12000, 11400)[place] - second] + [65535] * 9)]
+            sent += [info(("A", "B")[place])] if second % 2 == 0 else []
+            for message in sent:
+                frame = bytes(link.encode(message))
+                link.sequence += 1
+                if second < ends[place] and (second, place) not in lost:
+                    packs.feed(frame, second * SECOND + 300 * place)
+        view = packs.view(7, 0)
+        said.append((view.swaps, view.is_contested))
+    return said
+
+
+def two_serial_numbers_are_no_swap():
+    """Two with the same ids: contested once the first one is heard again, whatever their sequence numbers are."""
+    for frames in ((0, 0), (0, 1), (3, 100), (200, 40)):
+        for lost in ((), ((0, 1), (3, 0), (4, 0), (7, 1), (8, 0), (9, 1), (9, 0))):
+            packs = Packs()
+            said = two_of_one_name(packs, 30, frames, lost=lost)
+            assert said[0][0] <= 1, said
+            assert said[8:] == [(0, True)] * 22, (frames, lost, said)
+            assert packs.view(7, 0).contest == "reported by several as component 180: serial numbers A, B"
+
+
+def one_that_leaves_ends_the_contest():
+    """It is over when only one is heard: no swap if that is the one from before, and one if it is the other."""
+    for ends, swaps in (((1 << 30, 10), 0), ((10, 1 << 30), 1)):
+        packs = Packs()
+        said = two_of_one_name(packs, 40, (0, 60), ends)
+        assert (9 - 1, said[8]) == (8, (0, True))
+        assert said[20:] == [(swaps, False)] * 20, (ends, said)
+        assert packs.view(7, 0).info.serial == "AB"[swaps]
+
+
+def several_of_one_name_are_no_swaps():
+    """Three take turns: none of them replaces another."""
+    packs = Packs()
+    for second in range(12):
+        feed(packs, info("ABC"[second % 3]), second * SECOND)
+    view = packs.view(7, 0)
+    assert (view.swaps, view.is_contested) == (0, True)
+    assert view.contest == "reported by several as component 1: serial numbers A, B, C", view.contest
+
+
+def both_infos_of_two_are_no_swap():
+    """Numbers that two kinds of message cut differently: what one kind has told holds for the other."""
+    packs = Packs()
+    for second in range(6):
+        for serial in ("A", "B"):
+            feed(packs, info(serial), second * SECOND)
+            feed(packs, status(voltages=[12000] + [65535] * 9), second * SECOND)
+    assert (packs.view(7, 0).swaps, packs.view(7, 0).is_contested) == (0, True)
+
+
+def a_swap_and_back_are_two():
+    """The pack that comes back after a while, when the one before is gone, was swapped in twice."""
+    packs = Packs()
+    for second in range(30):
+        feed(packs, info("ABA"[second // 10]), second * SECOND)
+    view = packs.view(7, 0)
+    assert (view.swaps, view.is_contested, view.info.serial) == (2, False, "A")
+
+
+def values_that_take_turns_are_two():
+    """Without serial numbers: two series of sequence numbers, each with a voltage of its own, also with frames lost."""
+    for frames in ((0, 0), (5, 15), (15, 5), (0, 128), (250, 100)):
+        for lost in (0, 3, 5):
+            packs = Packs()
+            links = [Link(None, 7, 180), Link(None, 7, 180)]
+            for link, first in zip(links, frames):  # noqa: B905  MicroPython has no strict
+                link.sequence = first
+            for second in range(40):
+                for place, link in enumerate(links):
+                    frame = bytes(link.encode(status_v2(voltage=(12.0, 11.4)[place] - second / 1000)))
+                    link.sequence += 1 + second % 3
+                    if not lost or (2 * second + place) % lost:
+                        packs.feed(frame, second * SECOND + 300 * place)
+            view = packs.view(7, 0)
+            assert (view.swaps, view.contest) == (0, "reported by several as component 180"), (frames, lost)
+            packs.feed(None, 46 * SECOND)
+            assert not view.is_contested
+
+
+def one_sender_is_not_contested():
+    """Other traffic between its messages, lost frames, a restart, a second link and a load that comes and goes."""
+    for step in (1, 3, 63, 64, 65, 127, 128, 129, 130, 200, 255, 256):
+        for late in (0, 1, 3):
+            packs = Packs()
+            link = Link(None, 7, 1)
+            frames = []
+            for second in range(120):
+                volts = 12 - second / 500 + (second * 7 % 5) / 1000 - (1 if second % 11 < 4 else 0)
+                frames.append(bytes(link.encode(status_v2(voltage=volts))))
+                link.sequence += step if second != 60 else 77
+                if second % 9:
+                    packs.feed(frames[-1], second * SECOND)
+                if late and second >= late:
+                    packs.feed(frames[-late], second * SECOND + 10)
+                view = packs.view(7, 0)
+                assert view is None or (view.swaps, view.contest) == (0, None), (step, late, second, view.contest)
 
 
 def systems_are_apart():
@@ -381,6 +494,13 @@ CHECKS = (
     what_cannot_be_is_unknown,
     cycles_tell_packs_apart,
     contested_numbers_are_told,
+    two_serial_numbers_are_no_swap,
+    one_that_leaves_ends_the_contest,
+    several_of_one_name_are_no_swaps,
+    both_infos_of_two_are_no_swap,
+    a_swap_and_back_are_two,
+    values_that_take_turns_are_two,
+    one_sender_is_not_contested,
     systems_are_apart,
     the_clock_starts_again,
     an_old_message_stays_old,
