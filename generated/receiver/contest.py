@@ -1,5 +1,5 @@
 # Generated from templates/receiver/contest.py: do not edit.
-# Inputs: d40269c46c126140
+# Inputs: aa123bd8b29516a7
 """Whether two senders with the same ids report one number: what they say takes turns, as it never does after a swap."""
 
 from readings import elapsed
@@ -44,7 +44,8 @@ class Owners:
 
     def has_serial(self):
         """Tell whether a serial number is known."""
-        return any([identity is not None and identity[0] is not None for identity in self._owners[0].identities])
+        known = [identity for identity in self._owners[0].identities if identity is not None]
+        return any(serial is not None for serial, _ in known)
 
     def serials(self, now_ms):
         """Return the serial numbers of those that are heard, in order."""
@@ -107,8 +108,8 @@ class Series:
     """The sequence numbers of one kind of message from one component.
 
     Two senders have a series each, and values of their own: with each turn from one series to the other the number
-    goes back, and a value is again what it was. One sender, however many of its frames are lost, goes on with one series; another one after
-    it, or a restart, begins a second one and never goes back to the first.
+    goes back, and a value is again what it was. One sender, however many of its frames are lost, goes on with one
+    series; another one after it, or a restart, begins a second one and never goes back to the first.
     """
 
     def __init__(self):

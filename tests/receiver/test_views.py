@@ -26,6 +26,7 @@ def outcomes(interpreter: str, generated: Path) -> dict[str, str | None]:
 @pytest.mark.requirement(
     "FR-00075.1", "FR-00075.2", "FR-00075.3", "FR-00075.4", "FR-00075.5", "FR-00075.6", "FR-00075.8"
 )
+@pytest.mark.requirement("FR-00075.10")
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 @pytest.mark.parametrize("name", NAMES)
 def test_views(name: str, interpreter: str, packs: Path) -> None:

@@ -1,0 +1,45 @@
+"""Two smart batteries as they come from the bench, with the same ids, on one link."""
+
+import json
+from functools import cache
+
+import pytest
+from test_smart_battery import PATHS, ROOT, run
+
+CHIPS = {"first...": 52000, "second..": 48000}
+TEXT = "COMPID_BATT 180 is in use by another: change one"
+
+
+@cache
+def sent(chip: str, other: str | None = None) -> str:
+    """What a battery sends in 90 s, in which it hears what another one sends."""
+    given = sent(other) if other else ""
+    return run("cpython", PATHS, "twin_frames.py", chip, str(CHIPS[chip]), given=given)
+
+
+def merged(*frames: str) -> str:
+    """The frames of both in the order of time; at the same time one is before the other."""
+    lines = [line for each in frames for line in each.splitlines()]
+    return "\n".join(sorted(lines, key=lambda line: int(line.split()[0])))
+
+
+@pytest.mark.requirement("FR-00075.10")
+@pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
+def test_a_receiver_tells_of_both(interpreter: str) -> None:
+    """No swap is left, and it is contested as soon as a number is heard again, until the end."""
+    first, second = CHIPS
+    given = merged(sent(first), sent(second))
+    seen = json.loads(run(interpreter, [str(ROOT / "generated" / "receiver")], "twin_seen.py", given=given))
+    assert len(seen) > 80
+    serials = ", ".join(chip.encode().hex() for chip in CHIPS)
+    assert seen[30:] == [[0, f"reported by several as component 180: serial numbers {serials}"]] * len(seen[30:])
+    assert max(swaps for swaps, _ in seen) <= 1
+
+
+@pytest.mark.requirement("FR-00074.10")
+def test_each_tells_of_the_other() -> None:
+    """Though they started at the same moment and count their frames alike: each has another chip."""
+    for chip, other in (tuple(CHIPS), tuple(CHIPS)[::-1]):
+        texts = [line.split()[0] for line in sent(chip, other).splitlines() if TEXT.encode().hex() in line]
+        assert len(texts) == 3, texts
+        assert int(texts[0]) < 25000
