@@ -1,5 +1,5 @@
 # Generated from templates/receiver/contest.py: do not edit.
-# Inputs: aa123bd8b29516a7
+# Inputs: 8c65b0bd6adc0137
 """Whether two senders with the same ids report one number: what they say takes turns, as it never does after a swap."""
 
 from readings import elapsed
@@ -21,6 +21,17 @@ class _Owner:
 
     def is_heard(self, now_ms, within_ms):
         return self.heard_ms is not None and elapsed(now_ms, self.heard_ms) <= within_ms
+
+    def fits(self, serial):
+        """Tell whether messages of other kinds told this serial number; None if they told none.
+
+        Messages cut serial numbers to different lengths.
+        """
+        if serial is None:
+            return None
+        known = [identity[0] for identity in self.identities if identity is not None and identity[0] is not None]
+        found = [other for other in known if type(other) is type(serial)]
+        return any(other.startswith(serial) or serial.startswith(other) for other in found) if known else None
 
 
 class Owners:
@@ -65,9 +76,8 @@ class Owners:
         identity = (serial, cycles)
         owner = first
         if before is None or _is_other(before, identity):
-            owner = self._heard(kind, identity, now_ms)
-            if owner is None and before is None:
-                owner = first
+            is_first = before is None and first.fits(serial) is not False
+            owner = first if is_first else self._heard(kind, identity, now_ms)
         is_another = owner is not first and not first.is_heard(now_ms, self._within_ms)
         if owner is None:
             is_another = not self.is_clash(now_ms)
@@ -87,8 +97,10 @@ class Owners:
 
     def _heard(self, kind, identity, now_ms):
         for owner in self._owners[1:]:
-            if owner.is_heard(now_ms, self._within_ms) and _is_the_same(owner.identities[kind], identity):
-                return owner
+            if owner.is_heard(now_ms, self._within_ms):
+                known = owner.identities[kind]
+                if _is_the_same(known, identity) if known is not None else owner.fits(identity[0]):
+                    return owner
         return None
 
     def _forget(self, now_ms):
@@ -105,7 +117,7 @@ class Owners:
 
 
 class Series:
-    """The sequence numbers of one kind of message from one component.
+    """The sequence numbers of one kind of message.
 
     Two senders have a series each, and values of their own: with each turn from one series to the other the number
     goes back, and a value is again what it was. One sender, however many of its frames are lost, goes on with one
@@ -113,21 +125,16 @@ class Series:
     """
 
     def __init__(self):
-        self._source = None
         self._head = None  # sequence number, what was said, and the swaps before
         self._other = None  # where the other series stands
         self._apart = ()  # what differed with each turn
         self.turns = 0  # back to the other series
         self.swaps = 0  # before the other series began
 
-    def note(self, source, sequence, said, swaps):
+    def note(self, sequence, said, swaps):
         """Take in a message; return whether two senders take turns."""
         new = (sequence, said, swaps)
-        if source != self._source:
-            self._source = source
-            self._head, self._other, self.turns = new, None, 0
-            return False
-        if self._head[:2] == new[:2]:
+        if self._head is not None and self._head[:2] == new[:2]:
             return False  # it came over two links
         goes_on = _ahead(self._head, sequence)
         apart = self._differing(said) if _ahead(self._other, sequence) else None
@@ -136,7 +143,7 @@ class Series:
                 self._apart = [name for name in apart if not self.turns or name in self._apart]
                 self.turns = self.turns + 1 if self._apart else 0
             self._other = self._head
-        elif not goes_on:
+        elif not goes_on and self._head is not None:
             self._other, self.turns = self._head, 0
             self.swaps = self._head[2]
         self._head = new
@@ -158,8 +165,6 @@ def _is_other(before, identity):
 
 def _is_the_same(known, identity):
     """Tell whether it is the very same one: a count of cycles alone says so only where none was added."""
-    if known is None:
-        return False
     if identity[0] is None and known[0] is None:
         return identity[1] == known[1]
     return identity[0] == known[0]

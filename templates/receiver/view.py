@@ -154,7 +154,7 @@ class View:
     def take(self, kind, said, source, sequence, now_ms):
         """Take in what a message of a kind said, from a component with a sequence number."""
         series = self._series[kind]
-        if series.note(source, sequence, said, self.swaps):
+        if series.note(sequence, said, self.swaps):
             self._clash_ms = now_ms
             self._owners.swaps = min(self.swaps, series.swaps)  # what looked like swaps were none
         if self._is_another(kind, said, now_ms) or self._begins_anew(kind, said, now_ms):

@@ -11,10 +11,10 @@ TEXT = "COMPID_BATT 180 is in use by another: change one"
 
 
 @cache
-def sent(chip: str, other: str | None = None) -> str:
-    """What a battery sends in 90 s, in which it hears what another one sends."""
-    given = sent(other) if other else ""
-    return run("cpython", PATHS, "twin_frames.py", chip, str(CHIPS[chip]), given=given)
+def sent(chip: str, choice: int, other: str | None = None) -> str:
+    """What a battery sends in 90 s, in which it hears what another one sends; `choice` is BATT_REPORT."""
+    given = sent(other, choice) if other else ""
+    return run("cpython", PATHS, "twin_frames.py", chip, str(CHIPS[chip]), str(choice), given=given)
 
 
 def merged(*frames: str) -> str:
@@ -24,11 +24,10 @@ def merged(*frames: str) -> str:
 
 
 @pytest.mark.requirement("FR-00075.10")
-@pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
-def test_a_receiver_tells_of_both(interpreter: str) -> None:
+@pytest.mark.parametrize(("choice", "interpreter"), [(0, "cpython"), (1, "micropython"), (2, "cpython")])
+def test_a_receiver_tells_of_both(choice: int, interpreter: str) -> None:
     """No swap is left, and it is contested as soon as a number is heard again, until the end."""
-    first, second = CHIPS
-    given = merged(sent(first), sent(second))
+    given = merged(*(sent(chip, choice) for chip in CHIPS))
     seen = json.loads(run(interpreter, [str(ROOT / "generated" / "receiver")], "twin_seen.py", given=given))
     assert len(seen) > 80
     serials = ", ".join(chip.encode().hex() for chip in CHIPS)
@@ -36,10 +35,24 @@ def test_a_receiver_tells_of_both(interpreter: str) -> None:
     assert max(swaps for swaps, _ in seen) <= 1
 
 
+@pytest.mark.requirement("FR-00075.8", "FR-00075.10")
+@pytest.mark.parametrize("choice", [0, 1, 2])
+def test_one_after_the_other_is_one_swap(choice: int) -> None:
+    """Also while the first one's frames come late, in part, or twice."""
+    first, second = (sent(chip, choice).splitlines() for chip in CHIPS)
+    twice = [line for number, line in enumerate(first) for _ in range(number % 3)]
+    later = [f"{95000 + int(line.split()[0])} {line.split()[1]}" for line in second]
+    given = "\n".join(twice + later)
+    seen = json.loads(run("cpython", [str(ROOT / "generated" / "receiver")], "twin_seen.py", given=given))
+    assert seen[-80:] == [[1, None]] * 80
+    assert [0, None] in seen
+    assert all(contest is None for _, contest in seen)
+
+
 @pytest.mark.requirement("FR-00074.10")
 def test_each_tells_of_the_other() -> None:
     """Though they started at the same moment and count their frames alike: each has another chip."""
     for chip, other in (tuple(CHIPS), tuple(CHIPS)[::-1]):
-        texts = [line.split()[0] for line in sent(chip, other).splitlines() if TEXT.encode().hex() in line]
+        texts = [line.split()[0] for line in sent(chip, 0, other).splitlines() if TEXT.encode().hex() in line]
         assert len(texts) == 3, texts
         assert int(texts[0]) < 25000

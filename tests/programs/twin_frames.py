@@ -1,6 +1,7 @@
-"""What a smart battery sends in 90 s: arguments are its chip and a count of its ADC; stdin has what arrives meanwhile.
+"""What a smart battery sends in 90 s: arguments are its chip, a count of its ADC and BATT_REPORT.
 
-Lines are a time in ms and a frame in hex. A process is one board, because a board's chip never changes.
+Lines, also those of stdin with what arrives meanwhile, are a time in ms and a frame in hex. A process is one board,
+because a board's chip never changes.
 """
 
 import binascii
@@ -15,6 +16,7 @@ from program_bench import MEASURED, analog, new_craft, run  # noqa: E402
 PASS_MS = 50
 arriving = [line.split() for line in sys.stdin]
 battery = new_craft()
+assert battery.parameters.set("BATT_REPORT", int(sys.argv[3]))
 analog(MEASURED[0], 0).source = int(sys.argv[2])
 taken = 0
 for now_ms in range(0, 90000, PASS_MS):

@@ -219,6 +219,9 @@ def a_swap_is_noticed():
     feed(packs, info("", capacity_full=2200), 5 * SECOND)
     feed(packs, info("B", capacity_full=2200), 6 * SECOND)
     assert view.swaps == 1
+    feed(packs, info("", cycle_count=5), 7 * SECOND)
+    feed(packs, info("C", cycle_count=6), 8 * SECOND)
+    assert view.swaps == 2, "B was known, though one message left it out"
 
 
 def what_cannot_be_is_unknown():
@@ -309,6 +312,18 @@ def several_of_one_name_are_no_swaps():
     assert view.contest == "reported by several as component 1: serial numbers A, B, C", view.contest
 
 
+def one_more_while_it_is_contested_is_no_swap():
+    """Nor is it one later on, unless it is the one that is left."""
+    for last, swaps in (("A", 0), ("B", 1), ("C", 1)):
+        packs = Packs()
+        for second, serial in enumerate(["A", "B", "A", "C", "B"] + [last] * 20):
+            feed(packs, info(serial), second * SECOND)
+            if second in range(2, 8):
+                assert (packs.view(7, 0).swaps, packs.view(7, 0).is_contested) == (0, True), (last, second)
+        view = packs.view(7, 0)
+        assert (view.swaps, view.is_contested) == (swaps, False), (last, view.swaps)
+
+
 def both_infos_of_two_are_no_swap():
     """Numbers that two kinds of message cut differently: what one kind has told holds for the other."""
     packs = Packs()
@@ -326,6 +341,10 @@ def a_swap_and_back_are_two():
         feed(packs, info("ABA"[second // 10]), second * SECOND)
     view = packs.view(7, 0)
     assert (view.swaps, view.is_contested, view.info.serial) == (2, False, "A")
+    packs = Packs()
+    for serial, second in (("A", 0), ("B", 5), ("A", 7)):
+        feed(packs, info(serial), second * SECOND)
+    assert (packs.view(7, 0).swaps, packs.view(7, 0).is_contested) == (2, False), "A is older than 6 s"
 
 
 def values_that_take_turns_are_two():
@@ -340,8 +359,9 @@ def values_that_take_turns_are_two():
                 for place, link in enumerate(links):
                     frame = bytes(link.encode(status_v2(voltage=(12.0, 11.4)[place] - second / 1000)))
                     link.sequence += 1 + second % 3
-                    if not lost or (2 * second + place) % lost:
-                        packs.feed(frame, second * SECOND + 300 * place)
+                    for _ in range(1 if lost else 2):  # over two links
+                        if not lost or (2 * second + place) % lost:
+                            packs.feed(frame, second * SECOND + 300 * place)
             view = packs.view(7, 0)
             assert (view.swaps, view.contest) == (0, "reported by several as component 180"), (frames, lost)
             packs.feed(None, 46 * SECOND)
@@ -365,6 +385,91 @@ def one_sender_is_not_contested():
                     packs.feed(frames[-late], second * SECOND + 10)
                 view = packs.view(7, 0)
                 assert view is None or (view.swaps, view.contest) == (0, None), (step, late, second, view.contest)
+
+
+def busy_senders_are_not_contested():
+    """One whose sequence numbers say nothing, for it sends so much: values that jump, or take turns one by one."""
+    state = 1
+    for steps in ((1, 255), (129, 129), (129, 131)):
+        packs = Packs()
+        link = Link(None, 7, 1)
+        for second in range(2000):
+            state = (state * 75 + 74) % 65537
+            volts = 11 + (state >> 8) % 2 if steps[0] == 1 else 11 + state / 65537
+            packs.feed(bytes(link.encode(status_v2(voltage=volts))), second * SECOND)
+            link.sequence += steps[0] + state % (steps[1] - steps[0] + 1)
+            assert packs.view(7, 0).contest is None, (steps, second)
+    packs = Packs()
+    link = Link(None, 7, 1)
+    for second in range(100):
+        volts, amperes = ((11 - second // 2 % 2, 1), (12, 2 + second // 2 % 2))[second % 2]
+        packs.feed(bytes(link.encode(status_v2(voltage=volts, current=amperes))), second * SECOND)
+        link.sequence += 129
+        assert packs.view(7, 0).contest is None, second
+
+
+def a_load_that_comes_and_goes_is_not_contested():
+    """Each second message tells another voltage, also after a restart."""
+    for restart in (None, 10, 40, 100, 200):
+        packs = Packs()
+        link = Link(None, 7, 1)
+        link.sequence = 50
+        for second in range(60):
+            packs.feed(bytes(link.encode(status_v2(voltage=12 - second % 2))), second * SECOND)
+            link.sequence = restart if second == 20 and restart else link.sequence + 3
+            assert packs.view(7, 0).contest is None, (restart, second)
+
+
+def counts_that_take_turns_do_not_begin_anew():
+    """Two without serial numbers, of which one has drawn little: no swap is left; one alone that begins anew is one."""
+
+    class View(Packs.VIEW):
+        IS_COUNTED_ANEW = True
+
+    class Anew(Packs):
+        VIEW = View
+
+    for frames in ((0, 0), (0, 10), (10, 0), (0, 100)):
+        packs = Anew()
+        links = [Link(None, 7, 180), Link(None, 7, 180)]
+        for link, first in zip(links, frames):  # noqa: B905  MicroPython has no strict
+            link.sequence = first
+        for second in range(60):
+            for place, link in enumerate(links):
+                frame = bytes(link.encode(status_v2(capacity_consumed=(2.0, 0.02)[place] + second / 10000)))
+                packs.feed(frame, second * SECOND)
+                link.sequence += 1
+        assert (packs.view(7, 0).swaps, packs.view(7, 0).is_contested) == (0, True), frames
+    for serial, swaps in (("A", 0), ("", 1)):
+        packs = Anew()
+        for number, consumed in enumerate((2, 2.1, 0.02, 0.03)):
+            if number == 0:
+                feed(packs, info(serial), number * SECOND)
+            feed(packs, status_v2(capacity_consumed=consumed), number * SECOND)
+        assert packs.view(7, 0).swaps == swaps, serial
+
+
+def an_old_contest_stays_over():
+    """What took turns before the clock started again does not take turns now, and is no pack that comes back."""
+    for names in ("AB", "ABA"):
+        packs = Packs()
+        for second, serial in enumerate(names):
+            feed(packs, info(serial), second * SECOND)
+        links = [Link(None, 7, 1), Link(None, 7, 1)]
+        for second in range(30):
+            for place, link in enumerate(links):
+                packs.feed(bytes(link.encode(status_v2(voltage=12 + place))), second * 100)
+                link.sequence += 1 + (100 if second == 0 and place else 0)
+        view = packs.view(7, 0)
+        assert view.is_contested
+        for day in range(1, 13):
+            packs.feed(None, day * 86400 * SECOND % TURN_MS)
+            assert not view.is_contested, day
+        packs.feed(None, 4 * SECOND)  # the clock has started again
+        assert not view.is_contested
+        swaps = view.swaps
+        feed(packs, info("ABA"[len(names) - 2]), 4 * SECOND)
+        assert (view.swaps, view.is_contested) == (swaps + 1, False), names
 
 
 def systems_are_apart():
@@ -501,6 +606,11 @@ CHECKS = (
     a_swap_and_back_are_two,
     values_that_take_turns_are_two,
     one_sender_is_not_contested,
+    one_more_while_it_is_contested_is_no_swap,
+    busy_senders_are_not_contested,
+    a_load_that_comes_and_goes_is_not_contested,
+    counts_that_take_turns_do_not_begin_anew,
+    an_old_contest_stays_over,
     systems_are_apart,
     the_clock_starts_again,
     an_old_message_stays_old,

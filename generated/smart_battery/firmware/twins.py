@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/twins.py: do not edit.
-# Inputs: 8fdc60ed1f292621
+# Inputs: 2658b6ace09a7f8f
 """Whether somebody else uses the ids of this board: people are told, who have to give one of the two another id."""
 
 import time
@@ -69,7 +69,7 @@ class TwinWatch:
 
     def _is_of_another_chip(self, wire, start, count):
         chip = self._chip
-        for place in range(count):
+        for place in range(count):  # noqa: SIM110  any() would make an object
             if wire[start + place] != (chip[place] if place < len(chip) else 0):
                 return True
         return False

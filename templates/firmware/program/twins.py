@@ -67,7 +67,7 @@ class TwinWatch:
 
     def _is_of_another_chip(self, wire, start, count):
         chip = self._chip
-        for place in range(count):
+        for place in range(count):  # noqa: SIM110  any() would make an object
             if wire[start + place] != (chip[place] if place < len(chip) else 0):
                 return True
         return False
