@@ -2,8 +2,11 @@
 
 import json
 from functools import cache
+from pathlib import Path
 
 import pytest
+from generated_suite import suite_is_green
+from test_battery_protocol import built
 from test_smart_battery import PATHS, ROOT, run
 
 CHIPS = {"first...": 52000, "second..": 48000}
@@ -56,3 +59,26 @@ def test_each_tells_of_the_other() -> None:
         texts = [line.split()[0] for line in sent(chip, 0, other).splitlines() if TEXT.encode().hex() in line]
         assert len(texts) == 3, texts
         assert int(texts[0]) < 25000
+
+
+PARAMETER = """\
+parameters:
+  OWN_COMPONENT: {doc: Component id., type: int16, default: 1, min: 1, max: 255, step: 1, reboot: true}
+"""
+CHIP = "serial_number: {board: unique_id}"
+
+
+@pytest.mark.parametrize("told", [[], [("specs/messages/battery_info.yaml", "serial_number: unknown", CHIP)]])
+def test_any_program_whose_component_id_can_be_set(told: list[tuple[str, str, str]], tmp_path: Path) -> None:
+    """The rover with such a parameter, without a number of its chip and with one: its batteries have fixed numbers."""
+    ids = "system_id: SYSID_THISMAV\n"
+    built(
+        tmp_path,
+        ("specs/vehicle.yaml", ids, f"{ids}component_id: OWN_COMPONENT\n"),
+        ("specs/parameters.yaml", "parameters:\n", PARAMETER),
+        *told,
+    )
+    vehicle = (tmp_path / "generated" / "firmware" / "vehicle.py").read_text()
+    kinds = "((372, 58, 32, 44),)" if told else "()"
+    assert f'watch_twins(connection, self.texts, "OWN_COMPONENT", {kinds})' in vehicle
+    suite_is_green(tmp_path, "generated/tests/test_program.py", only="twin")
