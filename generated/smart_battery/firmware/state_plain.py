@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 0cd67af9af7a6a25
+# Inputs: c964a644042539b3
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const

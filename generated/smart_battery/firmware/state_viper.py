@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: 0cd67af9af7a6a25
+# Inputs: c964a644042539b3
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.

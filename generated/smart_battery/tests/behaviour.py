@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: a2036522031121e7
+# Inputs: af64b576197d1895
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -601,8 +601,8 @@ def extra1_stream_keeps_its_rate():
 def extra3_stream_keeps_its_rate():
     state = known(SystemState(log=Log()))
     state.parameters.batt_report = 2  # both generations
-    for rate in (0, 5, 100):
-        state.parameters.batt_status_rate = rate
+    for rate in (0, 10, 100):
+        state.parameters.batt_v2_rate = rate
         expected = 1 * 40 * rate * 1 // 10
         assert abs(sent_in_40_seconds(state, 369) - expected) <= (expected > 0), rate
 
@@ -636,6 +636,7 @@ def parameters_start_with_their_defaults():
         ("batt_monitor", "BATT_MONITOR", 3, 3.0),
         ("batt_report", "BATT_REPORT", 0, 0.0),
         ("batt_status_rate", "BATT_STATUS_RATE", 5, 0.5),
+        ("batt_v2_rate", "BATT_V2_RATE", 10, 1.0),
         ("batt_volt_mult", "BATT_VOLT_MULT", 39500, 3.95),
         ("batt_volt_pin", "BATT_VOLT_PIN", 26, 26.0),
         ("compid_batt", "COMPID_BATT", 180, 180.0),
@@ -643,7 +644,7 @@ def parameters_start_with_their_defaults():
     ):
         assert getattr(parameters, attribute) == steps, name
         assert abs(parameters.get(name) - value) < 1e-5, name
-    assert len(parameters.names()) == 9
+    assert len(parameters.names()) == 10
 
 
 def parameters_keep_their_limits():
