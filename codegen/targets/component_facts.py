@@ -100,6 +100,7 @@ class ReturnsFacts:
 
     gone: str
     below: tuple[int, ...]
+    back_from: tuple[int, ...]
     count: str
     title: str
     restarting: tuple[tuple[str, str], ...]
@@ -271,6 +272,7 @@ def _returns(component: Component) -> ReturnsFacts | None:
     return ReturnsFacts(
         gone=returns.gone.name,
         below=limits if limits and follows.deciding(0, None)["clear"] == limits[0] else (),
+        back_from=returns.count.derivation.back_from,
         count=returns.count.attribute,
         title=component.name.capitalize(),
         restarting=tuple((each.attribute, _anew(each)) for each in returns.restarting),

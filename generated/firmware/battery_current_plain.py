@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: eb3a54e983536ee7
+# Inputs: 1ca89c2dbaf3c448
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time

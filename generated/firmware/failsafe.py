@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 5d7a22a3d6d434d3
+# Inputs: 0cc17335f38ffe40
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: eb3a54e983536ee7
+# Inputs: 1ca89c2dbaf3c448
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -186,7 +186,7 @@ class BatteryState(Component):
     # Whether the pack is charged above what its cells stand
     over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
     # Whether the pack is below what its cells stand
-    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000)  # FR-00072.5
+    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000, floor=3000)  # FR-00072.5
     # Whether the pack is warmer than it may be while it is discharged
     hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
     # Whether the pack is colder than it may be while it is discharged

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: eb3a54e983536ee7
+# Inputs: 1ca89c2dbaf3c448
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -144,9 +144,11 @@ def _take_battery(battery, now_ms):
             battery[_BATTERY_IS_LOGGED] = 1
             told = 1
         # Whether it is absent; another one may have been put in (FR-00073.8).
-        is_gone = 0
+        is_gone = battery[_BATTERY_GONE]
         if value < 3000 and value != _UNKNOWN:
             is_gone = 1
+        if value >= 6000:
+            is_gone = 0
         if battery[_BATTERY_GONE] or is_gone:
             battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: eb3a54e983536ee7
+# Inputs: 1ca89c2dbaf3c448
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -143,9 +143,11 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_IS_LOGGED] = 1
                     told = 1
                 # Whether it is absent; another one may have been put in (FR-00073.8).
-                is_gone = 0
+                is_gone = battery[_BATTERY_GONE]
                 if value < 3000 and value != _UNKNOWN:
                     is_gone = 1
+                if value >= 6000:
+                    is_gone = 0
                 if battery[_BATTERY_GONE] or is_gone:
                     battery[_BATTERY_CURRENT_MA] = _UNKNOWN
                     battery[_BATTERY_REMAINING_PCT] = _UNKNOWN

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: a60726e402e383e8
+# Inputs: 0f643d2a5ef3c2e7
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -489,7 +489,7 @@ def write_battery_status(value, place, wire, words, instance):
     wire[52] = 0
     wire[53] = 0
     value = words[battery + _BATTERY_VOLTAGE_MV]
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         wire[50] |= 0x1
     value = words[battery + _BATTERY_LOWEST_CELL_MV]
     if value < 3000 and value != _UNKNOWN:
@@ -792,7 +792,7 @@ def write_battery_status_v2(value, place, wire, words, instance):
     if value >= 12750:
         wire[20] |= 0x1
         wire[21] |= 0x2
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         wire[20] |= 0x1
         wire[21] |= 0x4
     value = words[battery + _BATTERY_HIGHEST_CELL_MV]

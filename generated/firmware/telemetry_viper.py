@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: a60726e402e383e8
+# Inputs: 0f643d2a5ef3c2e7
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -574,7 +574,7 @@ def battery_status_frame(link, state, instance: int):
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     flags = 0
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         flags |= 0x1
     value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
     if value < 3000 and value != _UNKNOWN:
@@ -970,7 +970,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value >= 12750:
         flags |= 0x201
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         flags |= 0x401
     value = (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign
     if value >= 4250:

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 0ac4a0c4d18b8cdc
+# Inputs: 7fba1d6c8610d7ee
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -163,6 +163,7 @@ MEASURED = (
         "returns": {
             "gone": "absent",
             "below": [3000, 3000],
+            "back_from": [6000, 6000],
             "count": "swaps_number",
             "title": "Battery",
             "restarting": [

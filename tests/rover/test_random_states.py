@@ -107,8 +107,8 @@ def cells(millivolts):
 
 
 def faults(millivolts, temperature, milliamperes):
-    """By hand: deep discharge below 3.0 V a cell, 132 A or more, and from 60 and below -20 degC."""
-    bits = 0 if millivolts is None or millivolts >= 3 * 3000 else 1
+    """By hand: deep discharge from 1.0 to below 3.0 V a cell, 132 A or more, and from 60 and below -20 degC."""
+    bits = 1 if millivolts is not None and 3 * 1000 <= millivolts < 3 * 3000 else 0
     bits |= 8 if milliamperes is not None and milliamperes >= 132000 else 0
     if temperature is not None:
         bits |= 16 if temperature >= 6000 else 32 if temperature < -2000 else 0

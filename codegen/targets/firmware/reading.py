@@ -313,11 +313,16 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     gone, counted = code.word(name, "gone"), code.word(name, returns.count.attribute)
     cited = _cited(str(returns.count.citation or ""))
     yield f"# Whether it is {returns.gone.name}; another one may have been put in{cited}."
-    yield "is_gone = 0"
+    least = returns.count.derivation.back_from
+    yield f"is_gone = {gone}" if least else "is_gone = 0"
     source, condition = code.condition(returns.gone)
     assert source
     yield f"if {condition}:"
     yield "    is_gone = 1"
+    if least:
+        own = code.number_of(code.word(name, f"{returns.count.name}_back_from")) if differ(least) else least[0]
+        yield f"if value >= {own}:"
+        yield "    is_gone = 0"
     if forgotten := [*_gone(component, returns, code)]:
         yield f"if {gone} or is_gone:"
         yield from indented(forgotten)

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: c964a644042539b3
+# Inputs: dd82ce358556a0c5
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -126,7 +126,7 @@ class BatteryState(Component):
     # Whether the pack is charged above what its cells stand
     over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
     # Whether the pack is below what its cells stand
-    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000)  # FR-00072.5
+    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000, floor=3000)  # FR-00072.5
     # Whether the pack is warmer than it may be while it is discharged
     hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
     # Whether the pack is colder than it may be while it is discharged

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: e8fdb42265b282c6
+# Inputs: 6757657ac53e137d
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -291,7 +291,7 @@ def write_battery_status(value, place, wire, words, instance):
     wire[52] = 0
     wire[53] = 0
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         wire[50] |= 0x1
     value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
     if value < 3000 and value != _UNKNOWN:
@@ -575,7 +575,7 @@ def write_battery_status_v2(value, place, wire, words, instance):
     if value >= 12750:
         wire[20] |= 0x1
         wire[21] |= 0x2
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         wire[20] |= 0x1
         wire[21] |= 0x4
     if words[_BATTERY + _BATTERY_USED_UP]:

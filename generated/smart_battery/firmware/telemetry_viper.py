@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: e8fdb42265b282c6
+# Inputs: 6757657ac53e137d
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -337,7 +337,7 @@ def battery_status_frame(link, state, instance: int):
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     flags = 0
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         flags |= 0x1
     value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
     if value < 3000 and value != _UNKNOWN:
@@ -716,7 +716,7 @@ def battery_status_v2_frame(link, state, instance: int):
         flags |= 0x1
     if value >= 12750:
         flags |= 0x201
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         flags |= 0x401
     if battery[_BATTERY_USED_UP]:
         flags |= 0x1

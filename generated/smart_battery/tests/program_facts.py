@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 9724210f6e9e1443
+# Inputs: efd5968f36552cae
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -122,6 +122,7 @@ MEASURED = (
         "returns": {
             "gone": "absent",
             "below": [3000],
+            "back_from": [6000],
             "count": "swaps_number",
             "title": "Battery",
             "restarting": [],
