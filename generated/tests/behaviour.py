@@ -457,6 +457,13 @@ BATTERY_CURRENT = {
         {"batt2_monitor": 0, "batt_amp_offset": 0, "batt_amp_pervlt": 0, "batt_monitor": 4},
         {"batt2_monitor": 0, "batt_amp_offset": 3300, "batt_amp_pervlt": 9900, "batt_monitor": 4},
     ],
+    "lasting": {
+        "attribute": "time_left_s",
+        "left": "left_mah",
+        "factor": 3600,
+        "readings": 300,
+        "most": 1000000,
+    },
     "builders": [telemetry.build_sys_status, telemetry.build_battery_status, telemetry.build_battery_status_v2],
     "others": [
         {
@@ -489,6 +496,10 @@ def battery_current_is_left_alone_where_it_is_off():
 
 def battery_current_allocates_nothing():
     single_readings.allocates_nothing(BATTERY_CURRENT, reading_of)
+
+
+def battery_current_lasts_at_the_mean():
+    single_readings.lasts_at_the_mean(BATTERY_CURRENT, reading_of)
 
 
 def every_value_allocates_nothing():
@@ -912,6 +923,7 @@ CHECKS = (
     ("FR-00067.5", battery_current_raises_nothing),
     ("FR-00077.2", battery_current_is_left_alone_where_it_is_off),
     ("NFR-00060.3", battery_current_allocates_nothing),
+    ("FR-00077.7", battery_current_lasts_at_the_mean),
     ("FR-00068.8", heartbeat_stream_keeps_its_rate),
     ("FR-00068.9", extended_status_stream_keeps_its_rate),
     ("FR-00068.2", extra1_stream_keeps_its_rate),
