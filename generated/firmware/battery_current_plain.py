@@ -157,9 +157,9 @@ def _sum_battery_current(battery, value, now_ms):
     part = battery[_BATTERY_TIME_LEFT_MEAN]
     if battery[_BATTERY_CURRENT_MA] == _UNKNOWN:
         part = value * 64
-    part += (value * 64 - part) // 301
+    part += (value * 64 - part) // 300
     battery[_BATTERY_TIME_LEFT_MEAN] = part
-    part = part // 65
+    part = part // 64
     if part <= 0 or battery[_BATTERY_LEFT_MAH] == _UNKNOWN:
         battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
     else:
