@@ -59,7 +59,8 @@ def test_current_and_charge_are_told(start: Any, link: GroundLink) -> None:
     for status in told:
         assert status.current_battery == 1200
         assert status.battery_remaining == 100 - status.current_consumed
-        assert status.time_remaining == status.battery_remaining * 360 // 1200
+        # 12 A are 12.005 A for the converter: of 27 s it may be 26.99.
+        assert status.battery_remaining * 3600 // 12000 - status.time_remaining in (0, 1)
         assert abs(status.energy_consumed - status.current_consumed * 12 * 36 / 1000) <= 1
     assert 85 <= told[-1].current_consumed <= 90
     assert told[-1].current_consumed - told[0].current_consumed >= 75
