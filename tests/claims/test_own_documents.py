@@ -23,8 +23,8 @@ EDITS = [
     (VOLTAGE, "steps of 0.0001.", "steps of 0.001.", "claim-parameter: BATT_VOLT_MULT has the step 0.0001, not 0.001"),
     (STORAGE, "| 20 | BATT_ARM_VOLT |", "| 0 | BATT_ARM_VOLT |", "claim-parameter: BATT_ARM_VOLT has the index 20, not 0"),
     (STORAGE, "| BATT_ARM_VOLT | MAV_PARAM_TYPE_REAL32, 9 |", "| BATT_ARM_VOLT | MAV_PARAM_TYPE_INT8, 2 |", "BATT_ARM_VOLT is REAL32, not INT8"),
-    (STORAGE, "All 39 parameters", "All 13 parameters", "claim-parameter: there are 9 or 39 parameters, not 13"),
-    (SERVICES, "The list of 39 parameters", "The list of 13 parameters", "claim-parameter: there are 9 or 39 parameters, not 13"),
+    (STORAGE, "All 39 parameters", "All 13 parameters", "claim-parameter: there are 10 or 39 parameters, not 13"),
+    (SERVICES, "The list of 39 parameters", "The list of 13 parameters", "claim-parameter: there are 10 or 39 parameters, not 13"),
     (DECISION, "is streamed at 2 Hz", "is streamed at 3 Hz", "claim-rate: BATTERY_STATUS is sent at 0.5 Hz or 2 Hz, not 3 Hz"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent at 3 Hz", "claim-rate: HEARTBEAT is sent at 1 Hz, not 3 Hz"),
 ]  # fmt: skip
