@@ -37,7 +37,7 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
             sizes += [sent[name]] if name in sent else []
             sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
     listed = listed_messages(systems[0].spec, Report())
-    return Reference(systems[0].dialect, sent, listed, _parameters(systems), _rates(systems))
+    return Reference(systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems))
 
 
 def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
