@@ -1,0 +1,79 @@
+"""Which numbers of worked examples nothing computes: those that can be changed without any finding."""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+
+from codegen.claims.reading import Reading
+from codegen.claims.worked.amount import Amount, amounts
+from codegen.claims.worked.examples import Examples, read_examples
+from codegen.diagnostics import Diagnostic
+from codegen.frozen import dataclass
+from codegen.load.prose import Passage
+from codegen.source import Place
+
+Check = Callable[[str], Iterable[Diagnostic]]
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number of a worked example; ``found`` are the places that are reported when its last digit is another one."""
+
+    passage: Passage
+    amount: Amount
+    found: tuple[Place, ...]
+
+    @property
+    def place(self) -> Place:
+        """Where it stands."""
+        return self.passage.place_at(self.amount.start)
+
+    @property
+    def is_computed(self) -> bool:
+        """Whether a change of it is noticed."""
+        return bool(self.found)
+
+
+def numbers(text: str, reading: Reading, check: Check) -> Iterator[Number]:
+    """Every number of the worked examples of a document, in its order, each changed by one in its last digit.
+
+    ``text`` is that of the document, ``check`` returns the findings of such a text.
+    """
+    lines = text.split("\n")
+    known = {(each.place, each.message) for each in check(text)}
+    for passage, amount in sorted(_amounts(read_examples(reading)), key=lambda each: each[0].place_at(each[1].start)):
+        place = passage.place_at(amount.start)
+        line = lines[place.line - 1]
+        start, end = place.column - 1, place.column - 1 + len(amount.written)
+        if line[start:end] != amount.written:
+            continue  # written with an escape
+        changed = f"{line[:start]}{changed_number(amount)}{line[end:]}"
+        findings = check("\n".join([*lines[: place.line - 1], changed, *lines[place.line :]]))
+        new = [each.place for each in findings if (each.place, each.message) not in known]
+        yield Number(passage, amount, tuple(new))
+
+
+def changed_number(amount: Amount) -> str:
+    """The number with one more at its last digit."""
+    written = amount.written
+    if "x" in written.lower():
+        return f"0x{int(written, 16) + 1:0{len(written) - 2}X}"
+    base, power, exponent = written.partition("^")
+    if power:
+        return f"{base}^{int(exponent) + 1}"
+    more = replace(amount, value=amount.value + (1 if amount.value >= 0 else -1) * _last(amount))
+    return f"{float(more.value):.{amount.places}f}" if amount.places else str(int(more.value))
+
+
+def _last(amount: Amount):  # type: ignore[no-untyped-def]
+    from fractions import Fraction
+
+    return Fraction(1, 10**amount.places)
+
+
+def _amounts(examples: Examples) -> Iterator[tuple[Passage, Amount]]:
+    for passage in examples.texts:
+        yield from ((passage, amount) for amount in amounts(passage.text))
+    for table in examples.tables:
+        for row in (table.head, *table.rows):
+            for entry in row.entries:
+                yield from ((row.passage, amount) for amount in entry.amounts)

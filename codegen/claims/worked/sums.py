@@ -1,0 +1,87 @@
+"""Numbers of a row that follow from others beside them: sums, means, shares of a whole, counts of fewer bits."""
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from math import floor
+
+from codegen.claims.worked.examples import Examples, Row, Table
+from codegen.diagnostics import Diagnostic
+
+_FEWEST = 3
+"""Numbers of one entry that make a list of samples."""
+_LIST = re.compile(r"-?[\d.]+(?:, -?[\d.]+)+")
+_SUM, _MEAN = re.compile(r"sum", re.IGNORECASE), re.compile(r"mean", re.IGNORECASE)
+_READING = re.compile(r"(?:reading|rounded)\b.*", re.IGNORECASE)
+_WIDE = re.compile(r".*u(?P<bits>16|32)\(\)")
+_BITS = re.compile(r".*\((?P<bits>\d{1,2}) bits\)")
+_TOGETHER = re.compile(r"\btogether\b", re.IGNORECASE)
+_PER = re.compile(r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)\)| \([^()]*\))?", re.IGNORECASE)
+
+
+def check(examples: Examples) -> Iterator[Diagnostic]:
+    """Every row with a list of samples, a count of fewer bits or a share; a sum over the rows of the table before."""
+    for table in examples.tables:
+        for row in table.rows:
+            yield from _samples(examples, table, row)
+            yield from _narrowed(examples, table, row)
+            yield from _shared(examples, table, row)
+    yield from _together(examples)
+
+
+def _samples(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]:
+    listed = next((each for each in row.entries if _LIST.fullmatch(each.text)), None)
+    if listed is None or len(listed.amounts) < _FEWEST:
+        return
+    total = sum((each.value for each in listed.amounts), Fraction(0))
+    mean = total / len(listed.amounts)
+    rounded = Fraction(floor(mean + Fraction(1, 2)))
+    for form, value, words in ((_SUM, total, "sum"), (_MEAN, mean, "mean"), (_READING, rounded, "rounded mean")):
+        found = row.only(table.column(form))
+        if found is not None:
+            yield from examples.judged(row.passage, found, [value], f"the {words} of {listed.text}")
+
+
+def _narrowed(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]:
+    """The upper bits of what `..._u16()` returns."""
+    wide, narrow = table.column(_WIDE), table.column(_BITS)
+    value, found = row.only(wide), row.only(narrow)
+    if wide is None or narrow is None or value is None or found is None or value.value.denominator != 1:
+        return
+    of, bits = _WIDE.fullmatch(table.heads[wide]), _BITS.fullmatch(table.heads[narrow])
+    more = int(of["bits"]) - int(bits["bits"]) if of and bits else 0
+    if more > 0:
+        count = Fraction(int(value.value) >> more)
+        yield from examples.judged(row.passage, found, [count], f"{table.heads[narrow]} of {value.written}")
+
+
+def _shared(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]:
+    """ "Per X (3 Xs)", or "Per X" beside a column "Xs": the amount in the same unit before it, divided."""
+    for index, head in enumerate(table.heads):
+        said, found = _PER.fullmatch(head), table.amount(row, index)
+        if said is None or found is None or found.is_plain:
+            continue
+        heads = [each.casefold() for each in table.heads]
+        many = f"{said['one'].casefold()}s"
+        counted = row.only(heads.index(many)) if many in heads else None
+        number = Fraction(said["count"]) if said["count"] else counted.value if counted else None
+        before = [each for place in range(index) if (each := table.amount(row, place)) and each.like(found.unit)]
+        whole = before[-1].in_unit(found.unit) if before else None
+        if number and whole is not None:
+            yield from examples.judged(row.passage, found, [whole / number], f"{before[-1].written} {head}")
+
+
+def _together(examples: Examples) -> Iterator[Diagnostic]:
+    """ "The three frames together | 196 bytes": the sum of the last column of the table before."""
+    for statement in examples.statements:
+        value, number = statement.value.alone, statement.table.number
+        if value is None or not number or not _TOGETHER.search(statement.label.text):
+            continue
+        before = examples.tables[number - 1]
+        last = len(before.heads) - 1
+        column = [row.only(last) for row in before.rows]
+        total = sum((each.value for each in column if each is not None), Fraction(0))
+        if None not in column and total:
+            yield from examples.judged(statement.passage, value, [total], f"the sum of {before.heads[last]}")
+
+
