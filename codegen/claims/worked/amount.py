@@ -43,6 +43,11 @@ class Amount:
         """Whether it has no unit."""
         return self.unit == NUMBER
 
+    @property
+    def last(self) -> Fraction:
+        """One more at the last digit that is written."""
+        return Fraction(1, 10) ** self.places
+
     def like(self, unit: Unit) -> bool:
         """Whether it measures what ``unit`` does."""
         return not self.is_plain and self.unit.dimension == unit.dimension
@@ -54,7 +59,7 @@ class Amount:
 
     def shows(self, exact: Fraction) -> bool:
         """Whether it is ``exact``, a value in its unit, rounded to the decimals that are written."""
-        return abs(exact - self.value) * 2 * 10**self.places <= 1
+        return abs(exact - self.value) <= self.last / 2
 
     def spelled(self, exact: Fraction) -> str:
         """``exact``, a value in its unit, as it should be written."""

@@ -65,8 +65,8 @@ def _result(
     if found is not None and not found.is_plain:
         sources = measured(examples.systems, found.unit, factors)
         is_kept = _KEPT.search(head) is not None or not factors
-        values = (each.kept if is_kept else each.value for each in sources)
-        expected = [value for each in values if (value := each(count, factors, found.unit)) is not None]
+        turned = ((each.kept if is_kept else each.value)(count, factors, found.unit) for each in sources)
+        expected = [value for value in turned if value is not None]
         yield from examples.judged(row.passage, found, expected, f"count {count}")
     elif side is not None and limit and entry.text in ("yes", "no"):
         unit = limit[0].unit

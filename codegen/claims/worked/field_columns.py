@@ -33,8 +33,9 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
     for table in examples.tables:
         named = _QUANTITY.fullmatch(table.heads[0])
         tables = [(each, found) for each in _messages(examples) if (found := _columns(table, each.wire.fields))]
-        for row in table.rows if named and tables else ():
-            yield from _row(examples, table, row, named[1].casefold().replace(" ", "_"), tables)
+        name = named["name"].casefold().replace(" ", "_") if named else ""
+        for row in table.rows if name and tables else ():
+            yield from _row(examples, table, row, name, tables)
 
 
 def _messages(examples: Examples) -> Iterator[PopulatedMessage]:

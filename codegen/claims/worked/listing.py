@@ -1,7 +1,6 @@
 """Which numbers of worked examples nothing computes: those that can be changed without any finding."""
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 
 from codegen.claims.reading import Reading
 from codegen.claims.worked.amount import Amount, amounts
@@ -60,14 +59,8 @@ def changed_number(amount: Amount) -> str:
     base, power, exponent = written.partition("^")
     if power:
         return f"{base}^{int(exponent) + 1}"
-    more = replace(amount, value=amount.value + (1 if amount.value >= 0 else -1) * _last(amount))
-    return f"{float(more.value):.{amount.places}f}" if amount.places else str(int(more.value))
-
-
-def _last(amount: Amount):  # type: ignore[no-untyped-def]
-    from fractions import Fraction
-
-    return Fraction(1, 10**amount.places)
+    more = amount.value + (amount.last if amount.value >= 0 else -amount.last)
+    return f"{float(more):.{amount.places}f}" if amount.places else str(int(more))
 
 
 def _amounts(examples: Examples) -> Iterator[tuple[Passage, Amount]]:

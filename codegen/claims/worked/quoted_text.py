@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.worked.examples import Examples, Statement
-from codegen.claims.worked.sizes import is_v1, text_end
+from codegen.claims.worked.sizes import is_v1, text_start
 from codegen.diagnostics import Diagnostic
 from codegen.model.price import HEAD_V2
 
@@ -26,7 +26,7 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
                 yield from examples.judged(statement.passage, value, [Fraction(len(quoted))], f'the length of "{quoted}"')
         elif quoted is not None and _CARRIED.search(statement.label.text) and not is_v1(statement.label.text):
             named = examples.reading.named(statement.passage)
-            start = text_end(named[0]) if len(named) == 1 else None
+            start = text_start(named[0]) if len(named) == 1 else None
             if start is not None:
                 size = Fraction(HEAD_V2 + start + len(quoted.encode()))
                 yield from examples.judged(statement.passage, value, [size], f'{named[0].name} with "{quoted}"')

@@ -1,6 +1,6 @@
 """What counts of the converter stand for, by the conversions of the project."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
@@ -35,7 +35,9 @@ class Measured:
         """The name of the multiplier."""
         return self.factors[0].name
 
-    def _in(self, unit: Unit, turned, count, factors):  # type: ignore[no-untyped-def]
+    def _in(
+        self, unit: Unit, turned: Callable[..., int | Fraction], count: Fraction, factors: Mapping[str, Fraction]
+    ) -> Fraction | None:
         own = self.quantity
         factor = ratio(own.unit, unit)
         steps = [

@@ -69,7 +69,7 @@ def stated_frames(examples: Examples) -> Mapping[str, tuple[Frame, ...]]:
     return found
 
 
-def text_end(message: WireMessage) -> int | None:
+def text_start(message: WireMessage) -> int | None:
     """Where the one text of a message begins in its payload; None where it has none, or several."""
     texts = [field for field in message.fields if field.type.name == "char" and field.is_array]
     return texts[0].offset if len(texts) == 1 else None
@@ -93,7 +93,7 @@ def _row(
         "v2": [HEAD_V2 + base, HEAD_V2 + full],
     }
     characters = _CHARACTERS.search(row.entries[0].text)
-    start = text_end(message)
+    start = text_start(message)
     if characters is not None and start is not None:
         expected["sent"] = [start + int(characters["count"])]
     elif sent is not None and not 1 <= sent.value <= full:

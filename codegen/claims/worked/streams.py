@@ -131,7 +131,8 @@ def _instance(examples: Examples, statement: Statement, value: Amount, before: _
     for system in examples.systems:
         for message in system.tables(before.names[0]):
             number = int(named["number"])
-            if message.component and message.component.name == named["component"] and number < message.instances:
+            part = message.component
+            if part and part.name == named["component"] and part.first_number is None and number < message.instances:
                 expected.append(frame_size(message, number, 2).high)
     yield from examples.judged(statement.passage, value, expected, f"{before.names[0]} of {named[0][4:]}")
 

@@ -1,0 +1,132 @@
+"""Statements about times and rates: periods, shares of a time, how often one fits into another."""
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.claims.worked.amount import Amount, of_unit
+from codegen.claims.worked.examples import Examples, Statement
+from codegen.diagnostics import Diagnostic
+from codegen.model.unit import Unit, unit_named
+
+SECOND, HERTZ, PERCENT = (unit_named(name) for name in ("s", "Hz", "%"))
+_DAY = Fraction(86400)
+_TURN = {"ticks_us": Fraction(2**30, 10**6), "ticks_ms": Fraction(2**30, 10**3)}
+"""Seconds after which the clocks of MicroPython begin anew. Source: its documentation of ``time.ticks_ms()``."""
+_PERIOD = re.compile(r"period of ", re.IGNORECASE)
+_LOOP = re.compile(r"\b(?:control slots?|main loop|passes|(?:one )?pass|slots)\b", re.IGNORECASE)
+_NAMED_LOOP = re.compile(r"\bmain loop\b", re.IGNORECASE)
+_SHARE = re.compile(r"(?:share|load) of ", re.IGNORECASE)
+_WITHIN = re.compile(r"\bwithin ", re.IGNORECASE)
+_FITS = re.compile(r"\b(?P<word>holds|fit|takes)$", re.IGNORECASE)
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_ORDINAL = re.compile(rf"\bfrom the last .{{1,40}} to the (?P<ordinal>{'|'.join(_ORDINALS)}) \w+ at ", re.IGNORECASE)
+_RATE_OF = re.compile(r"\bof (?P<count>\d{1,9}) (?P<what>[a-z]+) at (?P<rate>\d{1,9}) (?P=what) per second\b")
+_BAUD = re.compile(r"\b(?P<baud>\d{3,7}) baud, (?P<bits>\d{1,2}) bits per byte\b")
+_THAT = re.compile(r"% of that ")
+_UPDATE = re.compile(r"\b(?P<component>[a-z_]+) update\b")
+_ADDS = re.compile(r"\badds (?=\d)")
+_ONE_DAY = re.compile(r"\b(?:in|of) (?:one|a) day\b")
+_ONE_TURN = re.compile(r"\b(?:one|a) turn of (?P<clock>ticks_[mu]s)\b")
+BYTES_PER_SECOND = unit_named("bytes/s")
+
+
+def check(examples: Examples) -> Iterator[Diagnostic]:
+    """Every statement about times; a link's bytes per second hold for "of that link" in statements below."""
+    link: Fraction | None = None
+    for statement in examples.statements:
+        value = statement.value.alone
+        if value is None:
+            continue
+        baud = _BAUD.search(statement.label.text)
+        if baud is not None and value.like(BYTES_PER_SECOND):
+            link = Fraction(int(baud["baud"]), int(baud["bits"]))
+            yield from _judged(examples, statement, value, link, BYTES_PER_SECOND, "a link")
+        elif link is not None and _THAT.search(statement.value.text) and value.like(BYTES_PER_SECOND):
+            share = of_unit(statement.value.amounts, PERCENT)[:1]
+            taken = value.in_unit(BYTES_PER_SECOND) or Fraction(0)
+            for each in share:
+                yield from _judged(examples, statement, each, 100 * taken / link, PERCENT, f"{value.written} of that link")
+        else:
+            yield from _timed(examples, statement, value)
+
+
+def _timed(examples: Examples, statement: Statement, value: Amount) -> Iterator[Diagnostic]:
+    label = statement.label.text
+    times = [_seconds(each, SECOND) for each in of_unit(statement.label.amounts, SECOND)]
+    rates = [_seconds(each, HERTZ) for each in of_unit(statement.label.amounts, HERTZ)]
+    periods = [1 / rate for rate in rates if rate] or (_periods(examples) if _LOOP.search(label) else [])
+    if _NAMED_LOOP.search(label):
+        for each in of_unit(statement.label.amounts, HERTZ):
+            yield from examples.judged(
+                statement.passage, each, [HERTZ.scale / (one * each.unit.scale) for one in _periods(examples)], "its rate"
+            )
+    counted, ordinal, fits = _RATE_OF.search(label), _ORDINAL.search(label), _FITS.search(label)
+    if value.like(SECOND) and _PERIOD.match(label) and not times:
+        yield from _any(examples, statement, value, periods, SECOND)
+    elif value.like(PERCENT) and _SHARE.match(label) and len(times) == 1:
+        yield from _any(examples, statement, value, [100 * times[0] / each for each in periods or _periods(examples)], PERCENT)
+    elif value.like(SECOND) and counted is not None and int(counted["rate"]):
+        yield from _any(examples, statement, value, [Fraction(int(counted["count"]), int(counted["rate"]))], SECOND)
+    elif value.like(SECOND) and ordinal is not None and len(rates) == 1 and rates[0]:
+        count = _ORDINALS.index(ordinal["ordinal"]) + 1
+        yield from _any(examples, statement, value, [count / rates[0]], SECOND)
+    elif value.like(SECOND) and len(times) == 1 and _ADDS.search(label) and _ONE_DAY.search(label):
+        yield from _any(examples, statement, value, [_DAY / each * times[0] for each in _periods(examples)], SECOND)
+    elif value.is_plain and _WITHIN.search(label) and len(times) == len(rates) == 1:
+        yield from _any(examples, statement, value, [times[0] * rates[0]], value.unit)
+    elif value.is_plain and fits is not None:
+        yield from _fitting(examples, statement, value, is_whole=fits["word"].lower() != "takes")
+    elif value.is_plain and _LOOP.search(label) and not statement.label.amounts:
+        yield from _any(examples, statement, value, _slots(examples, label), value.unit)
+
+
+def _slots(examples: Examples, label: str) -> list[Fraction]:
+    """How often the main loop runs in a day, in a turn of a clock, or from one update of a component to the next."""
+    turn, update = _ONE_TURN.search(label), _UPDATE.search(label)
+    if _ONE_DAY.search(label):
+        return [_DAY / each for each in _periods(examples)]
+    if turn is not None:
+        return [_TURN[turn["clock"]] / each for each in _periods(examples)]
+    found = []
+    for system in examples.systems:
+        component = system.components.get(update["component"]) if update else None
+        if component is not None and component.period_ms and system.program:
+            found.append(Fraction(component.period_ms * 1000, system.program.control_us))
+    return found
+
+
+def _fitting(examples: Examples, statement: Statement, value: Amount, *, is_whole: bool) -> Iterator[Diagnostic]:
+    """ "Frames (48 bytes) that a buffer of 1024 bytes holds | 21": how often the first fits into the second."""
+    if len(statement.label.amounts) != 2:
+        return
+    one, whole = statement.label.amounts
+    part = one.in_unit(whole.unit)
+    if part and not one.is_plain:
+        count = whole.value // part if is_whole else -(-whole.value // part)
+        yield from _any(examples, statement, value, [Fraction(count)], value.unit)
+
+
+def _any(
+    examples: Examples, statement: Statement, value: Amount, expected: list[Fraction], unit: Unit
+) -> Iterator[Diagnostic]:
+    """A finding where a value is none of what is expected, in ``unit``."""
+    factor = unit.scale / value.unit.scale if not value.is_plain else Fraction(1)
+    words = statement.label.text[:1].lower() + statement.label.text[1:]
+    yield from examples.judged(statement.passage, value, [each * factor for each in expected], words)
+
+
+def _judged(
+    examples: Examples, statement: Statement, value: Amount, expected: Fraction, unit: Unit, of: str
+) -> Iterator[Diagnostic]:
+    yield from examples.judged(statement.passage, value, [expected * unit.scale / value.unit.scale], of)
+
+
+def _seconds(amount: Amount, unit: Unit) -> Fraction:
+    return amount.in_unit(unit) or Fraction(0)
+
+
+def _periods(examples: Examples) -> list[Fraction]:
+    """The seconds of one pass of the main loop of each program."""
+    found = (system.program.control_us for system in examples.systems if system.program is not None)
+    return [Fraction(each, 10**6) for each in dict.fromkeys(found)]

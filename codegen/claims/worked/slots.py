@@ -1,0 +1,64 @@
+"""Tables of the passes of the main loop: when a slot begins, and which slots a long pass misses."""
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.claims.worked.amount import Amount, of_unit
+from codegen.claims.worked.examples import Examples, Row, Table
+from codegen.diagnostics import Diagnostic
+from codegen.model.unit import unit_named
+
+_SECOND = unit_named("s")
+_SLOT, _TIME = re.compile(r"slot", re.IGNORECASE), re.compile(r"time", re.IGNORECASE)
+_DURATION = re.compile(r"duration\b.*", re.IGNORECASE)
+_COLUMNS = {
+    "next": re.compile(r"next pass", re.IGNORECASE),
+    "slot": re.compile(r"its slot", re.IGNORECASE),
+    "missed": re.compile(r"slots missed|missed slots", re.IGNORECASE),
+    "after": re.compile(r"pass after that", re.IGNORECASE),
+}
+
+
+def check(examples: Examples) -> Iterator[Diagnostic]:
+    """Every table of slots and their times, and of durations and the slots that they miss."""
+    found = (system.program.control_us for system in examples.systems if system.program is not None)
+    periods = [Fraction(each, 10**6) for each in dict.fromkeys(found)]
+    for table in examples.tables if periods else ():
+        slot, time = table.column(_SLOT), table.column(_TIME)
+        duration = table.column(_DURATION)
+        columns = {key: place for key, form in _COLUMNS.items() if (place := table.column(form)) is not None}
+        for row in table.rows:
+            if slot is not None and time is not None:
+                yield from _times(examples, row, slot, time, periods)
+            if duration is not None and len(columns) == len(_COLUMNS):
+                yield from _missed(examples, table, row, row.only(duration), columns, periods)
+
+
+def _times(examples: Examples, row: Row, slot: int, time: int, periods: list[Fraction]) -> Iterator[Diagnostic]:
+    """ "1 to 39 | 2.5 ms to 97.5 ms"."""
+    numbers, times = row.at(slot), row.at(time)
+    slots = [each for each in numbers.amounts if each.is_plain] if numbers else []
+    begins = of_unit(times.amounts, _SECOND) if times else ()
+    for number, begin in zip(slots, begins, strict=False) if len(slots) == len(begins) else ():
+        expected = [number.value * period / begin.unit.scale for period in periods]
+        yield from examples.judged(row.passage, begin, expected, f"the begin of slot {number.written}")
+
+
+def _missed(
+    examples: Examples, table: Table, row: Row, duration: Amount | None, columns: dict[str, int], periods: list[Fraction]
+) -> Iterator[Diagnostic]:
+    """The pass after one that took a time: at the newest slot that has begun, at least the next one."""
+    taken = duration.in_unit(_SECOND) if duration is not None else None
+    if duration is None or taken is None:
+        return
+    for key, column in columns.items():
+        found = row.only(column)
+        expected = []
+        for period in periods:
+            slot = max(int(taken // period), 1)
+            made = {"slot": Fraction(slot), "missed": Fraction(slot - 1)}
+            made |= {"next": max(taken, period), "after": (slot + 1) * period}
+            expected.append(made[key] if found is None or found.is_plain else made[key] / found.unit.scale)
+        if found is not None and found.is_plain == (key in ("slot", "missed")):
+            yield from examples.judged(row.passage, found, expected, f"{table.heads[column]} after {duration.written}")
