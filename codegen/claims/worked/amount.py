@@ -12,7 +12,9 @@ _AMOUNT = re.compile(
     r"(?<![\w.^/#])(?<!\w-)(?<!\w\[)(?P<number>[-\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,3}\^\d{1,3}"
     r"|\d{1,3}(?:,\d{3}){1,4}(?![\d,])|\d{1,18}(?:\.\d{1,15})?))(?![\d^]|\.\d)"
 )
-_UNIT = re.compile(r"(?P<gap>[ \u00a0]?)(?P<unit>%|[A-Za-z\u00b5\u00b0][A-Za-z\u00b0]{0,11}(?:/[A-Za-z]{1,4})?)(?![\w(])")
+_UNIT = re.compile(
+    r"(?P<gap>[ \u00a0]?)(?P<unit>%|[A-Za-z\u00b5\u00b0][A-Za-z\u00b0]{0,11}(?:/[A-Za-z]{1,4})?)(?![\w(])"
+)
 _NO_AMOUNT = re.compile(r"(?:MAVLink|RFC|[Cc]riteri(?:on|a)|[Pp]ages?|[Vv]ersion|[Rr]ow|[Tt]able|[Ff]igure) $")
 _BYTES = unit_named("bytes")
 _MORE = {

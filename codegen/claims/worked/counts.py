@@ -15,7 +15,9 @@ _COUNT = re.compile(r"(?:ADC )?counts?", re.IGNORECASE)
 _NEAREST = re.compile(r"nearest (?:ADC )?count", re.IGNORECASE)
 _KEPT = re.compile(r"round|convert|stored|kept", re.IGNORECASE)
 _SIDE = re.compile(r"(?P<side>below|above) (?=[\d-])", re.IGNORECASE)
-_ONE = re.compile(r"\b(?:one|a single) (?:count|step)(?: of the (?:ADC|converter))?(?:,| is| =|:)? (?=\d)", re.IGNORECASE)
+_ONE = re.compile(
+    r"\b(?:one|a single) (?:count|step)(?: of the (?:ADC|converter))?(?:,| is| =|:)? (?=\d)", re.IGNORECASE
+)
 _SAID = re.compile(r"\bcount (?P<before>\d{1,6})\b(?![.\d])|\b(?P<behind>\d{1,6}) counts\b", re.IGNORECASE)
 _FULL = re.compile(r"\bfull[- ]scale\b", re.IGNORECASE)
 

@@ -54,7 +54,9 @@ def _row(examples: Examples, table: Table, row: Row, amount: Amount, points: Poi
     words = f"the point beside {amount.written}"
     if place is not None and low is not None and high is not None:
         said = [each for pair in near for each in pair]
-        stated = amounts(row.passage.text, row.entries[place].start, row.entries[place].start + len(row.entries[place].text))
+        stated = amounts(
+            row.passage.text, row.entries[place].start, row.entries[place].start + len(row.entries[place].text)
+        )
         for number, expected in zip(stated, said, strict=False) if len(stated) == len(said) else ():
             yield from examples.judged(row.passage, number, [expected], words)
     elif beyond is not None and row.entries[beyond].amounts:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from codegen.claims.worked.amount import Amount, of_unit
 from codegen.claims.worked.examples import Examples, Statement
 from codegen.diagnostics import Diagnostic
+from codegen.frozen import dataclass
 from codegen.model.unit import Unit, unit_named
 
 SECOND, HERTZ, PERCENT = (unit_named(name) for name in ("s", "Hz", "%"))
@@ -25,10 +26,24 @@ _RATE_OF = re.compile(r"\bof (?P<count>\d{1,9}) (?P<what>[a-z]+) at (?P<rate>\d{
 _BAUD = re.compile(r"\b(?P<baud>\d{3,7}) baud, (?P<bits>\d{1,2}) bits per byte\b")
 _THAT = re.compile(r"% of that ")
 _UPDATE = re.compile(r"\b(?P<component>[a-z_]+) update\b")
-_ADDS = re.compile(r"\badds (?=\d)")
+_ADDS = re.compile(r"\bloop that adds (?=\d)")
 _ONE_DAY = re.compile(r"\b(?:in|of) (?:one|a) day\b")
 _ONE_TURN = re.compile(r"\b(?:one|a) turn of (?P<clock>ticks_[mu]s)\b")
 BYTES_PER_SECOND = unit_named("bytes/s")
+
+
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """A label with its times in seconds and its rates in Hz."""
+
+    label: str
+    times: tuple[Fraction, ...]
+    rates: tuple[Fraction, ...]
+
+    def periods(self, examples: Examples) -> list[Fraction]:
+        """The seconds of the rates that it states, or of the main loop where it is about that."""
+        stated = [1 / rate for rate in self.rates if rate]
+        return stated or (_periods(examples) if _LOOP.search(self.label) else [])
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:
@@ -46,39 +61,48 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
             share = of_unit(statement.value.amounts, PERCENT)[:1]
             taken = value.in_unit(BYTES_PER_SECOND) or Fraction(0)
             for each in share:
-                yield from _judged(examples, statement, each, 100 * taken / link, PERCENT, f"{value.written} of that link")
+                yield from _judged(
+                    examples, statement, each, 100 * taken / link, PERCENT, f"{value.written} of that link"
+                )
         else:
             yield from _timed(examples, statement, value)
 
 
 def _timed(examples: Examples, statement: Statement, value: Amount) -> Iterator[Diagnostic]:
     label = statement.label.text
-    times = [_seconds(each, SECOND) for each in of_unit(statement.label.amounts, SECOND)]
-    rates = [_seconds(each, HERTZ) for each in of_unit(statement.label.amounts, HERTZ)]
-    periods = [1 / rate for rate in rates if rate] or (_periods(examples) if _LOOP.search(label) else [])
-    if _NAMED_LOOP.search(label):
-        for each in of_unit(statement.label.amounts, HERTZ):
-            yield from examples.judged(
-                statement.passage, each, [HERTZ.scale / (one * each.unit.scale) for one in _periods(examples)], "its rate"
-            )
-    counted, ordinal, fits = _RATE_OF.search(label), _ORDINAL.search(label), _FITS.search(label)
-    if value.like(SECOND) and _PERIOD.match(label) and not times:
-        yield from _any(examples, statement, value, periods, SECOND)
-    elif value.like(PERCENT) and _SHARE.match(label) and len(times) == 1:
-        yield from _any(examples, statement, value, [100 * times[0] / each for each in periods or _periods(examples)], PERCENT)
-    elif value.like(SECOND) and counted is not None and int(counted["rate"]):
-        yield from _any(examples, statement, value, [Fraction(int(counted["count"]), int(counted["rate"]))], SECOND)
-    elif value.like(SECOND) and ordinal is not None and len(rates) == 1 and rates[0]:
-        count = _ORDINALS.index(ordinal["ordinal"]) + 1
-        yield from _any(examples, statement, value, [count / rates[0]], SECOND)
-    elif value.like(SECOND) and len(times) == 1 and _ADDS.search(label) and _ONE_DAY.search(label):
-        yield from _any(examples, statement, value, [_DAY / each * times[0] for each in _periods(examples)], SECOND)
-    elif value.is_plain and _WITHIN.search(label) and len(times) == len(rates) == 1:
-        yield from _any(examples, statement, value, [times[0] * rates[0]], value.unit)
-    elif value.is_plain and fits is not None:
+    said = _Said(
+        label,
+        tuple(each.in_unit(SECOND) or Fraction(0) for each in of_unit(statement.label.amounts, SECOND)),
+        tuple(each.in_unit(HERTZ) or Fraction(0) for each in of_unit(statement.label.amounts, HERTZ)),
+    )
+    for rate in of_unit(statement.label.amounts, HERTZ) if _NAMED_LOOP.search(label) else ():
+        own = [HERTZ.scale / (period * rate.unit.scale) for period in _periods(examples)]
+        yield from examples.judged(statement.passage, rate, own, "the rate of the main loop")
+    if value.like(SECOND):
+        yield from _any(examples, statement, value, _seconds(examples, said), SECOND)
+    elif value.like(PERCENT) and _SHARE.match(label) and len(said.times) == 1:
+        shares = [100 * said.times[0] / period for period in said.periods(examples)]
+        yield from _any(examples, statement, value, shares, PERCENT)
+    elif value.is_plain and _WITHIN.search(label) and len(said.times) == len(said.rates) == 1:
+        yield from _any(examples, statement, value, [said.times[0] * said.rates[0]], value.unit)
+    elif value.is_plain and (fits := _FITS.search(label)):
         yield from _fitting(examples, statement, value, is_whole=fits["word"].lower() != "takes")
     elif value.is_plain and _LOOP.search(label) and not statement.label.amounts:
         yield from _any(examples, statement, value, _slots(examples, label), value.unit)
+
+
+def _seconds(examples: Examples, said: _Said) -> list[Fraction]:
+    """The seconds that a label states in other words; none where it does not."""
+    counted, ordinal = _RATE_OF.search(said.label), _ORDINAL.search(said.label)
+    if _PERIOD.match(said.label) and not said.times:
+        return said.periods(examples)
+    if counted is not None and int(counted["rate"]):
+        return [Fraction(int(counted["count"]), int(counted["rate"]))]
+    if ordinal is not None and len(said.rates) == 1 and said.rates[0]:
+        return [(_ORDINALS.index(ordinal["ordinal"].lower()) + 1) / said.rates[0]]
+    if len(said.times) == 1 and _ADDS.search(said.label) and _ONE_DAY.search(said.label):
+        return [_DAY / period * said.times[0] for period in _periods(examples)]
+    return []
 
 
 def _slots(examples: Examples, label: str) -> list[Fraction]:
@@ -120,10 +144,6 @@ def _judged(
     examples: Examples, statement: Statement, value: Amount, expected: Fraction, unit: Unit, of: str
 ) -> Iterator[Diagnostic]:
     yield from examples.judged(statement.passage, value, [expected * unit.scale / value.unit.scale], of)
-
-
-def _seconds(amount: Amount, unit: Unit) -> Fraction:
-    return amount.in_unit(unit) or Fraction(0)
 
 
 def _periods(examples: Examples) -> list[Fraction]:

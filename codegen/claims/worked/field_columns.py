@@ -55,7 +55,11 @@ def _columns(table: Table, fields: Sequence[WireField]) -> tuple[_Column, ...]:
 
 
 def _row(
-    examples: Examples, table: Table, row: Row, name: str, tables: Sequence[tuple[PopulatedMessage, tuple[_Column, ...]]]
+    examples: Examples,
+    table: Table,
+    row: Row,
+    name: str,
+    tables: Sequence[tuple[PopulatedMessage, tuple[_Column, ...]]],
 ) -> Iterator[Diagnostic]:
     """The numbers of a row beside what each message would carry; a column is wrong where it is so for all of them."""
     expected: dict[int, list[Fraction]] = {}
@@ -78,7 +82,7 @@ def _row(
 
 
 def _values(table: Table, row: Row, answer: Answer, quantity: Quantity) -> tuple[int, ...]:
-    """What the elements of an answer carry for the quantity of a row, while all else is unknown; none if that is unsure."""
+    """What an answer carries for the quantity of a row, while all else is unknown; none if that is unsure."""
     amount, text = table.amount(row, 0), row.entries[0].text
     if quantity.kind is not QuantityKind.NUMBER or quantity.elements is not None:
         return ()
@@ -98,4 +102,6 @@ def _carried(answer: Answer, known: Known) -> tuple[int, ...]:
     if answer.is_withheld(known):
         return ()
     values = answer.values(known, 0, 0)
-    return tuple(each for each in values if isinstance(each, int)) if all(isinstance(each, int) for each in values) else ()
+    return (
+        tuple(each for each in values if isinstance(each, int)) if all(isinstance(each, int) for each in values) else ()
+    )

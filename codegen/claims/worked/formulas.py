@@ -31,7 +31,9 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         span = _code(statement)
         if span and _LARGEST.match(statement.label.text[: span[0] - statement.label.start]):
             formula = statement.passage.text[span[0] : span[1]]
-            yield from _judged(examples, statement, value, [_result(formula, each) for each in _most(examples)], formula)
+            yield from _judged(
+                examples, statement, value, [_result(formula, each) for each in _most(examples)], formula
+            )
 
 
 def _formulas(examples: Examples) -> Iterator[str]:

@@ -24,7 +24,7 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
 
 
 def _row(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]:
-    """Each time belongs to a rate of its own entry, or to the one of the entry before, or of the one behind the first."""
+    """Each time belongs to a rate of its own entry, or of the one before, or of the one behind the first."""
     rates = [_rates(examples, entry) for entry in row.entries]
     for index, entry in enumerate(row.entries):
         near = rates[index] or rates[max(index - 1, 0)] or (rates[1] if index == 0 and len(rates) > 1 else [])

@@ -1,5 +1,6 @@
 """Which numbers of worked examples nothing computes: those that can be changed without any finding."""
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 
 from codegen.claims.reading import Reading
@@ -7,9 +8,10 @@ from codegen.claims.worked.amount import Amount, amounts
 from codegen.claims.worked.examples import Examples, read_examples
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
-from codegen.load.prose import Passage
+from codegen.load.prose import Passage, PassageKind
 from codegen.source import Place
 
+_EXAMPLE = re.compile(r"\bfor example\b|\be\.g\.|\d[^|.;=]{0,60} [=\u2248] [^|.;=]{0,20}\d", re.IGNORECASE)
 Check = Callable[[str], Iterable[Diagnostic]]
 
 
@@ -64,8 +66,15 @@ def changed_number(amount: Amount) -> str:
 
 
 def _amounts(examples: Examples) -> Iterator[tuple[Passage, Amount]]:
+    """The numbers below headings for examples, and those of sentences elsewhere that give one or have an equation."""
+    held = {id(passage) for passage in examples.texts}
     for passage in examples.texts:
         yield from ((passage, amount) for amount in amounts(passage.text))
+    held |= {id(row.passage) for table in examples.tables for row in (table.head, *table.rows)}
+    for passage in examples.reading.prose.passages:
+        if id(passage) not in held and passage.kind is not PassageKind.HEADING:
+            spans = dict.fromkeys(passage.sentence(*found.span()) for found in _EXAMPLE.finditer(passage.text))
+            yield from ((passage, amount) for span in spans for amount in amounts(passage.text, *span))
     for table in examples.tables:
         for row in (table.head, *table.rows):
             for entry in row.entries:

@@ -23,7 +23,9 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         if _LENGTH.search(statement.label.text):
             quoted = _code(statement)
             if quoted is not None:
-                yield from examples.judged(statement.passage, value, [Fraction(len(quoted))], f'the length of "{quoted}"')
+                yield from examples.judged(
+                    statement.passage, value, [Fraction(len(quoted))], f'the length of "{quoted}"'
+                )
         elif quoted is not None and _CARRIED.search(statement.label.text) and not is_v1(statement.label.text):
             named = examples.reading.named(statement.passage)
             start = text_start(named[0]) if len(named) == 1 else None

@@ -104,4 +104,6 @@ def _row(
         found: Amount | None = row.only(columns.get(key))
         if found is not None and message.id >= 0:
             head = table.heads[columns[key]]
-            yield from examples.judged(row.passage, found, [Fraction(each) for each in numbers], f"{message.name}, {head}")
+            yield from examples.judged(
+                row.passage, found, [Fraction(each) for each in numbers], f"{message.name}, {head}"
+            )

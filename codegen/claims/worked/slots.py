@@ -46,7 +46,12 @@ def _times(examples: Examples, row: Row, slot: int, time: int, periods: list[Fra
 
 
 def _missed(
-    examples: Examples, table: Table, row: Row, duration: Amount | None, columns: dict[str, int], periods: list[Fraction]
+    examples: Examples,
+    table: Table,
+    row: Row,
+    duration: Amount | None,
+    columns: dict[str, int],
+    periods: list[Fraction],
 ) -> Iterator[Diagnostic]:
     """The pass after one that took a time: at the newest slot that has begun, at least the next one."""
     taken = duration.in_unit(_SECOND) if duration is not None else None

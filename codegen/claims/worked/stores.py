@@ -48,7 +48,9 @@ def _row(examples: Examples, table: Table, row: Row, full: Amount) -> Iterator[D
     taken, left = (each.in_unit(full.unit) or Fraction(0) for each in store)
     rest = max(full.value - taken, Fraction(0))
     factor = full.unit.scale / store[1].unit.scale
-    yield from examples.judged(row.passage, store[1], [rest * factor], f"what {store[0].written} leaves of {full.written}")
+    yield from examples.judged(
+        row.passage, store[1], [rest * factor], f"what {store[0].written} leaves of {full.written}"
+    )
     rates = [each for each in found if not each.like(full.unit) and not each.like(_PERCENT) and not each.like(_SECOND)]
     for each in found:
         if each.like(_PERCENT):

@@ -119,7 +119,9 @@ def _size(examples: Examples, statement: Statement, value: Amount, said: _Said) 
     elif _PAYLOAD.search(label):
         expected = (Fraction(message.length if _WHOLE.search(label) else message.base_length),)
     if len(expected) <= 2:
-        yield from examples.judged(statement.passage, value, expected, f"{name}, {label.partition(',')[2].strip() or label}")
+        yield from examples.judged(
+            statement.passage, value, expected, f"{name}, {label.partition(',')[2].strip() or label}"
+        )
 
 
 def _instance(examples: Examples, statement: Statement, value: Amount, before: _Said) -> Iterator[Diagnostic]:

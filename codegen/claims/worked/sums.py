@@ -83,5 +83,3 @@ def _together(examples: Examples) -> Iterator[Diagnostic]:
         total = sum((each.value for each in column if each is not None), Fraction(0))
         if None not in column and total:
             yield from examples.judged(statement.passage, value, [total], f"the sum of {before.heads[last]}")
-
-

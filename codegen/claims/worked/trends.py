@@ -1,4 +1,4 @@
-"""Trends of a measured quantity: the mean of the newer half of a window less that of the older half, over half of it."""
+"""Trends of what is measured: the mean of the newer half of a window less that of the older half, over half of it."""
 
 import re
 from collections.abc import Iterator
@@ -46,7 +46,9 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
     for passage in examples.texts:
         for said in _HOLDS.finditer(passage.text):
             number = amounts(passage.text, said.end(), said.end() + 8)[0]
-            yield from examples.judged(passage, number, [Fraction(trend.readings)], "the number of readings in a window")
+            yield from examples.judged(
+                passage, number, [Fraction(trend.readings)], "the number of readings in a window"
+            )
     for statement in examples.statements:
         yield from _statement(examples, statement, trend)
 
