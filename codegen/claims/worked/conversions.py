@@ -12,6 +12,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.model.nearest_unit import worded_unit
 
 _FLOAT = re.compile(r"\bas a float of 32 bits$")
+_VALUE = re.compile(r"value|result", re.IGNORECASE)
 _EXACT = re.compile(r", exact\b")
 _PARTS = re.compile(r"parts of an? (?P<units>[a-z]+(?: times an? [a-z]+)*) for an? (?P<time>[a-z]+) in ", re.IGNORECASE)
 _FORCED = re.compile(r"\bforce\b.*\barming\b|\barming\b.*\bforce\b", re.IGNORECASE)
@@ -31,7 +32,7 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         elif len(label.amounts) == 1 and label.amounts[0].like(value.unit):
             amount = label.amounts[0]
             expected = amount.in_unit(value.unit)
-            is_alone = label.only is not None
+            is_alone = label.only is not None and _VALUE.fullmatch(statement.table.heads[1]) is not None
             if expected is not None and amount.unit != value.unit and (is_alone or "^" in amount.written):
                 words = f"{amount.written} {amount.unit.name}"
                 yield from examples.judged(statement.passage, value, [expected], words)

@@ -1,7 +1,7 @@
 """Tables and statements of what counts of the converter stand for: "| 3000 | 3.95 | 9.549451 | 9549 |"."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from codegen.claims.worked.amount import Amount, amounts, of_unit
@@ -19,6 +19,7 @@ _ONE = re.compile(
     r"\b(?:one|a single) (?:count|step)(?: of the (?:ADC|converter))?(?:,| is| =|:)? (?=\d)", re.IGNORECASE
 )
 _SAID = re.compile(r"\bcount (?P<before>\d{1,6})\b(?![.\d])|\b(?P<behind>\d{1,6}) counts\b", re.IGNORECASE)
+_DEFAULT = re.compile(r"\bdefault multiplier of (?=\d)", re.IGNORECASE)
 _FULL = re.compile(r"\bfull[- ]scale\b", re.IGNORECASE)
 
 
@@ -41,12 +42,15 @@ def _table(examples: Examples, table: Table) -> Iterator[Diagnostic]:
     column = table.column(_COUNT) if nearest is None else nearest
     known = factor_names(examples.systems)
     named = {index: head for index, head in enumerate(table.heads) if head in known}
+    stated = _stated(table, known)
+    if table.intro is not None:
+        yield from _default(examples, table.intro)
     for row in table.rows if column is not None else ():
         count = row.only(column)
         given = {name: row.only(index) for index, name in named.items()}
         if count is None or not count.is_plain or None in given.values():
             continue
-        factors = {name: each.value for name, each in given.items() if each is not None}
+        factors = {name: each.value for name, each in given.items() if each is not None} or stated
         for index in range(len(row.entries)):
             if index in (column, *named):
                 continue
@@ -54,6 +58,28 @@ def _table(examples: Examples, table: Table) -> Iterator[Diagnostic]:
                 yield from _result(examples, table, row, index, count.value, factors)
             elif index == 0:
                 yield from _nearest(examples, table, row, index, count)
+
+
+def _stated(table: Table, names: Iterable[str]) -> Mapping[str, Fraction]:
+    """What the text before a table says that factors are: "with NAME 4.0158"."""
+    text = table.intro.text if table.intro is not None else ""
+    found = {}
+    for name in names:
+        said = re.search(rf"\b{name} (?=\d)", text)
+        number = amounts(text, said.end(), said.end() + 16)[:1] if said else ()
+        if number:
+            found[name] = number[0].value
+    return found
+
+
+def _default(examples: Examples, passage: Passage) -> Iterator[Diagnostic]:
+    """ "at the default multiplier of 3.95"."""
+    for said in _DEFAULT.finditer(passage.text):
+        number = amounts(passage.text, said.end(), said.end() + 16)[:1]
+        factors = [each.factors[0] for each in measured(examples.systems, None)]
+        defaults = [each.default * each.step for each in factors]
+        for amount in number:
+            yield from examples.judged(passage, amount, defaults, "the default multiplier")
 
 
 def _result(
@@ -102,6 +128,7 @@ def _one(examples: Examples, passage: Passage) -> Iterator[Diagnostic]:
         found = amounts(passage.text, said.end(), said.end() + 40)[:1]
         for amount in found:
             steps = [_step(each, amount.unit) for each in measured(examples.systems, amount.unit)]
+            steps += [each.at_pin(Fraction(1), amount.unit) for each in measured(examples.systems, amount.unit)]
             yield from examples.judged(passage, amount, [step for step in steps if step], "one count")
 
 
@@ -124,7 +151,8 @@ def _statement(examples: Examples, statement: Statement) -> Iterator[Diagnostic]
     for each in measured(examples.systems, value.unit):
         number = Fraction(said["before"] or said["behind"]) if said else Fraction(each.conversion.channel.full_scale)
         factors = {each.first: plain[0].value} if plain else {}
-        exact = (each.value(number, factors, value.unit), each.kept(number, factors, value.unit))
+        exact = [each.value(number, factors, value.unit), each.kept(number, factors, value.unit)]
+        exact += [each.at_pin(number, value.unit)] if full is not None else []
         expected += [found for found in exact if found is not None]
     words = f"count {said['before'] or said['behind']}" if said else "full scale"
     yield from examples.judged(statement.passage, value, expected, words)

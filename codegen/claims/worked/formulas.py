@@ -24,10 +24,9 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         value = statement.value.only
         if value is None:
             continue
-        for formula in formulas:
-            given = _given(statement, formula)
-            if given is not None:
-                yield from _judged(examples, statement, value, [_result(formula, given)], formula)
+        made = {each: _result(each, given) for each in formulas if (given := _given(statement, each)) is not None}
+        if made:
+            yield from _judged(examples, statement, value, list(made.values()), " or ".join(made))
         span = _code(statement)
         if span and _LARGEST.match(statement.label.text[: span[0] - statement.label.start]):
             formula = statement.passage.text[span[0] : span[1]]

@@ -10,13 +10,13 @@ from codegen.diagnostics import Diagnostic
 from codegen.model.unit import unit_named
 
 _SECOND, _HERTZ = unit_named("s"), unit_named("Hz")
-_INTERVAL = re.compile(r"interval", re.IGNORECASE)
+_INTERVAL = re.compile(r"MESSAGE_INTERVAL\b")
 _FASTEST = re.compile(r"\b(?:highest|fastest) of the stream\b")
 _NAME = re.compile(r"(?<![\w-])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w-])")
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:
-    """Every table whose first heading is about intervals."""
+    """Every table whose first heading is about the intervals of a message."""
     for table in examples.tables:
         if _INTERVAL.search(table.heads[0]):
             for row in table.rows:

@@ -10,6 +10,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.model.price import HEAD_V2
 
 _LENGTH = re.compile(r"\blength of ", re.IGNORECASE)
+_CHARACTERS = re.compile(r"\bcharacters\b")
 _CARRIED = re.compile(r"\bframe with that text\b", re.IGNORECASE)
 
 
@@ -20,7 +21,7 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         value = statement.value.alone
         if value is None:
             continue
-        if _LENGTH.search(statement.label.text):
+        if _LENGTH.search(statement.label.text) and _CHARACTERS.search(statement.value.text):
             quoted = _code(statement)
             if quoted is not None:
                 yield from examples.judged(

@@ -6,8 +6,10 @@ from fractions import Fraction
 from codegen.frozen import dataclass
 from codegen.model.conversion import Conversion, Factor, factors_by_instance
 from codegen.model.system import System
-from codegen.model.unit import Unit, ratio
+from codegen.model.unit import Unit, ratio, unit_named
 from codegen.model.vehicle import Parameter, Quantity
+
+_VOLT = unit_named("V")
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +27,11 @@ class Measured:
     def kept(self, count: Fraction, factors: Mapping[str, Fraction], unit: Unit) -> Fraction | None:
         """The same as the state keeps it, rounded to its steps."""
         return self._in(unit, self.conversion.stored, count, factors)
+
+    def at_pin(self, count: Fraction, unit: Unit) -> Fraction | None:
+        """The voltage at the pin of the converter that a count stands for; None in a unit of something else."""
+        channel, factor = self.conversion.channel, ratio(_VOLT, unit)
+        return None if factor is None else count * channel.reference / channel.full_scale * factor
 
     def takes(self, names: Iterable[str]) -> bool:
         """Whether each of some names is that of a factor."""

@@ -15,6 +15,7 @@ _ANSWERED = re.compile(r"(?:value )?answered|answer", re.IGNORECASE)
 _REFUSED = re.compile(r"the old one\b")
 _ONLY = re.compile(r"\bonly (?P<numbers>\d{1,6}(?:, \d{1,6})*,? (?:and|or) \d{1,6}) (?:are|is) accepted")
 _FROM = re.compile(r"\b(?P<prefix>[A-Z][A-Z0-9]*_)\)? from (?P<low>\d{1,4}) to (?P<high>\d{1,4})\b")
+_NUMBERED = re.compile(r"\bparameters are numbered\b", re.IGNORECASE)
 _DEFAULT = re.compile(r"default of (?P<name>[A-Z][A-Z0-9_]+)", re.IGNORECASE)
 _ENTRY = re.compile(r"(?P<name>[A-Z][A-Z0-9]*(?:_[A-Z0-9]+){2,}), (?=\d)")
 _WORDS = re.compile(r",? ?(?P<words>[^(]*)")
@@ -43,8 +44,10 @@ def _parameters(examples: Examples, name: str) -> tuple[Parameter, ...]:
 def _entry(examples: Examples, row: Row, entry: Entry, entries: dict[str, int]) -> Iterator[Diagnostic]:
     """ "MAV_PARAM_TYPE_REAL32, 9"."""
     named = _ENTRY.match(entry.text)
-    if named is not None and named["name"] in entries and entry.amounts:
-        yield from examples.judged(row.passage, entry.amounts[0], [Fraction(entries[named["name"]])], named["name"])
+    number = entry.amounts[0] if entry.amounts else None
+    is_value = number is not None and number.is_plain and number.end == entry.start + len(entry.text)
+    if named is not None and named["name"] in entries and number is not None and is_value:
+        yield from examples.judged(row.passage, number, [Fraction(entries[named["name"]])], named["name"])
 
 
 def _meaning(examples: Examples, row: Row, entry: Entry, parameter: Parameter) -> Iterator[Diagnostic]:
@@ -119,7 +122,7 @@ def _count(examples: Examples, parameter: Parameter) -> int | None:
 
 def _places(examples: Examples, passage: Passage) -> Iterator[Diagnostic]:
     """ "those of the second one (BATT2_) from 1 to 16": places in the sorted list."""
-    for said in _FROM.finditer(passage.text):
+    for said in _FROM.finditer(passage.text) if _NUMBERED.search(passage.text) else ():
         for key in ("low", "high"):
             expected = []
             for system in examples.systems:

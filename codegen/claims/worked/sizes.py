@@ -75,6 +75,16 @@ def text_start(message: WireMessage) -> int | None:
     return texts[0].offset if len(texts) == 1 else None
 
 
+def possible_frames(examples: Examples, message: WireMessage) -> tuple[Fraction, ...]:
+    """The bytes that a frame of MAVLink 2 can have: whole ones, and shorter ones unless its last field is never zero."""
+    last = message.fields[-1].definition
+    enum = examples.reading.enums.get(last.enum or "")
+    whole = {HEAD_V2 + message.base_length, HEAD_V2 + message.length}
+    if enum is None or last.is_bitmask or any(entry.value == 0 for entry in enum.entries):
+        whole |= set(range(HEAD_V2 + 1, HEAD_V2 + message.length))
+    return tuple(Fraction(each) for each in sorted(whole))
+
+
 def is_v1(text: str) -> bool:
     """Whether a text is about MAVLink 1."""
     return _V1.search(text) is not None
@@ -90,7 +100,6 @@ def _row(
         "base": [base],
         "full": [full],
         "v1": [HEAD_V1 + base],
-        "v2": [HEAD_V2 + base, HEAD_V2 + full],
     }
     characters = _CHARACTERS.search(row.entries[0].text)
     start = text_start(message)
@@ -100,6 +109,8 @@ def _row(
         expected["sent"] = [full]
     if sent is not None:
         expected["v2"] = [HEAD_V2 + int(sent.value)]
+    else:
+        expected["v2"] = [int(each) for each in possible_frames(examples, message)]
     for key, numbers in expected.items():
         found: Amount | None = row.only(columns.get(key))
         if found is not None and message.id >= 0:

@@ -11,6 +11,8 @@ from codegen.model.unit import unit_named
 
 _SECOND = unit_named("s")
 _SLOT, _TIME = re.compile(r"slot", re.IGNORECASE), re.compile(r"time", re.IGNORECASE)
+_FEWEST = 2
+"""Rows that have to agree before another one is wrong."""
 _DURATION = re.compile(r"duration\b.*", re.IGNORECASE)
 _COLUMNS = {
     "next": re.compile(r"next pass", re.IGNORECASE),
@@ -28,9 +30,11 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         slot, time = table.column(_SLOT), table.column(_TIME)
         duration = table.column(_DURATION)
         columns = {key: place for key, form in _COLUMNS.items() if (place := table.column(form)) is not None}
+        if slot is not None and time is not None:
+            told = [list(_times(examples, row, slot, time, periods)) for row in table.rows]
+            if sum(not found for found in told) >= _FEWEST:  # it is about the slots of the main loop
+                yield from (each for found in told for each in found)
         for row in table.rows:
-            if slot is not None and time is not None:
-                yield from _times(examples, row, slot, time, periods)
             if duration is not None and len(columns) == len(_COLUMNS):
                 yield from _missed(examples, table, row, row.only(duration), columns, periods)
 

@@ -1,5 +1,6 @@
 """Tables of what is left of a store: what was taken of the parameter that says how large it is."""
 
+import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -8,6 +9,7 @@ from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
 from codegen.model.unit import unit_named
 
+_LEFT = re.compile(r"\b(?:left|remaining|rest)\b", re.IGNORECASE)
 _PERCENT, _SECOND = unit_named("%"), unit_named("s")
 
 
@@ -43,7 +45,7 @@ def _row(examples: Examples, table: Table, row: Row, full: Amount) -> Iterator[D
     """Taken and left, in the unit of the store; then the share, and the time at a rate that makes one of both."""
     found = [each for index in range(len(row.entries)) if (each := table.amount(row, index)) is not None]
     store = [each for each in found if each.like(full.unit)]
-    if len(store) != 2 or not full.value:
+    if len(store) != 2 or not full.value or not any(_LEFT.search(head) for head in table.heads):
         return
     taken, left = (each.in_unit(full.unit) or Fraction(0) for each in store)
     rest = max(full.value - taken, Fraction(0))

@@ -9,7 +9,7 @@ from itertools import product
 from codegen.claims.reading import Mention
 from codegen.claims.worked.amount import Amount, of_unit
 from codegen.claims.worked.examples import Examples, Statement
-from codegen.claims.worked.sizes import is_v1, stated_frames
+from codegen.claims.worked.sizes import is_v1, possible_frames, stated_frames
 from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.model.price import BITS_OF_A_BYTE, HEAD_V1, HEAD_V2, frame_size
@@ -22,7 +22,8 @@ _BITS = re.compile(r"\b(?P<bits>\d{1,2}) bits per byte\b")
 _SAME = re.compile(r"the same\b", re.IGNORECASE)
 _FRAME, _PAYLOAD = re.compile(r"\bframe\b", re.IGNORECASE), re.compile(r"\bpayload\b", re.IGNORECASE)
 _WHOLE = re.compile(r"\b(?:whole|largest|extended|with extensions)\b", re.IGNORECASE)
-_OTHER = re.compile(r"\bdraft|\bthat text\b|\bof the\b", re.IGNORECASE)
+_OTHER = re.compile(r"\bdraft|\bthat text\b|\bof the\b|\bsigned\b", re.IGNORECASE)
+_SIGNED = re.compile(r"\bsigned\b", re.IGNORECASE)
 _INSTANCE = re.compile(r"\bfor (?P<component>[a-z][a-z_]*) (?P<number>\d{1,3})\b")
 _LISTED = "PARAM_VALUE"
 
@@ -63,7 +64,7 @@ def _said(examples: Examples, statement: Statement) -> _Said | None:
         return None
     rates = of_unit(statement.label.amounts, HERTZ)
     following = [_behind(mention, rates) for mention in mentions]
-    if rates and None in following:
+    if (rates and None in following) or _SIGNED.search(statement.label.text):
         return None
     names = tuple(mention.name for mention in mentions)
     found = tuple(each.value for each in following if each is not None)
@@ -84,8 +85,7 @@ def _frames(examples: Examples, name: str, *, of_v1: bool) -> tuple[Fraction, ..
         return stated
     if sent is not None and sent.low != sent.high:
         return tuple(Fraction(each) for each in range(int(sent.low), int(sent.high) + 1))
-    whole = (Fraction(HEAD_V2 + message.base_length), Fraction(HEAD_V2 + message.length))
-    return whole if sent is None else (*whole, sent.low)
+    return possible_frames(examples, message) if sent is None else (sent.low,)
 
 
 def _stream(examples: Examples, statement: Statement, value: Amount, said: _Said) -> Iterator[Diagnostic]:
@@ -100,9 +100,14 @@ def _stream(examples: Examples, statement: Statement, value: Amount, said: _Said
     factor = PER_SECOND.scale / unit.scale
     expected = sorted({each * factor for each in sums})
     named = " and ".join(f"{name} at {float(rate):g} Hz" for name, rate in zip(said.names, said.rates, strict=True))
-    if len(expected) > 3 and not any(value.shows(each) for each in expected):
-        expected = [min(expected, key=lambda each: abs(each - value.value))]
-    yield from examples.judged(statement.passage, value, expected, named)
+    yield from examples.judged(statement.passage, value, _few(value, expected), named)
+
+
+def _few(value: Amount, expected: Sequence[Fraction]) -> Sequence[Fraction]:
+    """What is expected; of many numbers, none of which is stated, the nearest one."""
+    if len(expected) < 4 or any(value.shows(each) for each in expected):
+        return expected
+    return [min(expected, key=lambda each: abs(each - value.value))]
 
 
 def _size(examples: Examples, statement: Statement, value: Amount, said: _Said) -> Iterator[Diagnostic]:
@@ -118,10 +123,8 @@ def _size(examples: Examples, statement: Statement, value: Amount, said: _Said) 
         expected = whole if is_whole else _frames(examples, name, of_v1=said.is_v1)
     elif _PAYLOAD.search(label):
         expected = (Fraction(message.length if _WHOLE.search(label) else message.base_length),)
-    if len(expected) <= 2:
-        yield from examples.judged(
-            statement.passage, value, expected, f"{name}, {label.partition(',')[2].strip() or label}"
-        )
+    words = f"{name}, {label.partition(',')[2].strip() or label}"
+    yield from examples.judged(statement.passage, value, _few(value, expected), words)
 
 
 def _instance(examples: Examples, statement: Statement, value: Amount, before: _Said) -> Iterator[Diagnostic]:
@@ -143,7 +146,7 @@ def _parameters(examples: Examples, statement: Statement, value: Amount) -> Iter
     """ "All 39 parameters, v2 | 1443 bytes": each is one message; over a UART it takes a time."""
     label = statement.label.text
     counted, message = _PARAMETERS.search(label), examples.reading.messages.get(_LISTED)
-    if counted is None or message is None:
+    if counted is None or message is None or _SIGNED.search(label):
         return
     head = HEAD_V1 if is_v1(label) else HEAD_V2
     size = Fraction(int(counted["count"]) * (head + message.base_length))

@@ -7,6 +7,7 @@ from math import floor
 
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
+from codegen.model.unit import unit_named
 
 _FEWEST = 3
 """Numbers of one entry that make a list of samples."""
@@ -15,6 +16,8 @@ _SUM, _MEAN = re.compile(r"sum", re.IGNORECASE), re.compile(r"mean", re.IGNORECA
 _READING = re.compile(r"(?:reading|rounded)\b.*", re.IGNORECASE)
 _WIDE = re.compile(r".*u(?P<bits>16|32)\(\)")
 _BITS = re.compile(r".*\((?P<bits>\d{1,2}) bits\)")
+_BRACKETS = re.compile(r"\(([^()]*)\)$")
+_BYTES = re.compile(r"\b(?:frames?|payload|bytes|sizes?)\b", re.IGNORECASE)
 _TOGETHER = re.compile(r"\btogether\b", re.IGNORECASE)
 _PER = re.compile(r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)\)| \([^()]*\))?", re.IGNORECASE)
 
@@ -36,9 +39,12 @@ def _samples(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]
     total = sum((each.value for each in listed.amounts), Fraction(0))
     mean = total / len(listed.amounts)
     rounded = Fraction(floor(mean + Fraction(1, 2)))
+    brackets = _BRACKETS.findall(table.heads[row.entries.index(listed)])
     for form, value, words in ((_SUM, total, "sum"), (_MEAN, mean, "mean"), (_READING, rounded, "rounded mean")):
-        found = row.only(table.column(form))
-        if found is not None:
+        column = table.column(form)
+        found = row.only(column)
+        own = _BRACKETS.findall(table.heads[column]) if column is not None else []
+        if found is not None and own in ([], brackets):
             yield from examples.judged(row.passage, found, [value], f"the {words} of {listed.text}")
 
 
@@ -81,5 +87,6 @@ def _together(examples: Examples) -> Iterator[Diagnostic]:
         last = len(before.heads) - 1
         column = [row.only(last) for row in before.rows]
         total = sum((each.value for each in column if each is not None), Fraction(0))
-        if None not in column and total:
+        is_bytes = value.like(unit_named("bytes")) and _BYTES.search(before.heads[last]) is not None
+        if None not in column and total and is_bytes:
             yield from examples.judged(statement.passage, value, [total], f"the sum of {before.heads[last]}")
