@@ -4,7 +4,6 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
 
 from codegen.claims import check_claims
 from codegen.claims.reading import Reading, Reference, read_document
@@ -12,7 +11,7 @@ from codegen.claims.unknown_names import unknown_names
 from codegen.claims.worked.listing import Number, numbers
 from codegen.codec import read_codec_dialect
 from codegen.decode.known_dialects import taken_elsewhere
-from codegen.diagnostics import Diagnostic, Report
+from codegen.diagnostics import Report
 from codegen.load.text import read_text
 from codegen.model.price import Range, frame_size
 from codegen.model.stated_parameter import StatedParameter
@@ -103,12 +102,7 @@ def example_numbers(paths: Iterable[str], reference: Reference) -> Iterator[Numb
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = read_text(path, Report())
         if text is not None:
-            reading = with_other_dialects(read_document(text, path, reference))
-            yield from numbers(text, reading, partial(_findings, path, reading.reference))
-
-
-def _findings(path: str, reference: Reference, text: str) -> list[Diagnostic]:
-    return check_claims(read_document(text, path, reference))
+            yield from numbers(text, with_other_dialects(read_document(text, path, reference)))
 
 
 def with_other_dialects(reading: Reading) -> Reading:

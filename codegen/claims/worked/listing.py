@@ -1,18 +1,19 @@
 """Which numbers of worked examples nothing computes: those that can be changed without any finding."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Container, Iterator
 
-from codegen.claims.reading import Reading
+from codegen.claims import check_claims
+from codegen.claims.reading import Reading, read_document
+from codegen.claims.worked import check as check_examples
 from codegen.claims.worked.amount import Amount, amounts
 from codegen.claims.worked.examples import Examples, read_examples
-from codegen.diagnostics import Diagnostic
 from codegen.frozen import dataclass
 from codegen.load.prose import Passage, PassageKind
 from codegen.source import Place
 
 _EXAMPLE = re.compile(r"\bfor example\b|\be\.g\.|\d[^|.;=]{0,60} [=\u2248] [^|.;=]{0,20}\d", re.IGNORECASE)
-Check = Callable[[str], Iterable[Diagnostic]]
+_CHECKS = (check_examples, check_claims)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,13 +35,13 @@ class Number:
         return bool(self.found)
 
 
-def numbers(text: str, reading: Reading, check: Check) -> Iterator[Number]:
+def numbers(text: str, reading: Reading) -> Iterator[Number]:
     """Every number of the worked examples of a document, in its order, each changed by one in its last digit.
 
-    ``text`` is that of the document, ``check`` returns the findings of such a text.
+    ``text`` is that of the document. The checks of worked examples are asked first, all others where these say nothing.
     """
     lines = text.split("\n")
-    known = {(each.place, each.message) for each in check(text)}
+    known = {(each.place, each.message) for check in _CHECKS for each in check(reading)}
     for passage, amount in sorted(_amounts(read_examples(reading)), key=lambda each: each[0].place_at(each[1].start)):
         place = passage.place_at(amount.start)
         line = lines[place.line - 1]
@@ -48,9 +49,18 @@ def numbers(text: str, reading: Reading, check: Check) -> Iterator[Number]:
         if line[start:end] != amount.written:
             continue  # written with an escape
         changed = f"{line[:start]}{changed_number(amount)}{line[end:]}"
-        findings = check("\n".join([*lines[: place.line - 1], changed, *lines[place.line :]]))
-        new = [each.place for each in findings if (each.place, each.message) not in known]
-        yield Number(passage, amount, tuple(new))
+        other = "\n".join([*lines[: place.line - 1], changed, *lines[place.line :]])
+        read = read_document(other, reading.prose.path, reading.reference)
+        yield Number(passage, amount, _new(read, known))
+
+
+def _new(reading: Reading, known: Container[tuple[Place, str]]) -> tuple[Place, ...]:
+    """Where a document has findings that are not known."""
+    for check in _CHECKS:
+        found = [each.place for each in check(reading) if (each.place, each.message) not in known]
+        if found:
+            return tuple(found)
+    return ()
 
 
 def changed_number(amount: Amount) -> str:

@@ -76,7 +76,7 @@ def text_start(message: WireMessage) -> int | None:
 
 
 def possible_frames(examples: Examples, message: WireMessage) -> tuple[Fraction, ...]:
-    """The bytes that a frame of MAVLink 2 can have: whole ones, and shorter ones unless its last field is never zero."""
+    """The bytes of a frame of MAVLink 2: those of whole ones, and fewer unless the last field is never zero."""
     last = message.fields[-1].definition
     enum = examples.reading.enums.get(last.enum or "")
     whole = {HEAD_V2 + message.base_length, HEAD_V2 + message.length}
