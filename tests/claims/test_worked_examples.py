@@ -1,5 +1,6 @@
 """Worked examples are recomputed from the specification: what is wrong is found, and what says too little is left alone."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -233,6 +234,15 @@ def test_each_number_that_is_recomputed_is_found_when_it_is_changed(
         if number.is_computed and is_row:
             assert number.place.line in [place.line for place in number.found], (number.amount.written, text)
     assert (len(found), sum(not number.is_computed for number in found)) == NUMBERS[document]
+
+
+def test_the_page_shows_the_list(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    page = (ROOT / "docs" / "claims.md").read_text()
+    shown = re.search(r"```text\n\$ codegen (check --examples .*?)\n(.*?)```", page, re.DOTALL)
+    assert shown
+    monkeypatch.chdir(ROOT)
+    main(shown[1].split())
+    assert "".join(capsys.readouterr()) == shown[2]
 
 
 def test_the_list_of_numbers_that_nothing_computes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
