@@ -65,29 +65,23 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table with its headings; ``intro`` is the text directly before it, or None, ``number`` its place."""
+    """A table; ``intro`` is the text directly before it, or None, ``number`` its place.
+
+    ``heads`` are the headings of its columns, ``units`` those that they end with in brackets: ``Rounded (mV)``.
+    """
 
     head: Row
     rows: tuple[Row, ...]
     intro: Passage | None
     number: int
-
-    @property
-    def heads(self) -> tuple[str, ...]:
-        """The headings of the columns."""
-        return tuple(entry.text for entry in self.head.entries)
-
-    @property
-    def head_units(self) -> tuple[Unit | None, ...]:
-        """The unit that each heading ends with in brackets, or None: ``Rounded (mV)``."""
-        found = (_BRACKETS.search(head) for head in self.heads)
-        return tuple(Unit.parse(each[1]) if each else None for each in found)
+    heads: tuple[str, ...]
+    units: tuple[Unit | None, ...]
 
     def amount(self, row: Row, column: int | None) -> Amount | None:
         """The number that the entry of a column begins with, in the unit of the heading where it has none; or None."""
         entry = row.at(column)
         found = entry.alone if entry is not None else None
-        unit = self.head_units[column] if column is not None and column < len(self.heads) else None
+        unit = self.units[column] if column is not None and column < len(self.heads) else None
         return replace(found, unit=unit) if found is not None and found.is_plain and unit is not None else found
 
     def column(self, form: "re.Pattern[str]") -> int | None:
@@ -107,24 +101,17 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Examples:
-    """What a document has of worked examples, in its order; ``systems`` are the programs of the project."""
+    """What a document has of worked examples, in its order; ``statements`` are the rows of two columns."""
 
     reading: Reading
     tables: tuple[Table, ...]
     texts: tuple[Passage, ...]
+    statements: tuple[Statement, ...]
 
     @property
     def systems(self) -> tuple[System, ...]:
         """The programs of the project that the document is compared with; none without a project."""
         return self.reading.reference.systems
-
-    @property
-    def statements(self) -> Iterator[Statement]:
-        """The rows of all tables of two columns."""
-        for table in self.tables:
-            for row in table.rows if len(table.heads) == 2 else ():
-                if len(row.entries) == 2:
-                    yield Statement(row.passage, *row.entries, table)
 
     def judged(self, passage: Passage, amount: Amount, expected: Collection[Fraction], of: str) -> Iterator[Diagnostic]:
         """A finding where a number is none of those that are ``expected`` (in its unit), if anything is."""
@@ -163,7 +150,15 @@ def read_examples(reading: Reading) -> Examples:
         elif depth:
             texts.append(passage)
             intro = passage
-    return Examples(reading, (*tables, *_tables(rows, intro, len(tables))), tuple(texts))
+    tables += _tables(rows, intro, len(tables))
+    return Examples(reading, tuple(tables), tuple(texts), tuple(_statements(tables)))
+
+
+def _statements(tables: Sequence[Table]) -> Iterator[Statement]:
+    for table in tables:
+        for row in table.rows if len(table.heads) == 2 else ():
+            if len(row.entries) == 2:
+                yield Statement(row.passage, *row.entries, table)
 
 
 def _tables(rows: Sequence[Passage], intro: Passage | None, number: int) -> Iterator[Table]:
@@ -173,8 +168,11 @@ def _tables(rows: Sequence[Passage], intro: Passage | None, number: int) -> Iter
         is_last = index + 1 == len(rows)
         if is_last or (index > first and rows[index + 1].place.line - passage.place.line > 1):
             if index > first:
-                own = tuple(_row(each) for each in rows[first + 1 : index + 1])
-                yield Table(_row(rows[first]), own, intro, number)
+                head, *own = (_row(each) for each in rows[first : index + 1])
+                heads = tuple(entry.text for entry in head.entries)
+                found = (_BRACKETS.search(each) for each in heads)
+                units = tuple(Unit.parse(each[1]) if each else None for each in found)
+                yield Table(head, tuple(own), intro, number, heads, units)
                 number, intro = number + 1, None
             first = index + 1
 

@@ -25,10 +25,14 @@ _PER = re.compile(r"per (?P<one>[a-z]+)(?: \((?P<count>\d{1,3}) (?P<many>[a-z]+)
 def check(examples: Examples) -> Iterator[Diagnostic]:
     """Every row with a list of samples, a count of fewer bits or a share; a sum over the rows of the table before."""
     for table in examples.tables:
+        wide, narrow = table.column(_WIDE), table.column(_BITS)
+        shares = [(index, said) for index, head in enumerate(table.heads) if (said := _PER.fullmatch(head))]
         for row in table.rows:
             yield from _samples(examples, table, row)
-            yield from _narrowed(examples, table, row)
-            yield from _shared(examples, table, row)
+            if wide is not None and narrow is not None:
+                yield from _narrowed(examples, table, row, wide, narrow)
+            for index, said in shares:
+                yield from _shared(examples, table, row, index, said)
     yield from _together(examples)
 
 
@@ -48,11 +52,10 @@ def _samples(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]
             yield from examples.judged(row.passage, found, [value], f"the {words} of {listed.text}")
 
 
-def _narrowed(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]:
+def _narrowed(examples: Examples, table: Table, row: Row, wide: int, narrow: int) -> Iterator[Diagnostic]:
     """The upper bits of what `..._u16()` returns."""
-    wide, narrow = table.column(_WIDE), table.column(_BITS)
     value, found = row.only(wide), row.only(narrow)
-    if wide is None or narrow is None or value is None or found is None or value.value.denominator != 1:
+    if value is None or found is None or value.value.denominator != 1:
         return
     of, bits = _WIDE.fullmatch(table.heads[wide]), _BITS.fullmatch(table.heads[narrow])
     more = int(of["bits"]) - int(bits["bits"]) if of and bits else 0
@@ -61,20 +64,19 @@ def _narrowed(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic
         yield from examples.judged(row.passage, found, [count], f"{table.heads[narrow]} of {value.written}")
 
 
-def _shared(examples: Examples, table: Table, row: Row) -> Iterator[Diagnostic]:
+def _shared(examples: Examples, table: Table, row: Row, index: int, said: "re.Match[str]") -> Iterator[Diagnostic]:
     """ "Per X (3 Xs)", or "Per X" beside a column "Xs": the amount in the same unit before it, divided."""
-    for index, head in enumerate(table.heads):
-        said, found = _PER.fullmatch(head), table.amount(row, index)
-        if said is None or found is None or found.is_plain:
-            continue
-        heads = [each.casefold() for each in table.heads]
-        many = f"{said['one'].casefold()}s"
-        counted = row.only(heads.index(many)) if many in heads else None
-        number = Fraction(said["count"]) if said["count"] else counted.value if counted else None
-        before = [each for place in range(index) if (each := table.amount(row, place)) and each.like(found.unit)]
-        whole = before[-1].in_unit(found.unit) if before else None
-        if number and whole is not None:
-            yield from examples.judged(row.passage, found, [whole / number], f"{before[-1].written} {head}")
+    found = table.amount(row, index)
+    if found is None or found.is_plain:
+        return
+    heads = [each.casefold() for each in table.heads]
+    many = f"{said['one'].casefold()}s"
+    counted = row.only(heads.index(many)) if many in heads else None
+    number = Fraction(said["count"]) if said["count"] else counted.value if counted else None
+    before = [each for place in range(index) if (each := table.amount(row, place)) and each.like(found.unit)]
+    whole = before[-1].in_unit(found.unit) if before else None
+    if number and whole is not None:
+        yield from examples.judged(row.passage, found, [whole / number], f"{before[-1].written} {table.heads[index]}")
 
 
 def _together(examples: Examples) -> Iterator[Diagnostic]:
