@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import cache
 
 from codegen.frozen import dataclass
 from codegen.model.nearest_unit import worded_unit
@@ -61,7 +62,7 @@ class Amount:
 
     def shows(self, exact: Fraction) -> bool:
         """Whether it is ``exact``, a value in its unit, rounded to the decimals that are written."""
-        return abs(exact - self.value) <= self.last / 2
+        return exact == self.value or abs(exact - self.value) <= self.last / 2
 
     def spelled(self, exact: Fraction) -> str:
         """``exact``, a value in its unit, as it should be written."""
@@ -91,6 +92,7 @@ def of_unit(found: Iterable[Amount], unit: Unit) -> tuple[Amount, ...]:
     return tuple(each for each in found if each.like(unit))
 
 
+@cache
 def _unit(written: str) -> Unit | None:
     return _MORE.get(written) or (worded_unit(written) if len(written) > 3 else Unit.parse(written))
 

@@ -23,7 +23,9 @@ _WORDS = re.compile(r",? ?(?P<words>[^(]*)")
 
 def check(examples: Examples) -> Iterator[Diagnostic]:
     """Every table and text about parameters; entries of enums in tables that have their number behind them."""
-    entries = {entry.name: entry.value for enum in examples.reading.enums.values() for entry in enum.entries}
+    said = any(_ENTRY.match(entry.text) for table in examples.tables for row in table.rows for entry in row.entries)
+    enums = examples.reading.enums.values() if said else ()
+    entries = {entry.name: entry.value for enum in enums for entry in enum.entries}
     for table in examples.tables:
         for row in table.rows:
             for index, entry in enumerate(row.entries):
