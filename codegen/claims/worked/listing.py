@@ -18,11 +18,11 @@ _CHECKS = (check_examples, check_claims)
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A number of a worked example; ``found`` are the places that are reported when its last digit is another one."""
+    """A number of a worked example; ``found`` are the places that are reported for each other number in its place."""
 
     passage: Passage
     amount: Amount
-    found: tuple[Place, ...]
+    found: tuple[tuple[Place, ...], ...]
 
     @property
     def place(self) -> Place:
@@ -31,14 +31,15 @@ class Number:
 
     @property
     def is_computed(self) -> bool:
-        """Whether a change of it is noticed."""
-        return bool(self.found)
+        """Whether each change of it is noticed."""
+        return all(self.found)
 
 
 def numbers(text: str, reading: Reading) -> Iterator[Number]:
-    """Every number of the worked examples of a document, in its order, each changed by one in its last digit.
+    """Every number of the worked examples of a document, in its order, with what is found for others in its place.
 
-    ``text`` is that of the document. The checks of worked examples are asked first, all others where these say nothing.
+    Those are one more and one less at its last digit. ``text`` is that of the document. The checks of worked examples
+    are asked first, all others where these say nothing.
     """
     lines = text.split("\n")
     known = {(each.place, each.message) for check in _CHECKS for each in check(reading)}
@@ -48,10 +49,13 @@ def numbers(text: str, reading: Reading) -> Iterator[Number]:
         start, end = place.column - 1, place.column - 1 + len(amount.written)
         if line[start:end] != amount.written:
             continue  # written with an escape
-        changed = f"{line[:start]}{changed_number(amount)}{line[end:]}"
-        other = "\n".join([*lines[: place.line - 1], changed, *lines[place.line :]])
-        read = read_document(other, reading.prose.path, reading.reference)
-        yield Number(passage, amount, _new(read, known))
+        found = []
+        for changed in changed_numbers(amount):
+            other = [*lines[: place.line - 1], f"{line[:start]}{changed}{line[end:]}", *lines[place.line :]]
+            found.append(_new(read_document("\n".join(other), reading.prose.path, reading.reference), known))
+            if not found[-1]:
+                break
+        yield Number(passage, amount, tuple(found))
 
 
 def _new(reading: Reading, known: Container[tuple[Place, str]]) -> tuple[Place, ...]:
@@ -63,16 +67,21 @@ def _new(reading: Reading, known: Container[tuple[Place, str]]) -> tuple[Place, 
     return ()
 
 
-def changed_number(amount: Amount) -> str:
-    """The number with one more at its last digit."""
+def changed_numbers(amount: Amount) -> tuple[str, ...]:
+    """The number with one more and one less at its last digit; of 0 only one more."""
     written = amount.written
     if "x" in written.lower():
-        return f"0x{int(written, 16) + 1:0{len(written) - 2}X}"
+        return tuple(f"0x{each:0{len(written) - 2}X}" for each in _beside(int(written, 16)))
     base, power, exponent = written.partition("^")
     if power:
-        return f"{base}^{int(exponent) + 1}"
-    more = amount.value + (amount.last if amount.value >= 0 else -amount.last)
-    return f"{float(more):.{amount.places}f}" if amount.places else str(int(more))
+        return tuple(f"{base}^{each}" for each in _beside(int(exponent)))
+    sign = "-" if amount.value < 0 else ""
+    digits = int(abs(amount.value) / amount.last)
+    return tuple(f"{sign}{float(each * amount.last):.{amount.places}f}" for each in _beside(digits))
+
+
+def _beside(number: int) -> tuple[int, ...]:
+    return (number + 1, number - 1) if number else (1,)
 
 
 def _amounts(examples: Examples) -> Iterator[tuple[Passage, Amount]]:

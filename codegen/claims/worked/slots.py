@@ -61,13 +61,22 @@ def _missed(
     taken = duration.in_unit(_SECOND) if duration is not None else None
     if duration is None or taken is None:
         return
-    for key, column in columns.items():
-        found = row.only(column)
-        expected = []
-        for period in periods:
-            slot = max(int(taken // period), 1)
-            made = {"slot": Fraction(slot), "missed": Fraction(slot - 1)}
-            made |= {"next": max(taken, period), "after": (slot + 1) * period}
-            expected.append(made[key] if found is None or found.is_plain else made[key] / found.unit.scale)
-        if found is not None and found.is_plain == (key in ("slot", "missed")):
-            yield from examples.judged(row.passage, found, expected, f"{table.heads[column]} after {duration.written}")
+    stated = {key: found for key, column in columns.items() if (found := row.only(column)) is not None}
+    made = [_pass_after(taken, period) for period in periods]
+    fits = [[found.shows(_as(found, each[key])) for key, found in stated.items()].count(True) for each in made]
+    nearest = made[fits.index(max(fits))]  # of several programs the one that the row is about
+    for key, found in stated.items():
+        words = f"{table.heads[columns[key]]} after {duration.written}"
+        yield from examples.judged(row.passage, found, [_as(found, nearest[key])], words)
+
+
+def _pass_after(taken: Fraction, period: Fraction) -> dict[str, Fraction]:
+    """What follows a pass that took so many seconds."""
+    slot = max(int(taken // period), 1)
+    made = {"slot": Fraction(slot), "missed": Fraction(slot - 1)}
+    return made | {"next": max(taken, period), "after": (slot + 1) * period}
+
+
+def _as(found: Amount, value: Fraction) -> Fraction:
+    """A number of slots, or of seconds in the unit of what is stated."""
+    return value if found.is_plain else value / found.unit.scale

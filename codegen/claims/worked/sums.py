@@ -27,6 +27,8 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
     for table in examples.tables:
         wide, narrow = table.column(_WIDE), table.column(_BITS)
         shares = [(index, said) for index, head in enumerate(table.heads) if (said := _PER.fullmatch(head))]
+        for index, said in shares:
+            yield from _how_many(examples, table, index, said)
         for row in table.rows:
             yield from _samples(examples, table, row)
             if wide is not None and narrow is not None:
@@ -77,6 +79,15 @@ def _shared(examples: Examples, table: Table, row: Row, index: int, said: "re.Ma
     whole = before[-1].in_unit(found.unit) if before else None
     if number and whole is not None:
         yield from examples.judged(row.passage, found, [whole / number], f"{before[-1].written} {table.heads[index]}")
+
+
+def _how_many(examples: Examples, table: Table, index: int, said: "re.Match[str]") -> Iterator[Diagnostic]:
+    """The number in a heading "Per X (3 Xs)", where the board says how many Xs there are."""
+    parts = (part for system in examples.systems for each in system.components.values() for part in each.parts)
+    known = {part.count(said["many"]) for part in parts} - {None} if said["many"] else set()
+    for number in table.head.entries[index].amounts:
+        expected = [Fraction(each) for each in sorted(known, key=str) if each is not None]
+        yield from examples.judged(table.head.passage, number, expected, f"the number of {said['many']}")
 
 
 def _together(examples: Examples) -> Iterator[Diagnostic]:
