@@ -10,7 +10,7 @@ from codegen.model.nearest_unit import worded_unit
 from codegen.model.unit import NUMBER, Unit, ratio, unit_named
 
 _AMOUNT = re.compile(
-    r"(?<![\w.^/#])(?<!\w-)(?<!\w\[)(?P<number>[-\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|\d{1,3}\^\d{1,3}"
+    r"(?<![\w.^/#])(?<!\w-)(?<!\w\[)(?P<number>[-\u2212]?(?:0[xX][0-9a-fA-F]{1,16}|(?:2|10)\^\d{1,2}"
     r"|\d{1,3}(?:,\d{3}){1,4}(?![\d,])|\d{1,18}(?:\.\d{1,15})?))(?![\d^]|\.\d)"
 )
 _UNIT = re.compile(

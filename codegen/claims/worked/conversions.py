@@ -42,17 +42,22 @@ def _float(examples: Examples, statement: Statement, value: Amount) -> Iterator[
     """ "3.95 as a float of 32 bits | 3.9500000477", and numbers that are one exactly."""
     first = statement.label.alone
     if first is not None:
-        nearest = Fraction(struct.unpack("<f", struct.pack("<f", float(first.value)))[0])
+        nearest = _nearest(first.value)
         yield from examples.judged(statement.passage, value, [nearest], f"{first.written} as a float of 32 bits")
     elif _EXACT.match(statement.passage.text, value.end):
         forces = (s.program.spec.arming for s in examples.systems if s.program is not None)
         known = [Fraction(arming.force) for arming in forces if arming is not None]
         if _FORCED.search(statement.label.text):
             yield from examples.judged(statement.passage, value, known, "the number that forces arming")
-        nearest = Fraction(struct.unpack("<f", struct.pack("<f", float(value.value)))[0])
+        nearest = _nearest(value.value)
         if nearest != value.value:
             text = f"{value.written} is no float of 32 bits: {float(nearest):.0f} is nearest"
             yield examples.wrong(statement.passage, value.start, text)
+
+
+def _nearest(value: Fraction) -> Fraction:
+    """The float of 32 bits that is nearest; of what is beyond them the value itself."""
+    return Fraction(struct.unpack("<f", struct.pack("<f", float(value)))[0]) if abs(value) < 1 << 127 else value
 
 
 def _parts(examples: Examples, statement: Statement, value: Amount, said: "re.Match[str]") -> Iterator[Diagnostic]:

@@ -172,7 +172,8 @@ def _tables(rows: Sequence[Passage], intro: Passage | None, number: int) -> Iter
                 heads = tuple(entry.text for entry in head.entries)
                 found = (_BRACKETS.search(each) for each in heads)
                 units = tuple(Unit.parse(each[1]) if each else None for each in found)
-                yield Table(head, tuple(own), intro, number, heads, units)
+                cut = tuple(replace(row, entries=row.entries[: len(heads)]) for row in own)
+                yield Table(head, cut, intro, number, heads, units)
                 number, intro = number + 1, None
             first = index + 1
 

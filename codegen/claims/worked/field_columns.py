@@ -66,7 +66,7 @@ def _row(
     for message, columns in tables:
         for column in columns:
             for answer in message.answers:
-                quantity = next((each for each in answer.quantities if each.name.casefold() == name), None)
+                quantity = next((each for each in answer.carried if each.name.casefold() == name), None)
                 covers = answer.covers
                 if quantity is None or covers.field.name != column.field.name:
                     continue

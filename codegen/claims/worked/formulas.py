@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import islice
 
 from codegen.claims.expression import expression_before
 from codegen.claims.worked.amount import Amount, amounts
@@ -13,13 +14,15 @@ from codegen.load.prose import Passage
 from codegen.model.unit import decimal
 
 _FORMULA = re.compile(r"(?P<name>[A-Za-z_]\w*) = (?P<expression>[\w\s.*/+()-]{3,200})")
+_MOST = 50
+"""How many formulas of a document are looked at."""
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _LARGEST = re.compile(r"largest (?:intermediate|product|value) of $", re.IGNORECASE)
 
 
 def check(examples: Examples) -> Iterator[Diagnostic]:
     """Every statement that names all variables of a formula, and every "largest intermediate of" an expression."""
-    formulas = list(_formulas(examples))
+    formulas = list(islice(dict.fromkeys(_formulas(examples)), _MOST))
     for statement in examples.statements:
         value = statement.value.only
         if value is None:

@@ -96,5 +96,4 @@ def _amounts(examples: Examples) -> Iterator[tuple[Passage, Amount]]:
             yield from ((passage, amount) for span in spans for amount in amounts(passage.text, *span))
     for table in examples.tables:
         for row in (table.head, *table.rows):
-            for entry in row.entries:
-                yield from ((row.passage, amount) for amount in entry.amounts)
+            yield from ((row.passage, amount) for amount in amounts(row.passage.text))

@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.claims.worked.amount import Amount, amounts
 from codegen.claims.worked.examples import Examples, Row, Table
 from codegen.diagnostics import Diagnostic
-from codegen.model.unit import unit_named
+from codegen.model.unit import Unit, unit_named
 
 _LEFT = re.compile(r"\b(?:left|remaining|rest)\b", re.IGNORECASE)
 _PERCENT, _SECOND = unit_named("%"), unit_named("s")
@@ -53,7 +53,8 @@ def _row(examples: Examples, table: Table, row: Row, full: Amount) -> Iterator[D
     yield from examples.judged(
         row.passage, store[1], [rest * factor], f"what {store[0].written} leaves of {full.written}"
     )
-    rates = [each for each in found if not each.like(full.unit) and not each.like(_PERCENT) and not each.like(_SECOND)]
+    drawn = Unit.parse(f"{full.unit.name}/s")
+    rates = [each for each in found if drawn is not None and each.like(drawn)]
     for each in found:
         if each.like(_PERCENT):
             yield from examples.judged(row.passage, each, [100 * rest / full.value], f"the share of {store[1].written}")

@@ -57,7 +57,7 @@ def _trends(examples: Examples) -> Iterator[_Trend]:
     for system in examples.systems:
         for component in system.components.values():
             for quantity in component.quantities.values():
-                if quantity.derivation.kept_readings and component.period_ms:
+                if quantity.derivation.kept_readings > 1 and component.period_ms:
                     period = Fraction(component.period_ms, 1000)
                     yield _Trend(quantity.derivation.kept_readings, period, quantity.unit)
 
