@@ -1,17 +1,20 @@
 """How much heap the programs of the rover and the boat take on a MicroPython whose words have 32 bits, as a board's."""
 
 import json
+import math
 import os
 import shutil
 from pathlib import Path
 
 import measure
 from figure import Figure
+from mpremote.romfs import VfsRomWriter
 
 COMPARES = """The program of the rover with one link, and that of examples/boat with its modules, without machine
 code, on a MicroPython 1.27 whose words have 32 bits as those of a board: compiled to WebAssembly, its collector made
-sound (benchmarks/micropython32/prepare.py). The firmware is its source, or .mpy files by mpy-cross; the mocks are .mpy
-files.
+sound (benchmarks/micropython32/prepare.py). The firmware is its source, or .mpy files by mpy-cross, or the same files
+in a ROMFS, from which a MicroPython that has one runs them in place; the mocks are .mpy files. A board has its ROMFS in
+the flash: what the image takes of the heap here is not counted.
 
 Bytes in use are those beyond the mocks, after a collection. The smallest heap is the first of 64, 68, 72 ... KB (`-X
 heapsize`) in which, and in the two next ones as well, the program is imported, starts and runs a simulated minute. It
@@ -21,8 +24,9 @@ program run in the heaps that stand here.
 Names of the mocks share tables with those of the program. Where a table is full the next one has twice the room: a few
 names more or less may change what is in use by 9 KB."""
 
-SCRIPT = "rover_minute.py"
-FORMS = {"source": "from source", "mpy": "from .mpy"}
+SCRIPT, MOUNT = "rover_minute.py", "mount_rom.py"
+FORMS = {"source": "from source", "mpy": "from .mpy", "rom": "in place from a ROMFS"}
+IMAGE = "image.romfs"
 MOMENTS = {"mocks": "the mocks", "imported": "program imported", "started": "program started"}
 STEP = 4  # KB from one heap that is tried to the next
 LEAST, MOST = 64, 256
@@ -79,8 +83,14 @@ def _lay_out(folder: Path, generated: Path, own: list[Path]) -> None:
     for module in own:
         shutil.copy(module, folder / "source")
     _compile(folder / "mpy", folder / "source")
+    image = VfsRomWriter()
+    for module in sorted((folder / "mpy").glob("*.mpy")):
+        image.mkfile(module.name, module.read_bytes())
+    (folder / IMAGE).write_bytes(image.finalise())
     _compile(folder / "mocks", generated / "mocks")
-    shutil.copy(measure.HERE / "micropython" / SCRIPT, folder)
+    script, mount = (measure.HERE / "micropython" / name for name in (SCRIPT, MOUNT))
+    shutil.copy(script, folder)
+    (folder / MOUNT).write_text(mount.read_text() + script.read_text())
 
 
 VEHICLES = {"rover": prepare, "boat": prepare_boat}
@@ -98,7 +108,9 @@ def _compile(folder: Path, sources: Path) -> None:
 
 def in_use(folder: Path, form: str, heap: int) -> dict[str, int] | None:
     """Return what the script says in a heap of so many KB, or None: the program does not run in it."""
-    command = [measure.tool("micropython32"), "-X", f"heapsize={heap}k", SCRIPT]
+    image = math.ceil((folder / IMAGE).stat().st_size / 1024) if form == "rom" else 0
+    script = MOUNT if image else SCRIPT
+    command = [measure.tool("micropython32"), "-X", f"heapsize={heap + image}k", script]
     done = measure.ended(command, env={**os.environ, "MICROPYPATH": os.pathsep.join(("mocks", form))}, cwd=folder)
     if done.returncode and "MemoryError" not in done.stderr:
         raise SystemExit(f"the program ended by something else than a full heap:\n{done.stdout}{done.stderr}")

@@ -28,7 +28,7 @@ link = open_link(None)
 state = SystemState(log=lambda *_words: None)  # standard output has the answer
 battery = state.battery[0]
 battery.temperature_cdegc = 2345
-battery.current_ca = 1520
+battery.current_ma = 15200
 battery.energy_hj = 4567
 battery.remaining_pct = 67
 

@@ -6,6 +6,7 @@ them share: ``scope`` (what a table can name), ``source`` and ``fitting`` (wheth
 """
 
 from codegen.answers.chip import ChipAnswer
+from codegen.answers.chosen import ChosenAnswer
 from codegen.answers.clock import ClockAnswer
 from codegen.answers.copied import CopiedAnswer
 from codegen.answers.count import CountAnswer
@@ -35,6 +36,7 @@ KINDS: tuple[type[KindOfAnswer], ...] = (
     ChipAnswer,
     FactAnswer,
     FlagsAnswer,
+    ChosenAnswer,
     FixedAnswer,
 )
 """The kinds. An answer is of the first one that takes what is written: the particular ones come first."""

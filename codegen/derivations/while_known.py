@@ -25,10 +25,10 @@ class WhileKnown(Derivation):
     def follows(self) -> str | None:
         return self.quantity
 
-    def holds(self, limit: str) -> str:
+    def holds(self, limit: str, floor: str) -> str:
         return f"value != {UNKNOWN}"
 
-    def attribute(self, place: str, own: str) -> str:
+    def attribute(self, place: str, own: str, own_floor: str) -> str:
         return f"known({place})"
 
     def value(self, quantity: Quantity, known: Known, instance: int) -> Stored:

@@ -90,7 +90,8 @@ def read_number(
 
 def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Sources, report: Report) -> bool:
     """Whether the enum of the field has the entries that an answer names; those that it lacks are reported."""
-    names = [flag.partition(" ")[0] for flag in answer.flags or ()] + ([answer.enum] if answer.enum else [])
+    names = [entry.partition(" ")[0] for entry in answer.flags or answer.one_of or ()]
+    names += [answer.enum] if answer.enum else []
     enum = target.enum(sources.dialect)
     missing = [name for name in names if enum is None or enum.entry(name) is None]
     for name in missing:

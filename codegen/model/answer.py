@@ -90,6 +90,11 @@ class Answer(ABC):
         """The parameters that decide what goes out; of a family the first one."""
         return ()
 
+    @property
+    def is_chip_number(self) -> bool:
+        """Whether it is the number of the board's chip: it tells two boards with the same program apart."""
+        return False
+
     # What goes out.
 
     @abstractmethod

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from codegen.model.source_kind import Output
     from codegen.model.summed import Lasting, Rest, Sum
     from codegen.model.system import System
-    from codegen.model.vehicle import Parameter, Quantity, Represented, Threshold
+    from codegen.model.trust import Threshold
+    from codegen.model.vehicle import Parameter, Quantity, Represented
 
 
 class DerivationFact(NamedTuple):
@@ -125,6 +126,16 @@ class Derivation(ABC):
         return ()
 
     @property
+    def own_floors(self) -> tuple[int, ...]:
+        """What a value has to reach beside, by instance, in stored units; none where nothing."""
+        return ()
+
+    @property
+    def back_from(self) -> tuple[int, ...]:
+        """What a reading has to reach to be a return, by instance, in stored units; none where the end is one."""
+        return ()
+
+    @property
     def kept_readings(self) -> int:
         """How many readings are kept for it."""
         return 0
@@ -164,12 +175,12 @@ class Derivation(ABC):
         """Whether a reading gives it, so that it is unknown once that is not believed any longer."""
         return self.conversion is not None
 
-    def holds(self, limit: str) -> str:
-        """The condition on ``value``, what is stored of the one that it follows; ``limit`` is an expression."""
+    def holds(self, limit: str, floor: str) -> str:
+        """The condition on ``value``, what is stored of the one that it follows; the limits are expressions."""
         raise NotImplementedError(f"{self} follows nothing")
 
-    def attribute(self, place: str, own: str) -> str:
-        """The view of words that it is: ``place`` is the word that it follows, ``own`` that of the instance's limit."""
+    def attribute(self, place: str, own: str, own_floor: str) -> str:
+        """The view of words that it is: ``place`` is the word that it follows, the others are the instance's limits."""
         raise NotImplementedError(f"{self} follows nothing")
 
     def names(self, quantity: "Quantity") -> tuple[str, ...]:

@@ -80,7 +80,8 @@ class FollowsSpec(DerivationSpec):
         default=None,
     )
     below: Fraction | str | None = described(
-        "For follows: it is true below this value, in its unit, or below a fact of the component, such as 66 A.",
+        "For follows: it is true below this value, in its unit, or below a fact of the component, such as 66 A. With "
+        "at_least, too, it is true from that one on and below this one.",
         default=None,
     )
 
@@ -120,6 +121,11 @@ class CountsReturnsSpec(DerivationSpec):
     counts_returns_of: str = described(
         "For a number: it counts up when this boolean of the same component, which follows a measured quantity, was "
         "true and a reading shows that it is no longer."
+    )
+    back_from: Fraction | None = described(
+        "With counts_returns_of a boolean that is true below a limit: only a reading of this value, in the same unit "
+        "and times the same per, shows that it is back. Readings in between change nothing.",
+        default=None,
     )
 
 

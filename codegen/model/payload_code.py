@@ -97,6 +97,10 @@ class PayloadCode(ABC):
         """Write the number of the chip in hex, as much of it as the field holds."""
 
     @abstractmethod
+    def condition(self, quantity: Quantity) -> tuple[str, str]:
+        """What is to be read into ``value``, if anything, and the condition that a boolean is true."""
+
+    @abstractmethod
     def store(
         self,
         covers: "Elements",

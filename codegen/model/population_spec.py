@@ -68,6 +68,11 @@ class FieldAnswer(Written):
         "Entries of the field's bitmask; 'ENTRY if component.quantity' sets one only while the quantity is true.",
         default=None,
     )
+    one_of: tuple[str, ...] | None = described(
+        "Entries of the field's enum, each but the last as 'ENTRY if component.quantity': the first one whose quantity "
+        "is true goes out, else the last.",
+        default=None,
+    )
     constant: str | Fraction | None = described(
         "A number, an amount with its unit, or text for a char field.", default=None
     )
@@ -95,6 +100,7 @@ class FieldAnswer(Written):
         "board",
         "enum",
         "flags",
+        "one_of",
         "constant",
         "dialect",
         "unknown",

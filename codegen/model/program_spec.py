@@ -95,13 +95,13 @@ class ServicesSpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: commands, request, intervals, data_streams, restart, ping, texts, garbage, "
-        "links, stations, standing (what is told again).",
+        "links, stations, standing (what is told again), twins (who uses the same ids is told).",
         default_factory=dict,
     )
 
     ASPECTS = (
         *("commands", "request", "intervals", "data_streams", "restart", "ping", "texts", "garbage", "links"),
-        *("stations", "standing"),
+        *("stations", "standing", "twins"),
     )
 
 

@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter
 
 RADIX = 1000
@@ -42,6 +43,14 @@ class Lasting:
     at: str
     readings: int
     factor: int
+
+    def factors(self, left: Rest | None) -> tuple[int, int]:
+        """The factor as a product whose first part makes no more than a small integer of what can be left at most."""
+        most = left.full.maximum * left.steps if left else 0
+        parts = (second for second in range(1, self.factor + 1) if self.factor % second == 0)
+        fitting = (second for second in parts if most * (self.factor // second) <= SMALL_INT_MAX)
+        second = next(fitting, 1)
+        return self.factor // second, second
 
 
 SMOOTH_STEPS = 64

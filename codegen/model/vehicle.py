@@ -1,5 +1,6 @@
 """The parts of the vehicle, resolved: ADC channels, parameters, the state with its quantities, streams."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from enum import Enum
@@ -15,6 +16,7 @@ from codegen.model.letters import words_of
 from codegen.model.spec import Criterion, ParameterSpec, Requirement, StreamSpec
 from codegen.model.state_spec import ComponentSpec, QuantitySpec
 from codegen.model.storage import Storage
+from codegen.model.trust import Trust
 from codegen.model.unit import Unit
 
 if TYPE_CHECKING:
@@ -115,45 +117,19 @@ class QuantityKind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Threshold:
-    """``above`` these values, in stored units and by instance, a warning is logged, every ``every_ms`` at most."""
-
-    above: tuple[int, ...]
-    every_ms: int | None
-
-
-@dataclass(frozen=True, slots=True)
 class Represented:
     """What code sets in place of the ADC where a ``parameter`` is so many ``steps`` when the board starts.
 
-    A value is believed for so many ``readings`` of the component after it was set, which are ``stale_after_ms``.
+    A value is believed for ``stale_after_ms`` after it was set.
     """
 
     parameter: Parameter
     steps: int
-    readings: int
     stale_after_ms: int
 
-
-@dataclass(frozen=True, slots=True)
-class Trust:
-    """When the value of a quantity is no longer believed, and so unknown; None: never for that reason.
-
-    ``invalid_after`` counts failed readings in a row, ``stale_after_ms`` is the age of the last good one,
-    or of what code has set.
-    """
-
-    invalid_after: int | None
-    stale_after_ms: int | None
-
-    def words(self, since: str = "the last good one") -> str:
-        """When that happens, for people; nothing where it does not happen by itself."""
-        causes = []
-        if self.invalid_after is not None:
-            causes.append(f"after {self.invalid_after} failed readings in a row")
-        if self.stale_after_ms is not None:
-            causes.append(f"{self.stale_after_ms} ms after {since}")
-        return ", or ".join(causes)
+    def readings(self, component: "Component") -> int:
+        """The same in readings of the component."""
+        return math.ceil(self.stale_after_ms / (component.period_ms or 100))
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,8 +14,9 @@ from codegen.measure import UNIT_MISMATCH, read_time
 from codegen.model.derivation import Derivation
 from codegen.model.derivation_spec import MeasuredSpec
 from codegen.model.spec import Requirement
+from codegen.model.trust import Trust
 from codegen.model.unit import Unit, read_measure, unit_named
-from codegen.model.vehicle import Quantity, QuantityKind, Trust
+from codegen.model.vehicle import Quantity, QuantityKind
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.kept import resolve_kept
 

@@ -78,7 +78,9 @@ def _sums(reading: Basis, system: System) -> Iterator[Diagnostic]:
         if rest is not None and quantity in reading.given:
             worst = rest.full.maximum * rest.steps * ((rest.share or 1) + 1)
         if lasting is not None and quantity in reading.given:
-            worst = max(most * SMOOTH_STEPS * 2, _largest_left(quantities.get(lasting.left)) * lasting.factor)
+            left = quantities.get(lasting.left)
+            first, second = lasting.factors(left.derivation.remains if left else None)
+            worst = max(most * SMOOTH_STEPS * 2, _largest_left(left) * first, most * second)
         if worst > SMALL_INT_MAX:
             hint = "a shorter stale_after, a smaller max of its parameters or of its sensor, or a coarser unit"
             yield Diagnostic(quantity.spec.place, RULE, f"{quantity.path}: counting it reaches {worst}", hint)

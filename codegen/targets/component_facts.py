@@ -100,6 +100,7 @@ class ReturnsFacts:
 
     gone: str
     below: tuple[int, ...]
+    back_from: tuple[int, ...]
     count: str
     title: str
     restarting: tuple[tuple[str, str], ...]
@@ -271,6 +272,7 @@ def _returns(component: Component) -> ReturnsFacts | None:
     return ReturnsFacts(
         gone=returns.gone.name,
         below=limits if limits and follows.deciding(0, None)["clear"] == limits[0] else (),
+        back_from=returns.count.derivation.back_from,
         count=returns.count.attribute,
         title=component.name.capitalize(),
         restarting=tuple((each.attribute, _anew(each)) for each in returns.restarting),
@@ -346,7 +348,7 @@ def _represented(quantity: Quantity, component: Component, system: System) -> Re
         parameter=first_attribute(represented.parameter),
         steps=represented.steps,
         value=conversion.stored(conversion.channel.full_scale * 3 // 4, *(each.default for each in conversion.factors)),
-        readings=represented.readings,
+        readings=represented.readings(component),
         forgotten=tuple(
             (each.attribute, _alike(each, "1"), f"== {_alike(each, 'None')}" if each.elements else "is None")
             for each in restarting

@@ -37,6 +37,9 @@ COMMAND_CHECKS = "tests/command_checks.py"
 ACCESS_CHECKS = "tests/access_checks.py"
 """What there is to check about signed and listed links."""
 
+TWIN_CHECKS = "tests/twin_checks.py"
+"""What there is to check where a parameter gives the component id: two of the program can have the same one."""
+
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
 """What a further program's suite does without: it takes long, and is about modules that all programs share."""
 
@@ -120,6 +123,7 @@ def left_out(system: System, program: Program) -> tuple[str, ...]:
         *(LEFT_TO_THE_PROJECT if system.spec.program else ()),
         *(() if has_commands else (COMMAND_CHECKS,)),
         *(() if guards else (ACCESS_CHECKS,)),
+        *(() if system.component_parameter else (TWIN_CHECKS,)),
     )
 
 

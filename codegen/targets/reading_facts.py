@@ -27,6 +27,18 @@ class InputFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class LastingFacts:
+    """How long ``left`` lasts: ``left * factor`` over a mean that follows the reading within so many ``readings``."""
+
+    attribute: str
+    left: str
+    factor: int
+    readings: int
+    most: int
+    citation: str
+
+
+@dataclass(frozen=True, slots=True)
 class ReadingFacts:
     """A reading with the others of its component; ``on`` are the settings with which it is read.
 
@@ -44,6 +56,7 @@ class ReadingFacts:
     off: tuple[Settings, ...]
     extremes: tuple[Settings, ...]
     builders: tuple[str, ...]
+    lasting: LastingFacts | None
     cited: Mapping[str, str]
 
 
@@ -67,6 +80,7 @@ def _facts(reading: Reading, system: System) -> ReadingFacts:
         off=off,
         extremes=tuple({**on, **found} for found in _extremes(conversion.factors)),
         builders=_builders(reading, system),
+        lasting=_lasting(reading),
         cited={
             "failure": quantity.cited("invalid_after"),
             "stale_after": quantity.cited("stale_after"),
@@ -75,6 +89,15 @@ def _facts(reading: Reading, system: System) -> ReadingFacts:
             "when": conversion.channel.cited("when"),
         },
     )
+
+
+def _lasting(reading: Reading) -> LastingFacts | None:
+    for quantity in reading.given:
+        if found := quantity.derivation.lasts:
+            left = reading.component.quantities[found.left]
+            most, citation = int(quantity.maximum), str(quantity.citation or "")
+            return LastingFacts(quantity.attribute, left.attribute, found.factor, found.readings, most, citation)
+    return None
 
 
 def _input(reading: Reading, system: System) -> InputFacts:

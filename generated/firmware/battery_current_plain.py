@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ade02387dae88746
+# Inputs: 1ca89c2dbaf3c448
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time
@@ -9,7 +9,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
@@ -72,7 +72,7 @@ def _take_battery_current(battery, now_ms):
         # A failed reading keeps the last value; 5 in a row make it unknown (FR-00077.4).
         battery[_BATTERY_CURRENT_FAILURES] = battery[_BATTERY_CURRENT_FAILURES] + 1
         if battery[_BATTERY_CURRENT_FAILURES] >= 5:
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
@@ -80,10 +80,10 @@ def _take_battery_current(battery, now_ms):
         # (count / 4095 * reference - offset) * multiplier, rounded to nearest (FR-00077.3).
         count = count * battery[_BATTERY_CURRENT_MULTIPLIER]
         away = battery[_BATTERY_CURRENT_OFFSET] * battery[_BATTERY_CURRENT_MULTIPLIER]
-        value = (count % 273000 * 220 - away % 273000 * 273 + 136500) // 273000
-        value += count // 273000 * 220 - away // 273000 * 273
+        value = (count % 27300 * 220 - away % 27300 * 273 + 13650) // 27300
+        value += count // 27300 * 220 - away // 27300 * 273
         _sum_battery_current(battery, value, now_ms)
-        battery[_BATTERY_CURRENT_CA] = value
+        battery[_BATTERY_CURRENT_MA] = value
         battery[_BATTERY_CURRENT_FAILURES] = 0
         battery[_BATTERY_CURRENT_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
         if battery[_BATTERY_CURRENT_IS_LOGGED] == 0:
@@ -95,29 +95,29 @@ def _take_battery_current(battery, now_ms):
 def _sum_battery_current(battery, value, now_ms):
     # A reading stands for the time since the last; more than 1000 ms, or an unknown one, is a gap.
     took = now_ms - battery[_BATTERY_CURRENT_SINCE_MS] & 0x3FFFFFFF
-    if took > 1000 or battery[_BATTERY_CURRENT_CA] == _UNKNOWN:
+    if took > 1000 or battery[_BATTERY_CURRENT_MA] == _UNKNOWN:
         took = 0
     battery[_BATTERY_CURRENT_SINCE_MS] = now_ms & 0x3FFFFFFF
     took = value * took
-    # battery.consumed: 360000 parts are a step, and what is less is kept (FR-00077.5).
+    # battery.consumed: 3600000 parts are a step, and what is less is kept (FR-00077.5).
     if battery[_BATTERY_CONSUMED_MAH] == _UNKNOWN:
         battery[_BATTERY_CONSUMED_MAH] = 0
-        battery[_BATTERY_CONSUMED_REST] = 180000
+        battery[_BATTERY_CONSUMED_REST] = 1800000
     part = took + battery[_BATTERY_CONSUMED_REST]
-    battery[_BATTERY_CONSUMED_REST] = part % 360000
-    part = battery[_BATTERY_CONSUMED_MAH] + part // 360000
+    battery[_BATTERY_CONSUMED_REST] = part % 3600000
+    part = battery[_BATTERY_CONSUMED_MAH] + part // 3600000
     if part > 1073741823:
         part = 1073741823
     if part < -1073741823:
         part = -1073741823
     battery[_BATTERY_CONSUMED_MAH] = part
-    # battery.energy: 10000000000 parts are a step, and what is less is kept (FR-00077.5).
+    # battery.energy: 100000000000 parts are a step, and what is less is kept (FR-00077.5).
     if battery[_BATTERY_VOLTAGE_MV] != _UNKNOWN:
         if battery[_BATTERY_ENERGY_HJ] == _UNKNOWN:
             battery[_BATTERY_ENERGY_HJ] = 0
             battery[_BATTERY_ENERGY_LOW] = 0
             battery[_BATTERY_ENERGY_MIDDLE] = 0
-            battery[_BATTERY_ENERGY_HIGH] = 5000
+            battery[_BATTERY_ENERGY_HIGH] = 50000
         part = took % 1000 * battery[_BATTERY_VOLTAGE_MV] + battery[_BATTERY_ENERGY_LOW]
         battery[_BATTERY_ENERGY_LOW] = part % 1000
         part = part // 1000 + battery[_BATTERY_ENERGY_MIDDLE]
@@ -125,8 +125,8 @@ def _sum_battery_current(battery, value, now_ms):
         battery[_BATTERY_ENERGY_MIDDLE] = part % 1000
         part = part // 1000 + battery[_BATTERY_ENERGY_HIGH]
         part += took // 1000000 * battery[_BATTERY_VOLTAGE_MV]
-        battery[_BATTERY_ENERGY_HIGH] = part % 10000
-        part = battery[_BATTERY_ENERGY_HJ] + part // 10000
+        battery[_BATTERY_ENERGY_HIGH] = part % 100000
+        part = battery[_BATTERY_ENERGY_HJ] + part // 100000
         if part > 1073741823:
             part = 1073741823
         if part < -1073741823:
@@ -155,7 +155,7 @@ def _sum_battery_current(battery, value, now_ms):
         battery[_BATTERY_LEFT_MAH] = part
     # battery.time_left: left at the mean of current; unknown while nothing is drawn (FR-00077.7).
     part = battery[_BATTERY_TIME_LEFT_MEAN]
-    if battery[_BATTERY_CURRENT_CA] == _UNKNOWN:
+    if battery[_BATTERY_CURRENT_MA] == _UNKNOWN:
         part = value * 64
     part += (value * 64 - part) // 300
     battery[_BATTERY_TIME_LEFT_MEAN] = part
@@ -163,7 +163,10 @@ def _sum_battery_current(battery, value, now_ms):
     if part <= 0 or battery[_BATTERY_LEFT_MAH] == _UNKNOWN:
         battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
     else:
-        part = battery[_BATTERY_LEFT_MAH] * 360 // part
+        battery[_BATTERY_TIME_LEFT_S] = battery[_BATTERY_LEFT_MAH] * 900 // part
+        if battery[_BATTERY_TIME_LEFT_S] > 250000:
+            battery[_BATTERY_TIME_LEFT_S] = 250000
+        part = battery[_BATTERY_TIME_LEFT_S] * 4 + battery[_BATTERY_LEFT_MAH] * 900 % part * 4 // part
         if part > 1000000:
             part = 1000000
         battery[_BATTERY_TIME_LEFT_S] = part

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ade02387dae88746
+# Inputs: 1ca89c2dbaf3c448
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -15,7 +15,7 @@ _UNKNOWN = const(-0x3FFFFFFF - 1)
 _BATTERY = const(0)
 _BATTERY_SIZE = const(86)
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
@@ -72,7 +72,7 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 # A failed reading keeps the last value; 5 in a row make it unknown (FR-00077.4).
                 battery[_BATTERY_CURRENT_FAILURES] = battery[_BATTERY_CURRENT_FAILURES] + 1
                 if battery[_BATTERY_CURRENT_FAILURES] >= 5:
-                    battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+                    battery[_BATTERY_CURRENT_MA] = _UNKNOWN
                     battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
                     battery[_BATTERY_LEFT_MAH] = _UNKNOWN
                     battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
@@ -80,33 +80,33 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 # (count / 4095 * reference - offset) * multiplier, rounded to nearest (FR-00077.3).
                 count = count * battery[_BATTERY_CURRENT_MULTIPLIER]
                 away = battery[_BATTERY_CURRENT_OFFSET] * battery[_BATTERY_CURRENT_MULTIPLIER]
-                value = (count % 273000 * 220 - away % 273000 * 273 + 136500) // 273000
-                value += count // 273000 * 220 - away // 273000 * 273
+                value = (count % 27300 * 220 - away % 27300 * 273 + 13650) // 27300
+                value += count // 27300 * 220 - away // 27300 * 273
                 # A reading stands for the time since the last; more than 1000 ms, or an unknown one, is a gap.
                 took = now_ms - battery[_BATTERY_CURRENT_SINCE_MS] & 0x3FFFFFFF
-                if took > 1000 or (battery[_BATTERY_CURRENT_CA] ^ sign) - sign == _UNKNOWN:
+                if took > 1000 or (battery[_BATTERY_CURRENT_MA] ^ sign) - sign == _UNKNOWN:
                     took = 0
                 battery[_BATTERY_CURRENT_SINCE_MS] = now_ms & 0x3FFFFFFF
                 took = value * took
-                # battery.consumed: 360000 parts are a step, and what is less is kept (FR-00077.5).
+                # battery.consumed: 3600000 parts are a step, and what is less is kept (FR-00077.5).
                 if (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign == _UNKNOWN:
                     battery[_BATTERY_CONSUMED_MAH] = 0
-                    battery[_BATTERY_CONSUMED_REST] = 180000
+                    battery[_BATTERY_CONSUMED_REST] = 1800000
                 part = took + battery[_BATTERY_CONSUMED_REST]
-                battery[_BATTERY_CONSUMED_REST] = part % 360000
-                part = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign + part // 360000
+                battery[_BATTERY_CONSUMED_REST] = part % 3600000
+                part = (battery[_BATTERY_CONSUMED_MAH] ^ sign) - sign + part // 3600000
                 if part > 1073741823:
                     part = 1073741823
                 if part < -1073741823:
                     part = -1073741823
                 battery[_BATTERY_CONSUMED_MAH] = part
-                # battery.energy: 10000000000 parts are a step, and what is less is kept (FR-00077.5).
+                # battery.energy: 100000000000 parts are a step, and what is less is kept (FR-00077.5).
                 if (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign != _UNKNOWN:
                     if (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign == _UNKNOWN:
                         battery[_BATTERY_ENERGY_HJ] = 0
                         battery[_BATTERY_ENERGY_LOW] = 0
                         battery[_BATTERY_ENERGY_MIDDLE] = 0
-                        battery[_BATTERY_ENERGY_HIGH] = 5000
+                        battery[_BATTERY_ENERGY_HIGH] = 50000
                     part = took % 1000 * battery[_BATTERY_VOLTAGE_MV] + battery[_BATTERY_ENERGY_LOW]
                     battery[_BATTERY_ENERGY_LOW] = part % 1000
                     part = part // 1000 + battery[_BATTERY_ENERGY_MIDDLE]
@@ -114,8 +114,8 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_ENERGY_MIDDLE] = part % 1000
                     part = part // 1000 + battery[_BATTERY_ENERGY_HIGH]
                     part += took // 1000000 * battery[_BATTERY_VOLTAGE_MV]
-                    battery[_BATTERY_ENERGY_HIGH] = part % 10000
-                    part = (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign + part // 10000
+                    battery[_BATTERY_ENERGY_HIGH] = part % 100000
+                    part = (battery[_BATTERY_ENERGY_HJ] ^ sign) - sign + part // 100000
                     if part > 1073741823:
                         part = 1073741823
                     if part < -1073741823:
@@ -144,7 +144,7 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_LEFT_MAH] = part
                 # battery.time_left: left at the mean of current; unknown while nothing is drawn (FR-00077.7).
                 part = (battery[_BATTERY_TIME_LEFT_MEAN] ^ sign) - sign
-                if (battery[_BATTERY_CURRENT_CA] ^ sign) - sign == _UNKNOWN:
+                if (battery[_BATTERY_CURRENT_MA] ^ sign) - sign == _UNKNOWN:
                     part = value * 64
                 part += (value * 64 - part) // 300
                 battery[_BATTERY_TIME_LEFT_MEAN] = part
@@ -152,11 +152,14 @@ def read_battery_current(words, every, board, ticks, first: int) -> int:
                 if part <= 0 or (battery[_BATTERY_LEFT_MAH] ^ sign) - sign == _UNKNOWN:
                     battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
                 else:
-                    part = battery[_BATTERY_LEFT_MAH] * 360 // part
+                    battery[_BATTERY_TIME_LEFT_S] = battery[_BATTERY_LEFT_MAH] * 900 // part
+                    if battery[_BATTERY_TIME_LEFT_S] > 250000:
+                        battery[_BATTERY_TIME_LEFT_S] = 250000
+                    part = battery[_BATTERY_TIME_LEFT_S] * 4 + battery[_BATTERY_LEFT_MAH] * 900 % part * 4 // part
                     if part > 1000000:
                         part = 1000000
                     battery[_BATTERY_TIME_LEFT_S] = part
-                battery[_BATTERY_CURRENT_CA] = value
+                battery[_BATTERY_CURRENT_MA] = value
                 battery[_BATTERY_CURRENT_FAILURES] = 0
                 battery[_BATTERY_CURRENT_EXPIRES_MS] = now_ms - 1073740824 & 0x3FFFFFFF  # in 1000 ms
                 if battery[_BATTERY_CURRENT_IS_LOGGED] == 0:

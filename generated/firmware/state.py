@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ade02387dae88746
+# Inputs: 1ca89c2dbaf3c448
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -37,7 +37,7 @@ _SIZE = const(177)
 _BATTERY = const(0)
 _BATTERY_SIZE = const(86)
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
@@ -133,9 +133,9 @@ class BatteryState(Component):
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000, age=_BATTERY_FAILURES)
-    # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [cA]
+    # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [mA]
     # A, or None while it is unknown; FR-00077.3
-    current_ca, current = number(_BATTERY_CURRENT_CA, -32768, 32767, "current", 100)
+    current_ma, current = number(_BATTERY_CURRENT_MA, -327680, 327670, "current", 1000)
     # Charge drawn since the start, or since the pack was put in [mAh]
     # mAh, or None while it is unknown; FR-00077.5
     consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
@@ -178,7 +178,7 @@ class BatteryState(Component):
     # Whether the pack's voltage is known
     healthy = known(_BATTERY_VOLTAGE_MV)  # FR-00067.3
     # Whether current flows into the pack
-    charging = below(_BATTERY_CURRENT_CA, 0)  # FR-00072.5
+    charging = below(_BATTERY_CURRENT_MA, 0)  # FR-00072.5
     # Whether the pack cannot be relied on. Its voltage is too low, or unknown
     unhealthy = at_least(_BATTERY_HEALTH_NUMBER, 2)  # FR-00072.5
     # Whether the failsafe has found the pack low. Until the next start nothing arms the rover
@@ -186,7 +186,7 @@ class BatteryState(Component):
     # Whether the pack is charged above what its cells stand
     over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
     # Whether the pack is below what its cells stand
-    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000)  # FR-00072.5
+    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000, floor=3000)  # FR-00072.5
     # Whether the pack is warmer than it may be while it is discharged
     hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
     # Whether the pack is colder than it may be while it is discharged
@@ -204,7 +204,7 @@ class BatteryState(Component):
     # Whether a cell is below what it stands, whatever the pack's voltage is
     cell_under_voltage = below(_BATTERY_LOWEST_CELL_MV, 3000)  # FR-00072.5
     # Whether more is drawn than the pack stands for seconds
-    over_current = at_least(_BATTERY_CURRENT_CA, 13200)  # FR-00072.5
+    over_current = at_least(_BATTERY_CURRENT_MA, 132000)  # FR-00072.5
     # Failed readings in a row
     failures = whole(_BATTERY_FAILURES)
     # When the last good reading will be too old
@@ -232,7 +232,7 @@ class BatteryState(Component):
     def forget(self):
         """Make everything that is measured unknown."""
         self.words[_BATTERY_VOLTAGE_MV] = UNKNOWN
-        self.words[_BATTERY_CURRENT_CA] = UNKNOWN
+        self.words[_BATTERY_CURRENT_MA] = UNKNOWN
         self.words[_BATTERY_REMAINING_PCT] = UNKNOWN
         self.words[_BATTERY_LEFT_MAH] = UNKNOWN
         self.words[_BATTERY_TIME_LEFT_S] = UNKNOWN

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: ade02387dae88746
+# Inputs: 1ca89c2dbaf3c448
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -7,7 +7,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
@@ -109,7 +109,7 @@ def _take_battery(battery, now_ms):
             battery[_BATTERY_TREND_COUNT] = 0
             battery[_BATTERY_TREND_NEWER] = 0
             battery[_BATTERY_TREND_OLDER] = 0
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
             battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
@@ -144,11 +144,13 @@ def _take_battery(battery, now_ms):
             battery[_BATTERY_IS_LOGGED] = 1
             told = 1
         # Whether it is absent; another one may have been put in (FR-00073.8).
-        is_gone = 0
+        is_gone = battery[_BATTERY_GONE]
         if value < 3000 and value != _UNKNOWN:
             is_gone = 1
+        if value >= 6000:
+            is_gone = 0
         if battery[_BATTERY_GONE] or is_gone:
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
@@ -166,12 +168,12 @@ def _take_battery(battery, now_ms):
             battery[_BATTERY_SWAPS_NUMBER] = battery[_BATTERY_SWAPS_NUMBER] + 1
             if battery[_BATTERY_CONSUMED_MAH] != _UNKNOWN:
                 battery[_BATTERY_CONSUMED_MAH] = 0
-                battery[_BATTERY_CONSUMED_REST] = 180000
+                battery[_BATTERY_CONSUMED_REST] = 1800000
             if battery[_BATTERY_ENERGY_HJ] != _UNKNOWN:
                 battery[_BATTERY_ENERGY_HJ] = 0
                 battery[_BATTERY_ENERGY_LOW] = 0
                 battery[_BATTERY_ENERGY_MIDDLE] = 0
-                battery[_BATTERY_ENERGY_HIGH] = 5000
+                battery[_BATTERY_ENERGY_HIGH] = 50000
             battery[_BATTERY_COUNTED_FROM_FULL] = 0
         battery[_BATTERY_GONE] = is_gone
         # Above 13000 a warning is due, unless there was one just now (FR-00069.5).
@@ -242,7 +244,7 @@ def expire_battery(battery, now_ms):
     # The current is forgotten once it is older than 1000 ms (FR-00077.4).
     if battery[_BATTERY_CURRENT_EXPIRES_MS] != _UNKNOWN:
         if now_ms - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: a3348cc409ed5f08
+# Inputs: aaada83436066500
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 2d5e68a325fa7cd9
+# Inputs: 0f643d2a5ef3c2e7
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -32,7 +32,7 @@ _UNKNOWN = const(-0x3FFFFFFF - 1)
 _BATTERY = const(0)
 _BATTERY_SIZE = const(86)
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
@@ -251,7 +251,7 @@ def encode_sys_status(link, state):
     # The current is forgotten once it is older than 1000 ms (FR-00077.4).
     if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
         if int(ticks_ms()) - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
@@ -296,14 +296,25 @@ def encode_sys_status(link, state):
         value = 65534
     wire16[7] = value
 
-    # current_battery [cA]: battery.current (FR-00068.4)
-    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
-    if value < -32768:
-        value = -1 if value == _UNKNOWN else -32768  # unknown, or too small
-    elif value > 32767:
-        value = 32767
-    elif value == -1:
-        value = -2  # -1 would read as unknown
+    # current_battery [cA]: battery.current [mA] (FR-00068.4)
+    value = (battery[_BATTERY_CURRENT_MA] ^ sign) - sign
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    else:
+        if value < -327681:
+            value = -327681
+        elif value > 327671:
+            value = 327671
+        if value < 0:
+            value = 0 - (5 - value) // 10
+        else:
+            value = (value + 5) // 10
+        if value < -32768:
+            value = -32768
+        elif value > 32767:
+            value = 32767
+        elif value == -1:
+            value = -2  # -1 would read as unknown
     wire16[8] = value
 
     # drop_rate_comm: 0 (FR-00068.9)
@@ -425,7 +436,7 @@ def battery_status_frame(link, state, instance: int):
     # The current is forgotten once it is older than 1000 ms (FR-00077.4).
     if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
         if int(ticks_ms()) - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
@@ -497,14 +508,25 @@ def battery_status_frame(link, state, instance: int):
                 place += 1
             wire16[5 + place] = value
 
-    # current_battery [cA]: battery.current (FR-00068.4)
-    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
-    if value < -32768:
-        value = -1 if value == _UNKNOWN else -32768  # unknown, or too small
-    elif value > 32767:
-        value = 32767
-    elif value == -1:
-        value = -2  # -1 would read as unknown
+    # current_battery [cA]: battery.current [mA] (FR-00068.4)
+    value = (battery[_BATTERY_CURRENT_MA] ^ sign) - sign
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    else:
+        if value < -327681:
+            value = -327681
+        elif value > 327671:
+            value = 327671
+        if value < 0:
+            value = 0 - (5 - value) // 10
+        else:
+            value = (value + 5) // 10
+        if value < -32768:
+            value = -32768
+        elif value > 32767:
+            value = 32767
+        elif value == -1:
+            value = -2  # -1 would read as unknown
     wire16[15] = value
 
     # id: the battery's number (FR-00068.7)
@@ -532,7 +554,12 @@ def battery_status_frame(link, state, instance: int):
         value = 1000000
     wire32[9] = value
 
-    # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
+    # charge_state: the first of (FR-00068.6)
+    #   MAV_BATTERY_CHARGE_STATE_CHARGING if battery.charging
+    #   else MAV_BATTERY_CHARGE_STATE_UNDEFINED
+    value = (battery[_BATTERY_CURRENT_MA] ^ sign) - sign
+    if value < 0 and value != _UNKNOWN:
+        wire[40] = 7
 
     # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
     # there are 3: all unknown
@@ -547,13 +574,13 @@ def battery_status_frame(link, state, instance: int):
     #   MAV_BATTERY_FAULT_UNDER_TEMPERATURE if battery.cold
     flags = 0
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         flags |= 0x1
     value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
     if value < 3000 and value != _UNKNOWN:
         flags |= 0x1
-    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
-    if value >= 13200:
+    value = (battery[_BATTERY_CURRENT_MA] ^ sign) - sign
+    if value >= 132000:
         flags |= 0x8
     value = (battery[_BATTERY_TEMPERATURE_CDEGC] ^ sign) - sign
     if value >= 6000:
@@ -861,7 +888,7 @@ def battery_status_v2_frame(link, state, instance: int):
     # The current is forgotten once it is older than 1000 ms (FR-00077.4).
     if (battery[_BATTERY_CURRENT_EXPIRES_MS] ^ sign) - sign != _UNKNOWN:
         if int(ticks_ms()) - battery[_BATTERY_CURRENT_EXPIRES_MS] - 1 & 0x3FFFFFFF < 0x1FFFFFFF:
-            battery[_BATTERY_CURRENT_CA] = _UNKNOWN
+            battery[_BATTERY_CURRENT_MA] = _UNKNOWN
             battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
             battery[_BATTERY_LEFT_MAH] = _UNKNOWN
             battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
@@ -875,8 +902,8 @@ def battery_status_v2_frame(link, state, instance: int):
     else:
         wire32[0] = value
 
-    # current [A]: battery.current [cA] (FR-00072.4)
-    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
+    # current [A]: battery.current [mA] (FR-00072.4)
+    value = (battery[_BATTERY_CURRENT_MA] ^ sign) - sign
     if value == _UNKNOWN:  # goes out as NaN
         wire16[2] = 0
         wire16[3] = 0x7FC0
@@ -943,7 +970,7 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
     if value >= 12750:
         flags |= 0x201
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         flags |= 0x401
     value = (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign
     if value >= 4250:
@@ -951,8 +978,8 @@ def battery_status_v2_frame(link, state, instance: int):
     value = (battery[_BATTERY_LOWEST_CELL_MV] ^ sign) - sign
     if value < 3000 and value != _UNKNOWN:
         flags |= 0x401
-    value = (battery[_BATTERY_CURRENT_CA] ^ sign) - sign
-    if value >= 13200:
+    value = (battery[_BATTERY_CURRENT_MA] ^ sign) - sign
+    if value >= 132000:
         flags |= 0x2001
     if value < 0 and value != _UNKNOWN:
         flags |= 0x2
@@ -978,10 +1005,10 @@ def battery_status_v2_frame(link, state, instance: int):
     # id: the battery's number (FR-00073.4)
     wire[26] = instance
 
-    # As floats, each whole number divided: that at 0 / 1000, that at 4 / 100, that at 8 / 1000, that at 12 / 1000,
+    # As floats, each whole number divided: that at 0 / 1000, that at 4 / 1000, that at 8 / 1000, that at 12 / 1000,
     #   that at 16 / 1.
     put_floats(
-        int(wire), b"\x00\xfa\x00\x00\x01\x19\x00\x00\x02\xfa\x00\x00\x03\xfa\x00\x00D\x00\x00\x00\x00\x00\x00\x00"
+        int(wire), b"\x00\xfa\x00\x00\x01\xfa\x00\x00\x02\xfa\x00\x00\x03\xfa\x00\x00D\x00\x00\x00\x00\x00\x00\x00"
     )
 
     if room_at & 1:

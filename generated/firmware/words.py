@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 212003ffea3c4757
+# Inputs: 01cc66c25ce7a386
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -170,12 +170,17 @@ def at_least(place, limit, own=None):
     return property(get)
 
 
-def below(place, limit, own=None):
-    """Return an attribute that tells whether a word is known and below a limit, or the instance's own one."""
+def below(place, limit, own=None, floor=-LARGEST, own_floor=None):
+    """Return an attribute that tells whether a word is known and below a limit, or the instance's own one.
 
-    def get(self, place=place, limit=limit, own=own):
+    It is at least the floor then, or the instance's own one.
+    """
+
+    def get(self, place=place, limit=limit, own=own, floor=floor, own_floor=own_floor):
         value = self.words[place]
-        return value != UNKNOWN and value < (limit if own is None else self.words[own])
+        if value < (floor if own_floor is None else self.words[own_floor]):
+            return False
+        return value < (limit if own is None else self.words[own])
 
     return property(get)
 

@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: 8f32f4b0dc910dba
+# Inputs: 0d34822ff323e552
 """Batteries: what messages say about batteries, in units, one view for each, FR-00075.
 
 The inverse of the tables that the firmware of pico-trail is made from. README.md has an example.
@@ -29,7 +29,6 @@ def _read_battery_status(message):
         "info.chemistry": entry(enum_names.MAV_BATTERY_TYPE, get("type")),
         "remaining": plausible(get("battery_remaining"), 0, 100),  # %
         "time_left": plausible(get("time_remaining"), 0, 1000000),  # s
-        "charge_state": entry(enum_names.MAV_BATTERY_CHARGE_STATE, get("charge_state")),
         "is_charging": is_entry(get("charge_state"), 7),
         "mode": entry(enum_names.MAV_BATTERY_MODE, get("mode")),
         "fault_bitmask": flags(enum_names.MAV_BATTERY_FAULT, get("fault_bitmask")),
@@ -246,7 +245,6 @@ class BatteryView(View):
     CARRIERS = {
         "battery_function": (0,),
         "cells": (4, 0),
-        "charge_state": (0,),
         "charging": (1,),
         "cold": (1, 0),
         "consumed": (1, 0),
@@ -314,11 +312,6 @@ class BatteryView(View):
     def cells(self):
         """Voltage of each cell, as a tuple. Unit: V."""
         return self._elements("cells")
-
-    @property
-    def charge_state(self):
-        """`charge_state` of BATTERY_STATUS."""
-        return self._quantity("charge_state")
 
     @property
     def charging(self):

@@ -3,19 +3,9 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/parameters.yaml, specs/receiver.yaml, specs/state.yaml, specs/streams.yaml,
 #   dialect common: do not edit.
-# Inputs: 8f32f4b0dc910dba
+# Inputs: 0d34822ff323e552
 """Names of the dialect: of numbers by number, of bits in pairs."""
 
-MAV_BATTERY_CHARGE_STATE = {
-    0: "MAV_BATTERY_CHARGE_STATE_UNDEFINED",
-    1: "MAV_BATTERY_CHARGE_STATE_OK",
-    2: "MAV_BATTERY_CHARGE_STATE_LOW",
-    3: "MAV_BATTERY_CHARGE_STATE_CRITICAL",
-    4: "MAV_BATTERY_CHARGE_STATE_EMERGENCY",
-    5: "MAV_BATTERY_CHARGE_STATE_FAILED",
-    6: "MAV_BATTERY_CHARGE_STATE_UNHEALTHY",
-    7: "MAV_BATTERY_CHARGE_STATE_CHARGING",
-}
 MAV_BATTERY_FAULT = (
     (0x1, "MAV_BATTERY_FAULT_DEEP_DISCHARGE"),
     (0x2, "MAV_BATTERY_FAULT_SPIKES"),

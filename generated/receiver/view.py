@@ -1,8 +1,9 @@
 # Generated from templates/receiver/view.py: do not edit.
-# Inputs: 6d9c25824aa1a329
+# Inputs: e777a5a5bf9defb8
 """What is known about one instance, from all messages that report it."""
 
 from consumption import Consumption
+from contest import Owners, Series
 from readings import elapsed
 
 _TOGETHER_MS = 1000  # pages that belong together follow each other as fast
@@ -30,17 +31,18 @@ class View:
     def __init__(self, receiver, system, number):
         self.system = system
         self.number = number
-        self.swaps = 0
         self._receiver = receiver
         self._said = [None] * len(self.MESSAGES)
         self._heard_ms = [None] * len(self.MESSAGES)
         self._last_ms = None
         self._sources = {}
-        self._identities = [None] * len(self.MESSAGES)
+        self._owners = Owners(len(self.MESSAGES), max(self.STALE_MS))
+        self._series = [Series() for _ in self.MESSAGES]
+        self._clash_ms = None  # when two series of sequence numbers took turns
         self._consumption = Consumption(self.WINDOW_MS, self.SILENT_MS)
 
     def __repr__(self):
-        state = ", stale" if self.is_stale() else ""
+        state = ", stale" if self.is_stale() else ", contested" if self.is_contested else ""
         return f"{type(self).__name__}(system={self.system}, number={self.number}{state})"
 
     @property
@@ -55,10 +57,32 @@ class View:
         return tuple([name for names in known for name in names]) if known else None
 
     @property
+    def swaps(self):
+        """How often it was another one than before."""
+        return self._owners.swaps
+
+    @property
     def is_contested(self):
-        """Whether two components report the same number now, so that what they say gets mixed up."""
+        """Whether two report the same number now, so that what they say gets mixed up: see contest."""
+        return self.contest is not None
+
+    @property
+    def contest(self):
+        """Who reports the same number now, as a text for people; None where it is not contested."""
         now_ms = self._receiver.now_ms()
-        return sum([elapsed(now_ms, heard) <= self.SILENT_MS for heard in self._sources.values()]) > 1
+        sources = [source for source, heard in self._sources.items() if elapsed(now_ms, heard) <= self.SILENT_MS]
+        if len(sources) > 1:
+            return "reported by components " + ", ".join([str(source) for source in sorted(sources)])
+        if not self._is_clash(now_ms):
+            return None
+        serials = self._owners.serials(now_ms)
+        text = "reported by several" + "".join([f" as component {source}" for source in sources])
+        return text + ": serial numbers " + ", ".join(serials) if len(serials) > 1 else text
+
+    def _is_clash(self, now_ms):
+        """Tell whether two with the same ids take turns."""
+        clash_ms = self._clash_ms
+        return self._owners.is_clash(now_ms) or (clash_ms is not None and elapsed(now_ms, clash_ms) <= self.SILENT_MS)
 
     @property
     def messages(self):
@@ -129,10 +153,13 @@ class View:
             return None
         return seconds(self.charge_left_ah, self.mean_current_a)
 
-    def take(self, kind, said, source, now_ms):
-        """Take in what a message of a kind said, from a component."""
-        if self._is_another(kind, said) or self._begins_anew(kind, said):
-            self.swaps += 1
+    def take(self, kind, said, source, sequence, now_ms):
+        """Take in what a message of a kind said, from a component with a sequence number."""
+        series = self._series[kind]
+        if series.note(sequence, said, self.swaps):
+            self._clash_ms = now_ms
+            self._owners.swaps = min(self.swaps, series.swaps)  # what looked like swaps were none
+        if self._is_another(kind, said, now_ms) or self._begins_anew(kind, said, now_ms):
             self._said = [None] * len(self.MESSAGES)
             self._heard_ms = [None] * len(self.MESSAGES)
             self._consumption.forget()
@@ -161,11 +188,14 @@ class View:
                 self._heard_ms[kind] = None
         if self._last_ms is not None and elapsed(now_ms, self._last_ms) > _LONG_AGO_MS:
             self._last_ms = None
+        if self._clash_ms is not None and elapsed(now_ms, self._clash_ms) > _LONG_AGO_MS:
+            self._clash_ms = None
+        self._owners.keep_time(now_ms, _LONG_AGO_MS)
         for source in [source for source, heard in self._sources.items() if elapsed(now_ms, heard) > _LONG_AGO_MS]:
             del self._sources[source]
 
-    def _is_another(self, kind, said):
-        """Tell whether the serial number has changed or, without one, the count of cycles by more than one more.
+    def _is_another(self, kind, said, now_ms):
+        """Tell whether it was swapped, by its serial number or, without one, its cycles.
 
         Messages cut serial numbers to different lengths: so each is compared with the last one of its kind.
         """
@@ -173,31 +203,22 @@ class View:
         cycles = self._said_as("cycles", said)
         if serial is None and cycles is None:
             return False
-        before = self._identities[kind]
-        if before is not None and serial is None and before[0] is not None:
-            serial = before[0]  # it was known: that it is left out once says nothing
-        is_another = False
-        if before is not None:
-            if serial is not None and before[0] is not None:
-                is_another = serial != before[0]
-            elif cycles is not None and before[1] is not None:
-                is_another = not before[1] <= cycles <= before[1] + 1
-        if is_another:
-            self._identities = [None] * len(self.MESSAGES)
-        self._identities[kind] = (serial, cycles)
-        return is_another
+        return self._owners.note(kind, serial, cycles, now_ms)
 
-    def _begins_anew(self, kind, said):
+    def _begins_anew(self, kind, said, now_ms):
         """Tell whether what was drawn counts from 0 again: less than a tenth of what the same message said before.
 
-        One with a serial number is told by that alone.
+        One with a serial number is told by that alone, and of two that take turns neither begins anew.
         """
         before = self._said[kind]
-        if not self.IS_COUNTED_ANEW or before is None or [1 for known in self._identities if known and known[0]]:
+        if not self.IS_COUNTED_ANEW or before is None or self._owners.has_serial() or self._is_clash(now_ms):
             return False
         for name, factor in self.ROLES.get("consumed", ()):
             if said.get(name) is not None and before[name] is not None:
-                return before[name] * factor >= _COUNTED_AH and said[name] * 10 < before[name]
+                if before[name] * factor >= _COUNTED_AH and said[name] * 10 < before[name]:
+                    self._owners.swaps += 1
+                    return True
+                return False
         return False
 
     def _said_as(self, role, said):

@@ -1,5 +1,5 @@
 # Generated from templates/receiver/views.py: do not edit.
-# Inputs: a274c46fbb0dcac7
+# Inputs: 5b77195c32726226
 """From bytes to views: one for each number of each system, whichever messages report it."""
 
 from readings import finite
@@ -104,7 +104,8 @@ class Views:
                 self.refused += 1
                 return None
             view = self._views[key] = self.VIEW(self, *key)
-        view.take(kind, finite(read(message)), message.source_component, self.now_ms())
+        source, sequence = message.source_component, message.source_sequence
+        view.take(kind, finite(read(message)), source, sequence, self.now_ms())
         return view
 
     def _has_room(self):

@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 34849e553bbb22ac
+# Inputs: ac4330ae39f9306c
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -319,7 +319,7 @@ def battery_what_code_sets_counts_for_a_while():
     assert one.voltage_mv is None
     for value in (9775, 9775 + 1):
         one.voltage_mv = value
-        one.current_ca = 1
+        one.current_ma = 1
         one.consumed_mah = 1
         one.energy_hj = 1
         one.remaining_pct = 1
@@ -331,7 +331,7 @@ def battery_what_code_sets_counts_for_a_while():
             assert one.voltage_mv == value
         state.update_battery(board)
         assert one.voltage_mv is None
-        assert told(one.current_ca) is None
+        assert told(one.current_ma) is None
         assert told(one.consumed_mah) is None
         assert told(one.energy_hj) is None
         assert told(one.remaining_pct) is None
@@ -440,7 +440,7 @@ BATTERY_CURRENT = {
     "name": "battery_current",
     "input": "battery_current_adc",
     "component": "battery",
-    "attribute": "current_ca",
+    "attribute": "current_ma",
     "several": True,
     "counts": (2559, 2431),
     "instances": 2,
@@ -457,6 +457,13 @@ BATTERY_CURRENT = {
         {"batt2_monitor": 0, "batt_amp_offset": 0, "batt_amp_pervlt": 0, "batt_monitor": 4},
         {"batt2_monitor": 0, "batt_amp_offset": 3300, "batt_amp_pervlt": 9900, "batt_monitor": 4},
     ],
+    "lasting": {
+        "attribute": "time_left_s",
+        "left": "left_mah",
+        "factor": 3600,
+        "readings": 300,
+        "most": 1000000,
+    },
     "builders": [telemetry.build_sys_status, telemetry.build_battery_status, telemetry.build_battery_status_v2],
     "others": [
         {
@@ -491,13 +498,17 @@ def battery_current_allocates_nothing():
     single_readings.allocates_nothing(BATTERY_CURRENT, reading_of)
 
 
+def battery_current_lasts_at_the_mean():
+    single_readings.lasts_at_the_mean(BATTERY_CURRENT, reading_of)
+
+
 def every_value_allocates_nothing():
     state = known(SystemState(log=Log()))
     link = Link(Sink())
     values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
     quantities = (
         (state.battery[0], "voltage_mv"),
-        (state.battery[0], "current_ca"),
+        (state.battery[0], "current_ma"),
         (state.battery[0], "consumed_mah"),
         (state.battery[0], "energy_hj"),
         (state.battery[0], "remaining_pct"),
@@ -548,10 +559,10 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
     ),
     (
         "battery",
-        "current_ca",
+        "current_ma",
         "current",
         5,
-        (-32769, 32768),
+        (-327681, 327671),
     ),
     (
         "battery",
@@ -912,6 +923,7 @@ CHECKS = (
     ("FR-00067.5", battery_current_raises_nothing),
     ("FR-00077.2", battery_current_is_left_alone_where_it_is_off),
     ("NFR-00060.3", battery_current_allocates_nothing),
+    ("FR-00077.7", battery_current_lasts_at_the_mean),
     ("FR-00068.8", heartbeat_stream_keeps_its_rate),
     ("FR-00068.9", extended_status_stream_keeps_its_rate),
     ("FR-00068.2", extra1_stream_keeps_its_rate),

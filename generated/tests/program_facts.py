@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: f81ed8a235b3bbee
+# Inputs: 7fba1d6c8610d7ee
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -163,10 +163,11 @@ MEASURED = (
         "returns": {
             "gone": "absent",
             "below": [3000, 3000],
+            "back_from": [6000, 6000],
             "count": "swaps_number",
             "title": "Battery",
             "restarting": [
-                ("current_ca", None),
+                ("current_ma", None),
                 ("consumed_mah", 0),
                 ("energy_hj", 0),
                 ("remaining_pct", None),

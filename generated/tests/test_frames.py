@@ -8,7 +8,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 34849e553bbb22ac
+# Inputs: ac4330ae39f9306c
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

@@ -102,7 +102,8 @@ class Views:
                 self.refused += 1
                 return None
             view = self._views[key] = self.VIEW(self, *key)
-        view.take(kind, finite(read(message)), message.source_component, self.now_ms())
+        source, sequence = message.source_component, message.source_sequence
+        view.take(kind, finite(read(message)), source, sequence, self.now_ms())
         return view
 
     def _has_room(self):

@@ -21,8 +21,7 @@ except ImportError:  # CPython has no heap to lock
 
 def value_of(state, facts):
     """Return what is kept of the first instance."""
-    component = getattr(state, facts["component"])
-    return getattr(component[0] if facts["several"] else component, facts["attribute"])
+    return own(state, facts, facts["attribute"])
 
 
 def update(state, board, facts):
@@ -139,3 +138,30 @@ def allocates_nothing(facts, fresh):
             finally:
                 heap_unlock()
             assert mem_total() == before, (settings, count)
+
+
+def lasts_at_the_mean(facts, fresh):
+    """What is left over a mean of the readings: the first one, and then each one by its share of the way to it."""
+    lasting = facts["lasting"]
+    board, state, _ = fresh(facts["on"])
+    for one in facts["others"]:
+        set_count(board, one, one["counts"][0])
+    mean = None
+    for count in facts["counts"]:
+        set_count(board, facts, count)
+        for _ in range(lasting["readings"] // 2):
+            mock_time.advance_us(1000)  # next to nothing is drawn in so short a time
+            update(state, board, facts)
+            value = value_of(state, facts)
+            mean = 64 * value if mean is None else mean + (64 * value - mean) // lasting["readings"]
+            left, told = (own(state, facts, lasting[name]) for name in ("left", "attribute"))
+            at = mean // 64
+            expected = None if at <= 0 or left is None else min(left * lasting["factor"] // at, lasting["most"])
+            assert told == expected, (told, expected, mean)
+    mock_time.set_ticks_us(0)
+
+
+def own(state, facts, attribute):
+    """Return an attribute of the first instance."""
+    component = getattr(state, facts["component"])
+    return getattr(component[0] if facts["several"] else component, attribute)

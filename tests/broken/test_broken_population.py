@@ -12,16 +12,57 @@ OVER = "at_least: discharge_maximum_burst_current"
 EXTENDED = "voltages_ext: {each: battery.cells, from: 10,"
 WHOLE = "{each: battery.cells, state: battery.voltage, split: true,"
 
+FAULTS = "fault_bitmask:\n    flags:\n      - MAV"
+CHARGING, UNDEFINED = "MAV_BATTERY_CHARGE_STATE_CHARGING", "MAV_BATTERY_CHARGE_STATE_UNDEFINED"
+STATE_OF_CHARGE = f"one_of:\n      - {CHARGING} if battery.charging\n      - {UNDEFINED}"
+
 CASES = [
     Case("bad-elements", "state.yaml", "elements: cells", "elements: §cell", "did you mean cells"),
     Case("bad-elements", "state.yaml", "elements: cells", "elements: §chemistry", "not a whole number"),
     Case("bad-elements", "state.yaml", "elements: cells", "elements: cells\n        initial: §3", "no initial"),
+    Case("not-an-enum-field", STATUS, FAULTS, FAULTS.replace("flags", "one_of").replace("- ", "§- "), "is a bitmask"),
+    Case("bad-choice", STATUS, STATE_OF_CHARGE, f"one_of: §[{UNDEFINED}]", "entries with conditions"),
+    Case(
+        "bad-choice",
+        STATUS,
+        STATE_OF_CHARGE,
+        f"one_of: §[{UNDEFINED}, {CHARGING} if battery.charging]",
+        "behind them one",
+    ),
+    Case("bad-choice", STATUS, STATE_OF_CHARGE, f"one_of: §[{CHARGING}, {UNDEFINED}]", "entries with conditions"),
+    Case(
+        "unknown-enum-entry",
+        STATUS,
+        STATE_OF_CHARGE,
+        f"one_of: §[{CHARGING}S if battery.charging, {UNDEFINED}]",
+        CHARGING,
+    ),
+    Case(
+        "unknown-quantity",
+        STATUS,
+        STATE_OF_CHARGE,
+        f"one_of: §[{CHARGING} if battery.chargin, {UNDEFINED}]",
+        "charging",
+    ),
+    Case(
+        "not-a-boolean",
+        STATUS,
+        STATE_OF_CHARGE,
+        f"one_of: §[{CHARGING} if battery.current, {UNDEFINED}]",
+        "not a boolean",
+    ),
     Case("bad-following", "state.yaml", "follows: current", "follows: §curent", "did you mean current"),
     Case("bad-following", "state.yaml", "follows: current", "follows: §cells", "not a single number"),
     Case("bad-following", "state.yaml", "follows: current", "follows: §monitored", "not a single number"),
-    Case("bad-following", "state.yaml", "        below: 0\n", "        below: 0\n        at_least: 1\n", "both limits"),
+    Case(
+        "bad-following",
+        "state.yaml",
+        "        below: 0\n",
+        "        below: 0\n        at_least: §1\n",
+        "the other limit",
+    ),
     Case("bad-following", "state.yaml", "        below: 0\n", "", "no limit"),
-    Case("bad-following", "state.yaml", "        below: 0\n", "        below: §0.001\n", "whole number"),
+    Case("bad-following", "state.yaml", "        below: 0\n", "        below: §0.0001\n", "whole number"),
     Case("bad-following", "state.yaml", OVER, "at_least: §discharge_maximum_curent", "discharge_maximum_current"),
     Case("bad-following", "state.yaml", OVER, "at_least: §chemistry", "which is no amount in A"),
     Case("bad-following", "state.yaml", OVER, "at_least: §weight", "has 250 g, which is no amount in A"),

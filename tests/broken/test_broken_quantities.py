@@ -14,7 +14,7 @@ from codegen.cli import main
 ROOT = Path(__file__).resolve().parents[2]
 STATE = "state.yaml"
 VOLTAGE = "        stored: mV\n        adc: battery_voltage\n"
-CURRENT = "        unit: A\n        stored: cA\n"
+CURRENT = "        unit: A\n        stored: mA\n"
 
 CASES = [
     Case("beyond-storage", STATE, VOLTAGE, VOLTAGE + "        max: §1073742\n", "the most that can be compared"),

@@ -24,7 +24,7 @@ def measured(lines: str) -> str:
 
 CASES = [
     Case("unit-mismatch", STATE, CURRENT, measured("multiplier: §17"), "17 makes no current of a voltage: it is in no"),
-    Case("unit-mismatch", STATE, CURRENT, measured("multiplier: §17 V/A"), "give it a unit per volt, such as cA/V"),
+    Case("unit-mismatch", STATE, CURRENT, measured("multiplier: §17 V/A"), "give it a unit per volt, such as mA/V"),
     Case("unit-mismatch", STATE, CURRENT, measured("multiplier: 17 A/V; offset: §2 A"), "but a voltage is needed"),
     Case("bad-amount", STATE, CURRENT, measured("multiplier: §17 amps"), "neither a parameter nor an amount"),
     Case("unknown-parameter", STATE, CURRENT, measured("multiplier: 17 A/V; offset: §BATT_OFFS"), "no parameter"),
@@ -50,7 +50,7 @@ CASES = [
         STATE,
         CURRENT,
         measured("max: §50; multiplier: 17 A/V"),
-        "battery.current is 0 to 5610 cA",
+        "battery.current is 0 to 56100 mA",
     ),
     Case(
         "bad-integral",

@@ -9,6 +9,7 @@ CHIP = b"\xe6\x00\x64\x08\x43\x29\x5a\xff"
 machine.set_unique_id(CHIP)  # before the firmware looks at it, which is once
 
 import dialect  # noqa: E402
+from mavlink import Link  # noqa: E402
 from program_bench import (  # noqa: E402
     SECOND_US,
     live,
@@ -74,23 +75,137 @@ def _measuring(measure):
     return battery
 
 
-def status_comes_every_two_seconds():
-    """0.5 Hz by default, in the generation that is chosen; the parameter changes it at once, and 0 switches it off."""
+STATUS = (messages.BatteryStatus, messages.BatteryStatusV2)
+
+
+def status_comes_at_the_rate_of_its_generation():
+    """0.5 Hz and 1 Hz by default, for those that are chosen; each parameter changes its own at once, 0 switches off."""
     for choice, kinds in ((0, (1, 0)), (1, (0, 1)), (2, (1, 1))):
         battery = new_craft()
         station = battery.ground_station()
         if choice:
             assert battery.parameters.set("BATT_REPORT", choice)
-        for rate, expected in ((None, 30), (2, 120), (0, 0)):
-            if rate is not None:
-                assert battery.parameters.set("BATT_STATUS_RATE", rate)
+        rates = [0.5, 1]
+        for place, name, rate in (
+            (0, None, 0.5),
+            (0, "BATT_STATUS_RATE", 2),
+            (1, "BATT_V2_RATE", 3),
+            (0, "BATT_STATUS_RATE", 0),
+            (1, "BATT_V2_RATE", 0),
+        ):
+            rates[place] = rate
+            if name is not None:
+                assert battery.parameters.set(name, rate)
             run(battery, SECOND_US // 10)
             station.received()
             run(battery, 60 * SECOND_US)
-            found = station.received(messages.BatteryStatus, messages.BatteryStatusV2)
-            for kind, is_sent in zip((messages.BatteryStatus, messages.BatteryStatusV2), kinds):  # noqa: B905
+            found = station.received(*STATUS)
+            for kind, is_sent, hz in zip(STATUS, kinds, rates):  # noqa: B905
                 count = len([message for message in found if isinstance(message, kind)])
-                assert abs(count - is_sent * expected) <= is_sent, (choice, rate, kind, count)
+                assert abs(count - is_sent * hz * 60) <= is_sent, (choice, rates, kind, count)
+
+
+def _twin(battery, component=180, sequence=0):
+    """Return somebody with the ids of a battery, who sends over the same link."""
+    twin = battery.ground_station()
+    twin.link = Link(twin, 1, component)
+    twin.link.sequence = sequence
+    return twin
+
+
+def _heard(battery, seconds, send):
+    """Let somebody send once a second; return the texts about ids, each with its second."""
+    found = []
+    for second in range(seconds):
+        before = battery.texts.last
+        send(second)
+        run(battery, SECOND_US)
+        new = [battery.texts.get(number) for number in range(before + 1, battery.texts.last + 1)]
+        found += [(second, text) for text in new if "in use" in text[1]]
+    return found
+
+
+IN_USE = (dialect.MAV_SEVERITY_WARNING, "COMPID_BATT 180 is in use by another: change one")
+
+
+def a_heartbeat_of_its_own_ids_is_told():
+    """From somebody with other sequence numbers: at the second one, and every 30 s while it lasts, as a STATUSTEXT."""
+    for sequence in (100, 130, 160):
+        battery = new_craft()
+        station = battery.ground_station()
+        twin = _twin(battery, sequence=sequence)
+        found = _heard(battery, 70, lambda _: twin.send(messages.Heartbeat, type=TYPE_BATTERY))  # noqa: B023
+        assert found == [(second, IN_USE) for second in (1, 31, 61)], (sequence, found)
+        assert [text.text for text in station.received(messages.Statustext)].count(IN_USE[1]) == 3
+        assert len(IN_USE[1]) <= 50, "one message"
+
+
+def another_chip_with_its_own_ids_is_told():
+    """Whatever its sequence numbers are, in either info; and a battery that has no number is another one, too."""
+    for kind in INFOS:
+        for serial in ("e66064084329ffff", "e6606408", "", "e6006408432\x005aff"):
+            battery = new_craft()
+            twin = _twin(battery)
+
+            def send(second):
+                twin.link.sequence = battery.connections[0].link.sequence - 1  # noqa: B023
+                if second % 20 == 5:
+                    twin.send(kind, id=2, serial_number=serial)  # noqa: B023
+
+            found = _heard(battery, 60, send)
+            assert found == [(second, IN_USE) for second in (5, 45)], (kind, serial, found)
+
+
+def its_own_frames_that_come_back_are_no_news():
+    """A link that returns each frame, at once or a second later, and a ground station that asks a lot."""
+    for late in (1, 20):
+        battery = new_craft()
+        station = battery.ground_station()
+        assert battery.parameters.set("BATT_REPORT", 2)
+        returned = 0
+        for tick in range(60 * 20):
+            if tick % 100 == 50:
+                station.send(messages.ParamRequestList)
+            if tick % late == 0:
+                for frame in battery.port.frames[returned:]:
+                    battery.port.arrives(frame)
+                returned = len(battery.port.frames)
+            run(battery, SECOND_US // 20)
+        assert returned > 150, returned
+        assert not [text for _, text in battery.said() if "in use" in text], battery.said()
+
+
+def a_battery_id_of_another_component_is_told():
+    """Of one with the same battery id, and of none with another id, or of another vehicle."""
+    for kind in INFOS:
+        for system, component, number, value in (
+            (1, 181, 2, "component 181"),
+            (1, 1, 2, "component 1"),
+            (1, 181, 3, None),
+            (1, 1, 0, None),
+            (7, 180, 2, None),
+            (7, 181, 2, None),
+        ):
+            battery = new_craft()
+            other = _twin(battery)
+            other.link = Link(other, system, component)
+            found = _heard(battery, 40, lambda _: other.send(kind, id=number, serial_number="x"))  # noqa: B023
+            text = (dialect.MAV_SEVERITY_WARNING, f"BATT_ID 2 is in use by {value}: change one")
+            assert found == ([(0, text), (30, text)] if value else []), (kind, system, component, number, found)
+
+
+def two_that_are_told_apart_say_nothing():
+    """180 with 2 and 181 with 3: neither warns of the other."""
+    first, second = new_craft(), _started(COMPID_BATT=181, BATT_ID=3)
+    for _ in range(60 * 20):
+        for one, other in ((first, second), (second, first)):
+            for frame in one.port.frames:
+                other.port.arrives(frame)
+            one.port.frames = []
+        for battery in (first, second):
+            run(battery, SECOND_US // 20)
+    for battery in (first, second):
+        assert not [text for _, text in battery.said() if "in use" in text], battery.said()
 
 
 ABOUT_THE_BATTERY = (
@@ -212,7 +327,7 @@ def what_the_gauge_says_goes_out():
     """What measure() writes into the state is in the next status of either generation."""
 
     def measure(pack):
-        pack.current_ca = 1234
+        pack.current_ma = 12340
         pack.consumed_mah = 1100
         pack.energy_hj = 456
         pack.left_mah = 2200
@@ -273,7 +388,12 @@ CHECKS = (
     (heartbeat_is_that_of_a_battery,),
     (component_id_counts_from_the_next_start,),
     (two_batteries_share_a_vehicle,),
-    (status_comes_every_two_seconds,),
+    (status_comes_at_the_rate_of_its_generation,),
+    (a_heartbeat_of_its_own_ids_is_told,),
+    (another_chip_with_its_own_ids_is_told,),
+    (its_own_frames_that_come_back_are_no_news,),
+    (a_battery_id_of_another_component_is_told,),
+    (two_that_are_told_apart_say_nothing,),
     (info_comes_when_it_is_wanted,),
     (serial_number_is_that_of_the_chip,),
     (battery_has_an_id_of_its_own,),

@@ -14,7 +14,7 @@ from program_bench import SECOND_US, new_craft, run  # noqa: E402
 
 battery = new_craft()
 battery.state.battery.consumed_mah = int(sys.argv[2])
-battery.state.battery.current_ca = 500
+battery.state.battery.current_ma = 5000
 assert battery.parameters.set("BATT_REPORT", int(sys.argv[3]))
 run(battery, 5 * SECOND_US)
 for frame in battery.port.frames:

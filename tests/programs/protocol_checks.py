@@ -81,7 +81,7 @@ def one_battery_is_told_alike():
     rover, station = _rover()
     battery = rover.state.battery[0]
     for current, charge in ((None, None), (1234, 56), (-250, 100)):
-        battery.current_ca = current
+        battery.current_ma = None if current is None else 10 * current
         battery.remaining_pct = charge
         run(rover, 3 * SECOND_US)
         found = station.received(messages.BatteryStatus, messages.SysStatus)
@@ -99,7 +99,7 @@ def large_amounts_need_the_new_generation():
     battery = rover.state.battery[0]
     rover.state.update_battery = lambda _board: None
     battery.voltage_mv = 70000
-    battery.current_ca = 40000
+    battery.current_ma = 400000
     battery.consumed_mah = 40000
     run(rover, 3 * SECOND_US)
     found = station.received(messages.BatteryStatus, messages.BatteryStatusV2)

@@ -33,11 +33,12 @@ def run(interpreter, folders, script, *arguments, given="", seconds=100):
 @pytest.mark.requirement(
     "FR-00074.1", "FR-00074.2", "FR-00074.3", "FR-00074.4", "FR-00074.6", "FR-00074.7", "FR-00074.9"
 )
+@pytest.mark.requirement("FR-00074.10")
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 def test_the_battery_behaves(interpreter):
-    """HEARTBEAT, ids, rates, info, serial number, no arming, saves, measure()."""
+    """HEARTBEAT, ids and who else uses them, rates, info, serial number, no arming, saves, measure()."""
     outcomes = json.loads(run(interpreter, PATHS, "battery_checks.py"))
-    assert len(outcomes) >= 13
+    assert len(outcomes) >= 18
     assert {name: outcome for name, outcome in outcomes.items() if outcome is not None} == {}
 
 

@@ -38,8 +38,8 @@ def view_of(values, count=None, pages=()):
     """Return the cells of a view to which these were told."""
     view = CellView(Clock(), 1, 0)
     for first, found in pages:
-        view.take(1, {"cells": page(first, values_of(found, 0, 4, 0, 1, 1000, keep=True))}, 1, 0)
-    view.take(0, {"cells": values, "info.cells": count}, 1, 0)
+        view.take(1, {"cells": page(first, values_of(found, 0, 4, 0, 1, 1000, keep=True))}, 1, 0, 0)
+    view.take(0, {"cells": values, "info.cells": count}, 1, 0, 0)
     return view._elements("cells")
 
 

@@ -91,6 +91,18 @@ def test_what_follows_a_limit_is_known_for_each_state(
     assert follows.value(quantity, {"battery.voltage": stored}, instance) == int(holds)
 
 
+@pytest.mark.parametrize(
+    ("stored", "instance", "holds"),
+    [(11, 0, True), (12, 0, False), (4, 0, True), (3, 0, False), (None, 0, False), (4, 1, False), (8, 1, True)],
+)
+def test_what_lies_between_two_limits(system: System, stored: int | None, instance: int, *, holds: bool) -> None:
+    """By hand: from 4 to below 12, or from 8 to below 25."""
+    quantity = system.components["battery"].quantities["over_voltage"]
+    follows = Follows("voltage", (12, 25), is_below=True, spec=FollowsSpec(place=Place("state.yaml")), floors=(4, 8))
+    assert follows.value(quantity, {"battery.voltage": stored}, instance) == int(holds)
+    assert set(follows.deciding(1, 7).values()) == {25, 24, 8, 7, None}
+
+
 def test_what_is_true_while_another_is_known(system: System) -> None:
     quantity = system.components["battery"].quantities["healthy"]
     derivation = quantity.derivation
@@ -105,4 +117,4 @@ def test_the_values_that_decide_bring_about_what_they_are_called(system: System)
             for instance in range(component.instances) if quantity.kind.value == "boolean" else ():
                 for name, stored in quantity.derivation.deciding(instance, 7).items():
                     value = quantity.derivation.value(quantity, {quantity.decided_by: stored}, instance)
-                    assert bool(value) == (name == "set"), (quantity.path, instance, name)
+                    assert bool(value) == name.startswith("set"), (quantity.path, instance, name)

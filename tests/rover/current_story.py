@@ -34,7 +34,7 @@ def read(board, state, current, voltage=GOOD):
     state.update_battery(board)
     battery = state.battery[0]
     return [
-        battery.current_ca,
+        battery.current_ma,
         battery.consumed_mah,
         battery.energy_hj,
         battery.left_mah,
@@ -118,7 +118,7 @@ def endless():
     battery = state.battery[0]
     for value in (float("inf"), float("-inf"), float("nan")):
         battery.voltage = battery.current = battery.temperature = value
-        yield [battery.voltage_mv, battery.current_ca, battery.temperature_cdegc, battery.limited]
+        yield [battery.voltage_mv, battery.current_ma, battery.temperature_cdegc, battery.limited]
     yield bytes(telemetry.build_battery_status_v2(state, 0).wire).hex()
 
 

@@ -21,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 BIN = Path(sys.executable).parent
 GENERATED = HERE.parents[1] / "generated"
 
-MILLIVOLTS, CENTIAMPERES = 12000, 1691
+MILLIVOLTS, MILLIAMPERES = 12000, 16905
 CAPACITY = 3300
 HALF = Fraction(1, 2)
 
@@ -37,11 +37,11 @@ def told(request: pytest.FixtureRequest) -> Any:
     return json.loads(done.stdout)
 
 
-def counted(readings: int, centiamperes: int = CENTIAMPERES) -> list[int]:
+def counted(readings: int, milliamperes: int = MILLIAMPERES) -> list[int]:
     """Charge in mAh, energy in hJ, and what is left in mAh and in percent, after a first reading and so many more."""
     hours = Fraction(readings, 36000)
-    charge = floor(centiamperes * 10 * hours + HALF)
-    energy = floor(Fraction(centiamperes * MILLIVOLTS, 100000) * hours * 36 + HALF)
+    charge = floor(milliamperes * hours + HALF)
+    energy = floor(Fraction(milliamperes * MILLIVOLTS, 1000000) * hours * 36 + HALF)
     left = max(0, min(CAPACITY, CAPACITY - charge))
     return [charge, energy, left, floor(Fraction(left * 100, CAPACITY) + HALF)]
 
@@ -56,7 +56,7 @@ def decoded(frame: str) -> tuple[int, ...]:
 @pytest.mark.requirement("FR-00077.1", "FR-00077.3")
 def test_counts_are_amperes(told: Any) -> None:
     """The rows of FR-00077, and a factor of 0."""
-    assert told["conversion"] == [0, 2804, 5610, 32670, -561, 0]
+    assert told["conversion"] == [0, 28043, 56100, 326700, -5610, 0]
 
 
 @pytest.mark.requirement("FR-00077.2", "FR-00068.6")
@@ -71,17 +71,17 @@ def test_nothing_is_known_by_default(told: Any) -> None:
 def test_what_is_drawn_is_counted(told: Any) -> None:
     """Charge, energy and what is left are the nearest to their exact values after each reading, and so on the wire."""
     *readings, frame = told["drawn"]
-    assert [each[:5] for each in readings] == [[CENTIAMPERES, *counted(number)] for number in range(40)]
-    assert [each[5] for each in readings] == [each[3] * 360 // CENTIAMPERES for each in readings]
+    assert [each[:5] for each in readings] == [[MILLIAMPERES, *counted(number)] for number in range(40)]
+    assert [each[5] for each in readings] == [each[3] * 3600 // MILLIAMPERES for each in readings]
     charge, energy, left, share = counted(39)
-    assert decoded(frame) == (CENTIAMPERES, charge, energy, share, left * 360 // CENTIAMPERES)
+    assert decoded(frame) == (1691, charge, energy, share, left * 3600 // MILLIAMPERES)
 
 
 @pytest.mark.requirement("FR-00077.5", "FR-00077.6", "FR-00077.7")
 def test_what_is_put_in_is_counted_back(told: Any) -> None:
     """A current below the offset charges the pack: it is not more than full, and lasts for ever."""
     # (0.805861 V - 1.65 V) * 17 = -14.350365 A.
-    assert told["charged"] == [[-1435, *counted(number, -1435), None] for number in range(30)]
+    assert told["charged"] == [[-14350, *counted(number, -14350), None] for number in range(30)]
 
 
 @pytest.mark.requirement("FR-00077.5", "FR-00073.8")
@@ -90,7 +90,7 @@ def test_another_pack_is_counted_from_its_own_beginning(told: Any) -> None:
     without, after = told["swapped"][:5], told["swapped"][5:]
     assert [each[:5] for each in without] == [[0, *counted(36)]] * 5
     # The current before was none of this pack's, so its first reading stands for no time.
-    assert [each[:5] for each in after] == [[CENTIAMPERES, *counted(number)] for number in range(30)]
+    assert [each[:5] for each in after] == [[MILLIAMPERES, *counted(number)] for number in range(30)]
     assert [each[4] for each in after[:2]] == [100, 100]
 
 
@@ -99,16 +99,16 @@ def test_a_sensor_that_fails_leaves_a_gap(told: Any) -> None:
     """The fifth failure makes the current unknown, and what is left; the voltage goes on, and nothing is counted."""
     readings = [reading for reading, _ in told["failing"]]
     assert all(has_voltage for _, has_voltage in told["failing"])
-    kept = [CENTIAMPERES, *counted(1)]
+    kept = [MILLIAMPERES, *counted(1)]
     assert [each[:5] for each in readings[1:6]] == [kept] * 5
     assert readings[6][:6] == [None, *counted(1)[:2], None, None, None]
-    assert [each[:5] for each in readings[7:]] == [kept, [CENTIAMPERES, *counted(2)]]
+    assert [each[:5] for each in readings[7:]] == [kept, [MILLIAMPERES, *counted(2)]]
 
 
 def test_an_interrupt_ends_no_reading_for_good(told: Any) -> None:
     """Ctrl-C reaches who called; voltage and current are read again by the next call."""
     # 1000 counts are 13.699634 A, 3000 are 9.549451 V.
-    assert told["interrupted"] == ["interrupted", [1370, 9549]]
+    assert told["interrupted"] == ["interrupted", [13700, 9549]]
 
 
 @pytest.mark.requirement("FR-00072.4")
@@ -123,7 +123,7 @@ def test_infinity_is_unknown(told: Any) -> None:
 def test_an_empty_pack_has_nothing_left(told: Any) -> None:
     """5 mAh are used up after 11 readings; without a capacity nothing says what is left."""
     empty, unstated = told["emptied"]
-    assert empty == [CENTIAMPERES, 5, counted(11)[1], 0, 0, 0]
+    assert empty == [MILLIAMPERES, 5, counted(11)[1], 0, 0, 0]
     assert unstated[3:] == [None] * 3
 
 

@@ -9,14 +9,14 @@ from test_one_picture import Step, told, wire
 
 __all__ = ("wire",)
 
-GOOD: Step = [("cells", [3.9, 3.9, 3.9]), ("current_ca", 2000)]
+GOOD: Step = [("cells", [3.9, 3.9, 3.9]), ("current_ma", 20000)]
 CASES: dict[str, tuple[Step, str, set[str]]] = {
     "all is well": (GOOD, "", set()),
     "one is empty": ([("cells", [4.2, 4.2, 2.5])], "DEEP_DISCHARGE", {"NOT_READY_TO_USE", "FAULT_UNDER_VOLT"}),
     "one is too full": ([("cells", [4.5, 3.5, 3.5])], "", {"NOT_READY_TO_USE", "FAULT_OVER_VOLT"}),
     "one is unknown": ([("cells", [4.2, None, 2.5])], "DEEP_DISCHARGE", {"NOT_READY_TO_USE", "FAULT_UNDER_VOLT"}),
-    "200 A": ([*GOOD, ("current_ca", 20000)], "OVER_CURRENT", {"NOT_READY_TO_USE", "FAULT_OVER_CURRENT"}),
-    "one ampere less than for seconds": ([*GOOD, ("current_ca", 13199)], "", set()),
+    "200 A": ([*GOOD, ("current_ma", 200000)], "OVER_CURRENT", {"NOT_READY_TO_USE", "FAULT_OVER_CURRENT"}),
+    "one milliampere less than for seconds": ([*GOOD, ("current_ma", 131999)], "", set()),
 }
 LOOKED_AT = ("NOT_READY_TO_USE", "FAULT_OVER_VOLT", "FAULT_UNDER_VOLT", "FAULT_OVER_CURRENT")
 
@@ -39,6 +39,6 @@ def test_a_cell_or_a_current_beyond_its_limit_is_told(wire: ModuleType, interpre
     for (name, (_, old, new)), steps in zip(CASES.items(), told(wire, courses, 3, interpreter), strict=True):
         assert faults(wire, steps[0]) == ("", set()), name
         assert faults(wire, steps[1]) == (old, new), name
-        if "current_ca" not in str(CASES[name][0]):
+        if "current_ma" not in str(CASES[name][0]):
             assert faults(wire, steps[-2]) == ("", set()), name
         assert faults(wire, steps[-1]) == ("", set()), name

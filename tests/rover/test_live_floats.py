@@ -36,7 +36,7 @@ state = SystemState(log=lambda *words: None)
 battery = state.battery[0]
 
 def set_all(value):
-    battery.voltage_mv = battery.current_ca = battery.consumed_mah = battery.left_mah = value
+    battery.voltage_mv = battery.current_ma = battery.consumed_mah = battery.left_mah = value
     battery.remaining_pct = battery.temperature_cdegc = value
     state.parameters.batt_capacity = 3300 if value is None else value
 

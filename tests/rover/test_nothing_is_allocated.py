@@ -52,7 +52,7 @@ def build_and_send():
         link.send(telemetry.build_battery_status(state))
 
 def set_all(value):
-    battery.voltage_mv = battery.current_ca = battery.consumed_mah = battery.energy_hj = value
+    battery.voltage_mv = battery.current_ma = battery.consumed_mah = battery.energy_hj = value
     battery.remaining_pct = battery.temperature_cdegc = value
     vehicle.mode_number = vehicle.status = vehicle.load_dpct = value
 

@@ -157,8 +157,8 @@ def test_cells_come_before_the_adc_while_they_are_fresh(wire: ModuleType, interp
 @pytest.mark.parametrize("interpreter", ["python", "micropython"])
 def test_a_pack_of_another_system_is_what_code_says(wire: ModuleType, interpreter: str) -> None:
     """Its pin says nothing; a swap is noticed; five seconds after the last word of it nothing is known of it."""
-    said: Step = [("voltage", 4000), ("current_ca", 250), ("consumed", 100), *SET[1:]]
-    swap: list[Step] = [[("voltage", 0)], [], [("voltage", 3900), ("current_ca", 100)], []]
+    said: Step = [("voltage", 4000), ("current_ma", 2500), ("consumed", 100), *SET[1:]]
+    swap: list[Step] = [[("voltage", 0)], [], [("voltage", 3900), ("current_ma", 1000)], []]
     (steps,) = told(wire, [[[], said, *[[]] * 49, [], *swap]], 29, interpreter)
     for messages in steps:
         assert_one_picture(*messages)

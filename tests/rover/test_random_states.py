@@ -21,7 +21,7 @@ STATES = 3000
 
 QUANTITIES = {
     "voltage_mv": (0, 65534, 65535, 131068, 655340, 655341),
-    "current_ca": (-32769, -32768, -2, -1, 0, 32767, 32768),
+    "current_ma": (-327690, -327680, -14, -5, -4, 4, 0, 327670, 327680),
     "consumed_mah": (-2, -1, 0, 2**30 - 1, -(2**30) + 1),
     "energy_hj": (-2, -1, 0, 2**30 - 1, -(2**30) + 1),
     "remaining_pct": (-2, -1, 0, 1, 99, 100, 101, 127, 128, 255),
@@ -106,20 +106,35 @@ def cells(millivolts):
     return filled + [65535] * (10 - len(filled))
 
 
-def faults(millivolts, temperature, centiamperes):
-    """By hand: deep discharge below 3.0 V a cell, 132 A or more, and from 60 and below -20 degC."""
-    bits = 0 if millivolts is None or millivolts >= 3 * 3000 else 1
-    bits |= 8 if centiamperes is not None and centiamperes >= 13200 else 0
+def faults(millivolts, temperature, milliamperes):
+    """By hand: deep discharge from 1.0 to below 3.0 V a cell, 132 A or more, and from 60 and below -20 degC."""
+    bits = 1 if millivolts is not None and 3 * 1000 <= millivolts < 3 * 3000 else 0
+    bits |= 8 if milliamperes is not None and milliamperes >= 132000 else 0
     if temperature is not None:
         bits |= 16 if temperature >= 6000 else 32 if temperature < -2000 else 0
     return bits
+
+
+def centiamperes(milliamperes):
+    """The nearest, a half away from zero."""
+    if milliamperes is None:
+        return None
+    return (abs(milliamperes) + 5) // 10 * (1 if milliamperes > 0 else -1)
+
+
+def extensions(battery):
+    """The time that is left, the state of charge, further cells, the mode and the faults."""
+    current = battery["current_ma"]
+    is_charging = current is not None and current < 0
+    found = faults(battery["voltage_mv"], battery["temperature_cdegc"], current)
+    return [0, 7 if is_charging else 0, [0] * 4, 0, found]
 
 
 def expected_frames(state) -> list[str]:
     """The six frames of a state by pymavlink: three messages, each in MAVLink 2 and MAVLink 1."""
     battery, vehicle = state["battery"], state["vehicle"]
     voltage, sensor, prearm, fence = battery["voltage_mv"], 1 << 25, 1 << 28, 1 << 20
-    current = limited(battery["current_ca"], -32768, 32767, -1)
+    current = limited(centiamperes(battery["current_ma"]), -32768, 32767, -1)
     remaining = -1 if battery["remaining_pct"] is None else min(max(battery["remaining_pct"], 0), 100)
     frames = []
     for dialect in (v20, v10):
@@ -152,7 +167,7 @@ def expected_frames(state) -> list[str]:
                 limited(battery["consumed_mah"], -(2**31), 2**31 - 1, -1),
                 limited(battery["energy_hj"], -(2**31), 2**31 - 1, -1),
                 remaining,
-                *([] if dialect is v10 else [0, 0, [0] * 4, 0, faults(voltage, temperature, battery["current_ca"])]),
+                *([] if dialect is v10 else extensions(battery)),
             )
         )
     senders = [v20.MAVLink(None, srcSystem=1, srcComponent=1), v10.MAVLink(None, srcSystem=1, srcComponent=1)]

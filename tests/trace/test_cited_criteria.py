@@ -48,7 +48,15 @@ SECTIONS = {
 }
 OF_THE_BEHAVIOUR = {
     "component": {"robustness", "scenarios", "steady"},
-    "quantity": {"calibration", "invalid_after", "multiplier", "rounding", "stale_after", "warn_above"},
+    "quantity": {
+        "calibration",
+        "invalid_after",
+        "multiplier",
+        "rounding",
+        "set_stale_after",
+        "stale_after",
+        "warn_above",
+    },
     "reading": {"reference", "samples", "read_limit", "failure", "absence", "when"},
 }
 """Aspects that test_frames.py and test_behaviour.py cite."""

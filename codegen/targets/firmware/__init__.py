@@ -127,6 +127,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "long_commands": takes_long,
         "command_cancel": program.cancels,
         "mode_service": bool(program.modes),
+        "twins": system.component_parameter is not None,
         "access": program.access is not None and bool(program.access.signed),
         "key_service": program.access is not None and bool(program.access.spec.setup),
         "listed_stations": program.access is not None and bool(program.access.listed),

@@ -123,7 +123,8 @@ def _views(quantity: Quantity, component: Component, block: Block, told: Reach) 
     derivation = quantity.derivation
     if derivation.follows is not None:
         followed = block.constant(component.quantities[derivation.follows].attribute)
-        expression = derivation.attribute(followed, block.constant(f"{quantity.name}_limit"))
+        own = (block.constant(f"{quantity.name}_{word}") for word in ("limit", "floor"))
+        expression = derivation.attribute(followed, *own)
         yield AttributeView(quantity.name, expression, above, str(quantity.citation or ""))
         return
     place = block.constant(quantity.attribute)

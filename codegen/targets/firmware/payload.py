@@ -83,6 +83,13 @@ class SpelledCode(PayloadCode):
             return str(limits[0]) if limits else ""
         return self.number_of(self.word(quantity.component, f"{quantity.name}_limit"))
 
+    def floor(self, quantity: Quantity) -> str:
+        """The same of what has to be reached beside; empty where nothing has."""
+        floors = quantity.derivation.own_floors
+        if not differ(floors):
+            return str(floors[0]) if floors else ""
+        return self.number_of(self.word(quantity.component, f"{quantity.name}_floor"))
+
     def count(self, quantity: Quantity) -> str:
         """A number, or the instance's own word."""
         counts = quantity.elements or ()
@@ -105,7 +112,7 @@ class SpelledCode(PayloadCode):
         if quantity.derivation.follows is None:
             return "", self.is_set(quantity)
         followed = self.layout.blocks[quantity.component].component.quantities[quantity.derivation.follows]
-        return self.read(followed), quantity.derivation.holds(self.limit(quantity))
+        return self.read(followed), quantity.derivation.holds(self.limit(quantity), self.floor(quantity))
 
     def store(
         self,

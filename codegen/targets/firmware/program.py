@@ -19,6 +19,7 @@ from codegen.targets.firmware.failsafe import FailsafesView, FailsafeView
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.firmware.receiving import call_name, received_beside
 from codegen.targets.firmware.sending import number_at
+from codegen.targets.firmware.watching import watched, watching
 from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
 
@@ -194,7 +195,10 @@ def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ..
         ("streams", "open_link"),
         *([] if system.system_parameter else [("streams", "SYSTEM_ID")]),
         ("texts", "Texts"),
+        *([("twins", "watch_twins")] if system.component_parameter else []),
     ]
+    if watched(system):
+        modules.append("messages")
     return import_lines(modules, names)
 
 
@@ -255,7 +259,7 @@ def _connecting(system: System, program: Program) -> tuple[str, ...]:
         f"{name}(connection, {'self.state.clock' if module == 'clock_service' else 'self'})"
         for module, name in _answering(system, program).items()
     ]
-    answering += _admitting(program)
+    answering += [*watching(system, program), *_admitting(program)]
     if not answering:
         return (*link, f"return {connection}")
     return (*link, f"connection = {connection}", *answering, "return connection")
@@ -294,7 +298,8 @@ def _keeping(program: Program) -> str:
 def _received(system: System, program: Program) -> tuple[str, ...]:
     """The classes of the messages that a link receives beside those that the services of every program answer."""
     classes = class_names(wire.name for wire in system.wires)
-    own = [f"messages.{classes[name]}" for name in program.received_besides]
+    besides = [*program.received_besides, *(message.wire.name for message in watched(system))]
+    own = [f"messages.{classes[name]}" for name in besides]
     return (*own, *(["*KINDS"] if received_beside(system) else []))
 
 

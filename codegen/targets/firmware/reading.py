@@ -6,7 +6,8 @@ from fractions import Fraction
 
 from codegen.model.conversion import Factor
 from codegen.model.payload_code import ELEMENT, UNKNOWN, each_element, indented
-from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Represented, Returns, Threshold
+from codegen.model.trust import Threshold
+from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Represented, Returns
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.summing import CLOCK_MASK, begun, summed
 from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, factor_words
@@ -147,7 +148,7 @@ def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Itera
     yield f"if {code.word(name, reading.word('is_set'))}:"
     yield f"    # Code sets it; that is forgotten {represented.stale_after_ms} ms later{cited}."
     yield f"    {failures} = {failures} + 1"
-    yield f"    if {failures} > {represented.readings}:"
+    yield f"    if {failures} > {represented.readings(reading.component)}:"
     yield from indented(forgotten(reading, code), 2)
     if reading.returns:
         yield from indented([*_gone(reading.component, reading.returns, code, sums=True)], 2)
@@ -312,11 +313,16 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     gone, counted = code.word(name, "gone"), code.word(name, returns.count.attribute)
     cited = _cited(str(returns.count.citation or ""))
     yield f"# Whether it is {returns.gone.name}; another one may have been put in{cited}."
-    yield "is_gone = 0"
+    least = returns.count.derivation.back_from
+    yield f"is_gone = {gone}" if least else "is_gone = 0"
     source, condition = code.condition(returns.gone)
     assert source
     yield f"if {condition}:"
     yield "    is_gone = 1"
+    if least:
+        own = code.number_of(code.word(name, f"{returns.count.name}_back_from")) if differ(least) else least[0]
+        yield f"if value >= {own}:"
+        yield "    is_gone = 0"
     if forgotten := [*_gone(component, returns, code)]:
         yield f"if {gone} or is_gone:"
         yield from indented(forgotten)

@@ -237,6 +237,8 @@ def _own(quantity: Quantity, block: Block) -> Iterator[tuple[str, str]]:
     threshold = quantity.derivation.threshold
     own = {
         f"{quantity.name}_limit": quantity.derivation.own_limits,
+        f"{quantity.name}_floor": quantity.derivation.own_floors,
+        f"{quantity.name}_back_from": quantity.derivation.back_from,
         f"{quantity.attribute}_count": quantity.elements or (),
     }
     if threshold is not None:

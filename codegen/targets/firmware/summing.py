@@ -111,6 +111,17 @@ def _lasting(quantity: Quantity, lasting: Lasting, reading: Basis, code: Spelled
     left = code.word(owner, quantities[lasting.left].attribute)
     number = code.number_of(mean)
     cited = f" ({quantity.citation})" if quantity.citation else ""
+    first, second = lasting.factors(quantities[lasting.left].derivation.remains)
+    found = [f"part = {left} * {first} // part", *_most("part", quantity), f"{word} = part"]
+    if second != 1:  # the product with all of the factor may be no small integer
+        found = [
+            f"{word} = {left} * {first} // part",
+            f"if {word} > {int(quantity.maximum) // second}:",
+            f"    {word} = {int(quantity.maximum) // second}",
+            f"part = {word} * {second} + {left} * {first} % part * {second} // part",
+            *_most("part", quantity),
+            f"{word} = part",
+        ]
     return [
         f"# {quantity.path}: {lasting.left} at the mean of {lasting.at}; unknown while nothing is drawn{cited}.",
         f"part = {number}",
@@ -122,9 +133,7 @@ def _lasting(quantity: Quantity, lasting: Lasting, reading: Basis, code: Spelled
         f"if part <= 0 or {code.number_of(left)} == {UNKNOWN}:",
         f"    {word} = {UNKNOWN}",
         "else:",
-        f"    part = {left} * {lasting.factor} // part",
-        *indented(_most("part", quantity)),
-        f"    {word} = part",
+        *indented(found),
     ]
 
 

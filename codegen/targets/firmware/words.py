@@ -98,8 +98,10 @@ def _words(component: Component) -> Iterator[tuple[str, int]]:
             yield quantity.attribute, quantity.words
         if quantity.ages:
             yield age_word(quantity), 1
-        if differ(quantity.derivation.own_limits):
-            yield f"{quantity.name}_limit", 1
+        own = {"limit": quantity.derivation.own_limits, "floor": quantity.derivation.own_floors}
+        yield from ((f"{quantity.name}_{word}", 1) for word, values in own.items() if differ(values))
+        if differ(quantity.derivation.back_from):
+            yield f"{quantity.name}_back_from", 1
     if component.first_number:
         yield "number", 1
     if any(quantity.derivation.counts_time for quantity in quantities):

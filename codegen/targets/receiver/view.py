@@ -29,6 +29,7 @@ TAKEN = frozenset(
             "age_ms",
             "is_stale",
             "is_contested",
+            "contest",
             CHARGING,
         ),
         *("mean_current_a", "charge_left_ah", "time_left_s", "take", "keep_time"),
@@ -39,6 +40,7 @@ MODULES = frozenset(
     (
         "checksum",
         "consumption",
+        "contest",
         "enum_names",
         "fields",
         "live_fields",

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: a131f88903714b22
+# Inputs: 0f08342d88c7b9e4
 """The program: what the board starts."""
 
 import asyncio

@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/parameters.yaml: do not edit.
-# Inputs: f84a195752e62b43
+# Inputs: c58b4526c9f4728d
 """Parameters of the vehicle, kept as whole steps so that arithmetic with them is exact."""
 
 import struct
@@ -42,6 +42,14 @@ _TABLE = {
         False,
     ),
     "BATT_STATUS_RATE": (
+        0,
+        100,
+        1,
+        10,
+        9,  # real32
+        False,
+    ),
+    "BATT_V2_RATE": (
         0,
         100,
         1,
@@ -106,8 +114,10 @@ class Parameters:
         self.batt_monitor = 3  # 3: Analog Voltage Only
         # Which generation of battery messages is sent; the other one is sent when a ground station asks for it.
         self.batt_report = 0  # 0: Old
-        # Rate of the status, in the generation that BATT_REPORT chooses; 0 switches it off.
+        # Rate of BATTERY_STATUS, where BATT_REPORT chooses the old generation; 0 switches it off.
         self.batt_status_rate = 5  # 0.5 Hz, in steps of 0.1 Hz
+        # Rate of BATTERY_STATUS_V2, where BATT_REPORT chooses the new generation; 0 switches it off.
+        self.batt_v2_rate = 10  # 1 Hz, in steps of 0.1 Hz
         # Pack voltage over the voltage at the ADC pin, set by the divider and calibrated against a meter.
         self.batt_volt_mult = 39500  # 3.95, in steps of 0.0001
         # GPIO number of the pin that the divided battery voltage is connected to.

@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: a81f52debc9cad31
+# Inputs: dd82ce358556a0c5
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -26,7 +26,7 @@ _SIZE = const(28)
 _BATTERY = const(0)
 _BATTERY_SIZE = const(28)
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(5)
@@ -81,9 +81,9 @@ class BatteryState(Component):
     # Voltage of the whole pack [mV]
     # V, or None while it is unknown; FR-00069.1
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 655340, "voltage", 1000)
-    # Current drawn from the pack, negative while charging [cA]
+    # Current drawn from the pack, negative while charging [mA]
     # A, or None while it is unknown; FR-00074.9
-    current_ca, current = number(_BATTERY_CURRENT_CA, -32768, 32767, "current", 100)
+    current_ma, current = number(_BATTERY_CURRENT_MA, -327680, 327670, "current", 1000)
     # Charge drawn since the pack was full [mAh]
     # mAh, or None while it is unknown; FR-00074.9
     consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
@@ -118,7 +118,7 @@ class BatteryState(Component):
     # Whether the pack's voltage is known
     healthy = known(_BATTERY_VOLTAGE_MV)  # FR-00067.3
     # Whether current flows into the pack
-    charging = below(_BATTERY_CURRENT_CA, 0)  # FR-00072.5
+    charging = below(_BATTERY_CURRENT_MA, 0)  # FR-00072.5
     # Whether the pack is too empty to be relied on
     unhealthy = below(_BATTERY_VOLTAGE_MV, 9900)  # FR-00072.5
     # Whether the pack is locked until it has been charged. The gauge chip may know; code that asks it sets it
@@ -126,7 +126,7 @@ class BatteryState(Component):
     # Whether the pack is charged above what its cells stand
     over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
     # Whether the pack is below what its cells stand
-    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000)  # FR-00072.5
+    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000, floor=3000)  # FR-00072.5
     # Whether the pack is warmer than it may be while it is discharged
     hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
     # Whether the pack is colder than it may be while it is discharged
@@ -144,7 +144,7 @@ class BatteryState(Component):
     # Whether a cell is below what it stands, whatever the pack's voltage is
     cell_under_voltage = below(_BATTERY_LOWEST_CELL_MV, 3000)  # FR-00072.5
     # Whether more is drawn than the pack stands for seconds
-    over_current = at_least(_BATTERY_CURRENT_CA, 13200)  # FR-00072.5
+    over_current = at_least(_BATTERY_CURRENT_MA, 132000)  # FR-00072.5
     # What messages call it
     number = whole(_BATTERY_NUMBER)
     # Failed readings in a row

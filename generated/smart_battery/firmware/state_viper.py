@@ -1,6 +1,6 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/parameters.yaml,
 #   specs/smart_battery/state.yaml: do not edit.
-# Inputs: a81f52debc9cad31
+# Inputs: dd82ce358556a0c5
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -95,9 +95,11 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                     battery[_BATTERY_IS_LOGGED] = 1
                     told = 1
                 # Whether it is absent; another one may have been put in (FR-00073.8).
-                is_gone = 0
+                is_gone = battery[_BATTERY_GONE]
                 if value < 3000 and value != _UNKNOWN:
                     is_gone = 1
+                if value >= 6000:
+                    is_gone = 0
                 if battery[_BATTERY_GONE] and is_gone == 0:
                     told |= 2
                     if (battery[_BATTERY_SWAPS_NUMBER] ^ sign) - sign == _UNKNOWN:

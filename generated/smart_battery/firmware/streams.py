@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/streams.yaml: do not edit.
-# Inputs: 85f40312c402bb5d
+# Inputs: aac4f4ebd444856b
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time
@@ -316,7 +316,7 @@ class Streams:
     def _parameter_steps(self):
         """Return what the parameters of the streams are, in steps."""
         parameters = self._state.parameters
-        return [parameters.batt_status_rate, parameters.batt_status_rate]
+        return [parameters.batt_status_rate, parameters.batt_v2_rate]
 
     def _follow_parameters(self, now_ms):
         """Drop what was asked for where the stream's parameter has changed."""
@@ -387,9 +387,12 @@ class Streams:
         if stream == 0:  # HEARTBEAT: 1 Hz (FR-00074.1)
             self._numerator = 1000
             self._denominator = 1
-        elif stream in (1, 2):  # EXTRA1, EXTRA3: BATT_STATUS_RATE sets the rate (FR-00074.3)
+        elif stream == 1:  # EXTRA1: BATT_STATUS_RATE sets the rate (FR-00074.3)
             self._numerator = 10000
             self._denominator = self._state.parameters.batt_status_rate
+        elif stream == 2:  # EXTRA3: BATT_V2_RATE sets the rate (FR-00074.3)
+            self._numerator = 10000
+            self._denominator = self._state.parameters.batt_v2_rate
         elif stream == 3:  # INFO: 0.05 Hz (FR-00074.4)
             self._numerator = 20000
             self._denominator = 1

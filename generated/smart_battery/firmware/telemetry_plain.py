@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml, dialect common: do not edit.
-# Inputs: ca73f0912f036818
+# Inputs: 6757657ac53e137d
 """From the words of the state to the payload of a message, in plain Python: one function for each message.
 
 `value` is at first the time in ms, then each value in turn; `wire` is the payload of a message, `words` are those of
@@ -27,7 +27,7 @@ _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
 _BATTERY_VOLTAGE_MV = const(0)
-_BATTERY_CURRENT_CA = const(1)
+_BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
 _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(5)
@@ -207,14 +207,25 @@ def write_battery_status(value, place, wire, words, instance):
             wire[2 * place + 10] = value & 0xFF
             wire[2 * place + 11] = value >> 8 & 0xFF
 
-    # current_battery [cA]: battery.current (FR-00068.4)
-    value = words[_BATTERY + _BATTERY_CURRENT_CA]
-    if value < -32768:
-        value = -1 if value == _UNKNOWN else -32768  # unknown, or too small
-    elif value > 32767:
-        value = 32767
-    elif value == -1:
-        value = -2  # -1 would read as unknown
+    # current_battery [cA]: battery.current [mA] (FR-00068.4)
+    value = words[_BATTERY + _BATTERY_CURRENT_MA]
+    if value == _UNKNOWN:
+        value = -1  # unknown
+    else:
+        if value < -327681:
+            value = -327681
+        elif value > 327671:
+            value = 327671
+        if value < 0:
+            value = 0 - (5 - value) // 10
+        else:
+            value = (value + 5) // 10
+        if value < -32768:
+            value = -32768
+        elif value > 32767:
+            value = 32767
+        elif value == -1:
+            value = -2  # -1 would read as unknown
     wire[30] = value & 0xFF
     wire[31] = value >> 8 & 0xFF
 
@@ -247,8 +258,13 @@ def write_battery_status(value, place, wire, words, instance):
     wire[38] = value >> 16 & 0xFF
     wire[39] = value >> 24 & 0xFF
 
-    # charge_state: MAV_BATTERY_CHARGE_STATE_UNDEFINED, 0 (FR-00068.6)
+    # charge_state: the first of (FR-00068.6)
+    #   MAV_BATTERY_CHARGE_STATE_CHARGING if battery.charging
+    #   else MAV_BATTERY_CHARGE_STATE_UNDEFINED
     wire[40] = 0
+    value = words[_BATTERY + _BATTERY_CURRENT_MA]
+    if value < 0 and value != _UNKNOWN:
+        wire[40] = 7
 
     # voltages_ext [mV]: battery.cells, from 10 while all are known (FR-00068.6)
     # there are 3: all unknown
@@ -275,13 +291,13 @@ def write_battery_status(value, place, wire, words, instance):
     wire[52] = 0
     wire[53] = 0
     value = words[_BATTERY + _BATTERY_VOLTAGE_MV]
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         wire[50] |= 0x1
     value = words[_BATTERY + _BATTERY_LOWEST_CELL_MV]
     if value < 3000 and value != _UNKNOWN:
         wire[50] |= 0x1
-    value = words[_BATTERY + _BATTERY_CURRENT_CA]
-    if value >= 13200:
+    value = words[_BATTERY + _BATTERY_CURRENT_MA]
+    if value >= 132000:
         wire[50] |= 0x8
     value = words[_BATTERY + _BATTERY_TEMPERATURE_CDEGC]
     if value >= 6000:
@@ -483,15 +499,15 @@ def write_battery_status_v2(value, place, wire, words, instance):
     else:
         put_float(wire, 0, value, 1000)
 
-    # current [A]: battery.current [cA] (FR-00072.4)
-    value = words[_BATTERY + _BATTERY_CURRENT_CA]
+    # current [A]: battery.current [mA] (FR-00072.4)
+    value = words[_BATTERY + _BATTERY_CURRENT_MA]
     if value == _UNKNOWN:  # goes out as NaN
         wire[4] = 0
         wire[5] = 0
         wire[6] = 192
         wire[7] = 127
     else:
-        put_float(wire, 4, value, 100)
+        put_float(wire, 4, value, 1000)
 
     # capacity_consumed [Ah]: battery.consumed [mAh] (FR-00072.4)
     value = words[_BATTERY + _BATTERY_CONSUMED_MAH]
@@ -559,7 +575,7 @@ def write_battery_status_v2(value, place, wire, words, instance):
     if value >= 12750:
         wire[20] |= 0x1
         wire[21] |= 0x2
-    if value < 9000 and value != _UNKNOWN:
+    if value < 9000 and value >= 3000:
         wire[20] |= 0x1
         wire[21] |= 0x4
     if words[_BATTERY + _BATTERY_USED_UP]:
@@ -572,8 +588,8 @@ def write_battery_status_v2(value, place, wire, words, instance):
     if value < 3000 and value != _UNKNOWN:
         wire[20] |= 0x1
         wire[21] |= 0x4
-    value = words[_BATTERY + _BATTERY_CURRENT_CA]
-    if value >= 13200:
+    value = words[_BATTERY + _BATTERY_CURRENT_MA]
+    if value >= 132000:
         wire[20] |= 0x1
         wire[21] |= 0x20
     if value < 0 and value != _UNKNOWN:

@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: c5c59c7e9c5c99e7
+# Inputs: 2d33d39dfb078226
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -9,6 +9,7 @@ import gc
 import time
 
 import machine
+import messages
 from board import Board
 from connection import Connection
 from guard import Guard
@@ -20,6 +21,7 @@ from state import SystemState
 from storage import Storage
 from streams import Streams, open_link
 from texts import Texts
+from twins import watch_twins
 
 CONTROL_US = 50000  # 20 Hz (FR-00071)
 LINKS_US = 50000  # 20 Hz
@@ -126,8 +128,23 @@ class Vehicle:
     # Links and parameters.
 
     def _connect(self, port):
-        link = open_link(port, receivable(), self.parameters.sysid_thismav, self.parameters.compid_batt)
-        return Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
+        link = open_link(
+            port,
+            receivable(messages.SmartBatteryInfo, messages.BatteryInfo),
+            self.parameters.sysid_thismav,
+            self.parameters.compid_batt,
+        )
+        connection = Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
+        # Who uses the same ids is told (FR-00074.10).
+        watch_twins(
+            connection,
+            self.texts,
+            "COMPID_BATT",
+            ((370, 21, 16, 18), (372, 58, 32, 44)),
+            "BATT_ID",
+            range(self.parameters.batt_id, self.parameters.batt_id + 1),
+        )
+        return connection
 
     def _load_parameters(self):
         stored = self.storage.load()

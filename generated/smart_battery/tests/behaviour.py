@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 84dbc34545c81e03
+# Inputs: 3817ebd820ff216d
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -386,7 +386,7 @@ def every_value_allocates_nothing():
     values = (None, 0, 1, -1, 255, -32769, 65534, 65535, 655341, 1073741823, -1073741823)
     quantities = (
         (state.battery, "voltage_mv"),
-        (state.battery, "current_ca"),
+        (state.battery, "current_ma"),
         (state.battery, "consumed_mah"),
         (state.battery, "energy_hj"),
         (state.battery, "remaining_pct"),
@@ -430,10 +430,10 @@ LIMITED = (  # component, attribute, what texts call it, a value within its limi
     ),
     (
         "battery",
-        "current_ca",
+        "current_ma",
         "current",
         5,
-        (-32769, 32768),
+        (-327681, 327671),
     ),
     (
         "battery",
@@ -601,8 +601,8 @@ def extra1_stream_keeps_its_rate():
 def extra3_stream_keeps_its_rate():
     state = known(SystemState(log=Log()))
     state.parameters.batt_report = 2  # both generations
-    for rate in (0, 5, 100):
-        state.parameters.batt_status_rate = rate
+    for rate in (0, 10, 100):
+        state.parameters.batt_v2_rate = rate
         expected = 1 * 40 * rate * 1 // 10
         assert abs(sent_in_40_seconds(state, 369) - expected) <= (expected > 0), rate
 
@@ -636,6 +636,7 @@ def parameters_start_with_their_defaults():
         ("batt_monitor", "BATT_MONITOR", 3, 3.0),
         ("batt_report", "BATT_REPORT", 0, 0.0),
         ("batt_status_rate", "BATT_STATUS_RATE", 5, 0.5),
+        ("batt_v2_rate", "BATT_V2_RATE", 10, 1.0),
         ("batt_volt_mult", "BATT_VOLT_MULT", 39500, 3.95),
         ("batt_volt_pin", "BATT_VOLT_PIN", 26, 26.0),
         ("compid_batt", "COMPID_BATT", 180, 180.0),
@@ -643,7 +644,7 @@ def parameters_start_with_their_defaults():
     ):
         assert getattr(parameters, attribute) == steps, name
         assert abs(parameters.get(name) - value) < 1e-5, name
-    assert len(parameters.names()) == 9
+    assert len(parameters.names()) == 10
 
 
 def parameters_keep_their_limits():

@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: 0d9112c476d298bc
+# Inputs: efd5968f36552cae
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -73,6 +73,7 @@ CRITERIA = {
     "services.request": ("FR-00070.2",),
     "services.restart": ("FR-00070.6",),
     "services.texts": ("FR-00070.8",),
+    "services.twins": ("FR-00074.10",),
     "storage.defaults": ("NFR-00061.2",),
     "storage.kept": ("NFR-00061.1",),
     "storage.over_link": ("NFR-00061.8",),
@@ -121,6 +122,7 @@ MEASURED = (
         "returns": {
             "gone": "absent",
             "below": [3000],
+            "back_from": [6000],
             "count": "swaps_number",
             "title": "Battery",
             "restarting": [],
@@ -200,6 +202,18 @@ PARAMETERS = (
         "name": "BATT_STATUS_RATE",
         "attribute": "batt_status_rate",
         "default": 5,
+        "minimum": 0,
+        "maximum": 100,
+        "numerator": 1,
+        "denominator": 10,
+        "type": 9,
+        "after_restart": False,
+        "choices": (),
+    },
+    {
+        "name": "BATT_V2_RATE",
+        "attribute": "batt_v2_rate",
+        "default": 10,
         "minimum": 0,
         "maximum": 100,
         "numerator": 1,
@@ -295,11 +309,11 @@ STREAMS = (
         "name": "EXTRA3",
         "period_numerator": 0,
         "period_denominator": 1,
-        "parameter": "batt_status_rate",
-        "parameter_name": "BATT_STATUS_RATE",
+        "parameter": "batt_v2_rate",
+        "parameter_name": "BATT_V2_RATE",
         "numerator": 1,
         "denominator": 10,
-        "default": 5,
+        "default": 10,
         "minimum": 0,
         "maximum": 100,
         "data_stream": 12,
@@ -337,7 +351,7 @@ GENERATIONS = (
         "default": 0,
         "old": (147, 370),
         "new": (369, 372),
-        "prices": ((28.95, 36.95), (12.45, 25.45), (41.4, 62.4)),
+        "prices": ((28.95, 36.95), (18.95, 44.95), (47.9, 81.9)),
     },
 )
 
@@ -393,7 +407,7 @@ MESSAGES = {
         "enabled": "monitored",
         "instances": 1,
         "pages": 1,
-        "rate": 0.5,
+        "rate": 1.0,
         "frames": ((13, 39),),
         "on_connection": False,
         "number_at": 26,

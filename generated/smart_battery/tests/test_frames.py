@@ -10,7 +10,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 84dbc34545c81e03
+# Inputs: 3817ebd820ff216d
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

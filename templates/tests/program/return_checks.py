@@ -80,6 +80,17 @@ def gone_and_back_counts_once():
                 assert _texts(craft) == texts, _texts(craft)
 
 
+def _least_count(craft, measured, instance, value):
+    """Return the smallest count that stands for so many stored steps, or more."""
+    attribute = measured["families"]["multiplier"]
+    multiplier = getattr(craft.parameters, attribute[instance] if attribute else measured["multiplier"])
+    steps = (multiplier * measured["numerator"], measured["denominator"])
+    least = 0
+    while (least * steps[0] * 2 + steps[1]) // (steps[1] * 2) < value:
+        least += 1
+    return least
+
+
 def only_what_is_below_the_limit_is_gone():
     """To the stored unit, and by readings: the last count that is enough, and the first that is not."""
     for measured in _returning():
@@ -92,18 +103,33 @@ def only_what_is_below_the_limit_is_gone():
             for value, is_gone in ((limits[instance], False), (limits[instance] - 1, True), (None, False)):
                 setattr(owner, measured["attribute"], value)
                 assert getattr(owner, measured["returns"]["gone"]) is is_gone, value
-            attribute = measured["families"]["multiplier"]
-            multiplier = getattr(craft.parameters, attribute[instance] if attribute else measured["multiplier"])
-            steps = (multiplier * measured["numerator"], measured["denominator"])
-            least = 0
-            while (least * steps[0] * 2 + steps[1]) // (steps[1] * 2) < limits[instance]:
-                least += 1
+            least = _least_count(craft, measured, instance, limits[instance])
             for count, is_gone in ((least, 0), (least - 1, 1)):
                 wire.source = count << measured["spare_bits"]
                 run(craft, SECOND_US)
                 wire.source = good_count(measured)
                 run(craft, SECOND_US)
                 assert _counts(craft, measured, len(inputs))[instance] == is_gone, (count, is_gone)
+
+
+def what_wavers_comes_back_once():
+    """Readings between both limits change nothing: what is there stays there, and what is gone stays gone."""
+    for measured in _returning():
+        limits = measured["returns"]["back_from"]
+        needs(limits, "a value from which on it is back")
+        start, inputs = _inputs(measured)
+        for instance, wire in enumerate(inputs):
+            craft = start()
+            below = _least_count(craft, measured, instance, measured["returns"]["below"][instance])
+            back = _least_count(craft, measured, instance, limits[instance])
+            there, between = back << measured["spare_bits"], (back - 1) << measured["spare_bits"]
+            least = below << measured["spare_bits"]
+            back_again = ((there, 1), (between, 1), (least, 1), (there, 1))
+            gone = ((least, 0), (between, 0), (0, 0), (least, 0), (between, 0))
+            for count, returned in gone + back_again:
+                wire.source = count
+                run(craft, SECOND_US)
+                assert _counts(craft, measured, len(inputs))[instance] == returned, count
 
 
 def a_failed_reading_says_nothing():
@@ -222,6 +248,7 @@ def one_that_is_gone_allocates_nothing():
 CHECKS = (
     (gone_and_back_counts_once, "quantity.returns"),
     (only_what_is_below_the_limit_is_gone, "quantity.returns"),
+    (what_wavers_comes_back_once, "quantity.returns"),
     (a_failed_reading_says_nothing, "quantity.returns"),
     (put_in_after_the_start, "quantity.returns"),
     (counting_begins_anew, "quantity.returns"),
