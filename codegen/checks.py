@@ -2,12 +2,14 @@
 
 import pkgutil
 from collections.abc import Callable, Iterator
+from functools import cache
 from importlib import import_module
 from typing import Any
 
 from codegen.diagnostics import Diagnostic
 
 
+@cache
 def checks_in(package: str) -> tuple[Callable[[Any], Iterator[Diagnostic]], ...]:
     """The functions ``check`` of a package, in the order of its modules' names; these are imported only now."""
     names = sorted(info.name for info in pkgutil.iter_modules(import_module(package).__path__))

@@ -1,13 +1,14 @@
 """The way of the data for claims: documents, and the dialect or the project that they are compared with."""
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from codegen.claims import check_claims
 from codegen.claims.reading import Reading, Reference, read_document
 from codegen.claims.unknown_names import unknown_names
+from codegen.claims.worked.listing import Number, numbers
 from codegen.codec import read_codec_dialect
 from codegen.decode.known_dialects import taken_elsewhere
 from codegen.diagnostics import Report
@@ -37,7 +38,7 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
             sizes += [sent[name]] if name in sent else []
             sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
     listed = listed_messages(systems[0].spec, Report())
-    return Reference(systems[0].dialect, sent, listed, _parameters(systems), _rates(systems))
+    return Reference(systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems))
 
 
 def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
@@ -94,6 +95,14 @@ def check_documents(paths: Iterable[str], reference: Reference, report: Report) 
             report.extend(finding for finding in found if finding.place not in told)
             read.append(path)
     return read
+
+
+def example_numbers(paths: Iterable[str], reference: Reference) -> Iterator[Number]:
+    """The numbers of the worked examples of documents that can be read, and what is found when each is changed."""
+    for path in dict.fromkeys(os.path.abspath(path) for path in paths):
+        text = read_text(path, Report())
+        if text is not None:
+            yield from numbers(text, with_other_dialects(read_document(text, path, reference)))
 
 
 def with_other_dialects(reading: Reading) -> Reading:

@@ -17,6 +17,7 @@ from codegen.load.prose import CodeBlock, Passage, Prose, read_prose
 from codegen.model.dialect import Dialect, EnumDefinition, KnownMessage, WireMessage
 from codegen.model.price import Range
 from codegen.model.stated_parameter import StatedParameter
+from codegen.model.system import System
 from codegen.resolve.wire import wire_message
 from codegen.source import Place
 
@@ -45,7 +46,7 @@ class Reference:
 
     ``sent`` has the bytes of whole frames as the project sends them, by message; ``listed`` are messages of other
     dialects that it knows of, ``parameters`` what its programs say of each of theirs, ``rates`` at how many Hz
-    each sends a message at first.
+    each sends a message at first, ``systems`` these programs.
     """
 
     dialect: Dialect
@@ -53,6 +54,7 @@ class Reference:
     listed: tuple[KnownMessage, ...] = ()
     parameters: Mapping[str, tuple[StatedParameter, ...]] = field(default_factory=dict)
     rates: Mapping[str, tuple[Fraction, ...]] = field(default_factory=dict)
+    systems: tuple[System, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from codegen.cli.output import add_format_option
 
 if TYPE_CHECKING:
     from codegen.claims.reading import Reference
+    from codegen.claims.worked.listing import Number
     from codegen.diagnostics import Report
 
 
@@ -29,6 +30,11 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     )
     add_format_option(parser)
     parser.add_argument("--waived", action="store_true", help="print waived findings, too, and not only their number")
+    parser.add_argument(
+        "--examples",
+        action="store_true",
+        help="list the numbers of worked examples that nothing computes: those that could be others without a finding",
+    )
     parser.set_defaults(run=run)
 
 
@@ -40,6 +46,9 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.dialect is not None and not arguments.documents:
         print("codegen check: --dialect goes with documents; a project names its own", file=sys.stderr)
         return 2
+    if arguments.examples and arguments.format != "text":
+        print("codegen check: --examples is a list for people; it does not go with --format", file=sys.stderr)
+        return 2
     if project is None and not arguments.documents:
         return report_no_project()
     from codegen.cli.findings import print_findings
@@ -49,13 +58,14 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.load.confined import confined
 
     report = Report()
+    listed: list[Number] = []
     with working("reading and checking"):
         if arguments.documents:
-            files = _check_documents(arguments, project, report)
+            files = _check_documents(arguments, project, report, listed)
         else:
             assert project is not None
             with confined(folders_of(project)):
-                files = _check_project(project, report)
+                files = _check_project(project, report, listed if arguments.examples else None)
         if project is not None:
             from codegen.cli.waived import waivers_of, with_waivers
 
@@ -63,11 +73,13 @@ def run(arguments: argparse.Namespace) -> int:
             with confined(folders_of(project)):
                 report = with_waivers(report, waivers, _claim_rules() if waivers else (), files)
     print_findings(report, arguments.format, shows_waived=arguments.waived)
+    if arguments.examples:
+        _print_examples(listed)
     return report.exit_code
 
 
-def _check_project(project: str, report: "Report") -> list[str]:
-    """Report on the specification and on its own documents, which are returned."""
+def _check_project(project: str, report: "Report", listed: "list[Number] | None") -> list[str]:
+    """Report on the specification and on its own documents, which are returned; their examples go to ``listed``."""
     from codegen import pipeline
 
     systems = pipeline.read_systems(project, report)
@@ -81,15 +93,41 @@ def _check_project(project: str, report: "Report") -> list[str]:
     reference = documents.project_reference(systems)
     if reference is None:
         return []
-    return documents.check_documents(documents.project_documents(systems), reference, report)
+    own = documents.project_documents(systems)
+    if listed is not None:
+        listed.extend(documents.example_numbers(own, reference))
+    return documents.check_documents(own, reference, report)
 
 
-def _check_documents(arguments: argparse.Namespace, project: str | None, report: "Report") -> list[str]:
+def _check_documents(
+    arguments: argparse.Namespace, project: str | None, report: "Report", listed: "list[Number]"
+) -> list[str]:
     """Report on the claims of the documents that the arguments name; returns those that could be read."""
     from codegen import documents
 
     reference = _reference(arguments.dialect, project, report)
-    return [] if reference is None else documents.check_documents(arguments.documents, reference, report)
+    if reference is None:
+        return []
+    if arguments.examples:
+        listed.extend(documents.example_numbers(arguments.documents, reference))
+    return documents.check_documents(arguments.documents, reference, report)
+
+
+def _print_examples(listed: "list[Number]") -> None:
+    """Print the numbers that nothing computes, those of a row or a sentence on one line, and how many there are."""
+    from itertools import groupby
+
+    from codegen.findings.text import printable
+
+    unknown = [each for each in listed if not each.is_computed]
+    for _, run in groupby(unknown, lambda each: (each.place.file, each.place.line)):
+        row = list(run)
+        written = ", ".join(f"{each.amount.written} {each.amount.unit.name}".strip() for each in row)
+        print(f"{printable(row[0].place.shown())}: not computable: {printable(written)}")
+    computed = len(listed) - len(unknown)
+    print(end="", flush=True)
+    counted = f"{len(listed)} numbers in worked examples: {computed} recomputed, {len(unknown)} not computable"
+    print(counted, file=sys.stderr)
 
 
 def _reference(dialect: str | None, project: str | None, report: "Report") -> "Reference | None":

@@ -31,7 +31,7 @@ ALLOWED = {
             *("codegen/targets/pages/program.py", "templates/pages/program.html.j2"),
             *("codegen/claims/cast.py", "codegen/claims/field_notes.py", "codegen/claims/sentinel.py"),
             *("codegen/claims/columns.py", "codegen/claims/number_columns.py", "codegen/claims/parameters.py"),
-            "codegen/claims/structure.py",
+            *("codegen/claims/structure.py", "codegen/claims/worked/examples.py"),
             *("codegen/explain.py", "codegen/explained_receptions.py", "codegen/explained_text.py"),
             *("codegen/importing/answer.py", "codegen/importing/columns.py", "codegen/importing/comparison.py"),
             *("codegen/importing/drift.py", "codegen/importing/number.py", "codegen/importing/proposal.py"),

@@ -26,6 +26,11 @@ EDITS = [
     (STORAGE, "All 39 parameters", "All 13 parameters", "claim-parameter: there are 10 or 39 parameters, not 13"),
     (SERVICES, "The list of 39 parameters", "The list of 13 parameters", "claim-parameter: there are 10 or 39 parameters, not 13"),
     (DECISION, "is streamed at 2 Hz", "is streamed at 3 Hz", "claim-rate: BATTERY_STATUS is sent at 0.5 Hz or 2 Hz, not 3 Hz"),
+    (VOLTAGE, "| 3000 | 3.95 | 9.549451 | 9549 |", "| 3000 | 3.95 | 9.549451 | 9559 |", "claim-example: count 3000 is 9549 mV, not 9559"),
+    (VOLTAGE, "| 13.035 V |", "| 14.035 V |", "claim-example: full scale is 13.035 V or 3.300 V, not 14.035"),
+    (STORAGE, "All 39 parameters, v2 | 1443 bytes", "All 39 parameters, v2 | 999 bytes", "the list of 39 parameters is 1443 bytes, not 999"),
+    (TELEMETRY, "| 12000 | 12000 |", "| 12000 | 12001 |", "claim-example: voltages[0] of 12000 is 12000, not 12001"),
+    (TELEMETRY, "at 2 Hz, v2 | 96 bytes/s", "at 2 Hz, v2 | 97 bytes/s", "claim-example: BATTERY_STATUS at 2 Hz is 96 bytes/s, not 97"),
     (PACK, "HEARTBEAT is sent at 1 Hz", "HEARTBEAT is sent at 3 Hz", "claim-rate: HEARTBEAT is sent at 1 Hz, not 3 Hz"),
 ]  # fmt: skip
 
