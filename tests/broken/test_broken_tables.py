@@ -671,6 +671,13 @@ def check_place(case: Case, folder: Path, monkeypatch, capsys) -> None:
     assert [item.name for item in (folder / "generated").iterdir()] == ["keep.txt"]
 
 
+def about_their_drafts(cases):
+    """The cases, those about a table of upstream's message with the draft that they are about."""
+    draft = pytest.mark.draft("battery_upstream")
+    table = "messages/battery_status_v2.yaml"
+    return [pytest.param(each, marks=draft if table in each.file + (each.at or "") else ()) for each in cases]
+
+
 def name_of(case: Case) -> str:
     return f"{case.rule}-{case.file.rpartition('/')[2]}"
 
