@@ -109,12 +109,12 @@ def check_documents(paths: Iterable[str], reference: Reference, report: Report) 
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = read_text(path, report)
         if text is not None:
-            report.extend(finding for finding in _found(text, path, reference) if finding.place not in told)
+            report.extend(finding for finding in found_claims(text, path, reference) if finding.place not in told)
             read.append(path)
     return read
 
 
-def _found(text: str, path: str, reference: Reference) -> list[Diagnostic]:
+def found_claims(text: str, path: str, reference: Reference) -> list[Diagnostic]:
     """What is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
     reading = read_document(text, path, reference)
     found: list[Diagnostic] = []
