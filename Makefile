@@ -51,9 +51,11 @@ lint: $(INSTALLED)
 benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
 	$(BIN)/python benchmarks/report.py
 
-# Some ten minutes; docs/conformance.md says what was compared with pymavlink.
-conformance: $(INSTALLED) $(MICROPYTHON32)
+# Some ten minutes; docs/conformance.md says what was compared with pymavlink. Then the drafts that specs/codegen.yaml can list
+# are switched through, each with all tests that are not about another one: as long as `make test`, for each.
+conformance: $(INSTALLED) $(MICROPYTHON32) $(STATIONS) $(RELEASES) browser valgrind
 	$(BIN)/python benchmarks/conformance.py --write
+	$(BIN)/python benchmarks/alternatives.py --tests tests
 
 # docs/reference.md has every key of the specification, as the schemas state it; a test holds it to them.
 reference: $(INSTALLED)

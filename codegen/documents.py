@@ -4,18 +4,22 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache, partial
 
 from codegen.claims import check_claims
+from codegen.claims.overlays import lines_about
 from codegen.claims.reading import Reading, Reference, read_document
 from codegen.claims.unknown_names import unknown_names
 from codegen.claims.worked.listing import Number, numbers
 from codegen.codec import read_codec_dialect
 from codegen.decode.known_dialects import taken_elsewhere
-from codegen.diagnostics import Report
+from codegen.diagnostics import Diagnostic, Report
 from codegen.load.text import read_text
 from codegen.model.price import Range, frame_size
+from codegen.model.spec import Spec
 from codegen.model.stated_parameter import StatedParameter
 from codegen.model.system import System
+from codegen.other_overlays import other_dialect
 from codegen.project_dialect import listed_messages
 
 
@@ -37,8 +41,23 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
             name = message.wire.name
             sizes += [sent[name]] if name in sent else []
             sent[name] = Range(min(size.low for size in sizes), max(size.high for size in sizes))
-    listed = listed_messages(systems[0].spec, Report())
-    return Reference(systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems))
+    spec = systems[0].spec
+    listed = listed_messages(spec, Report())
+    reference = Reference(
+        systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems), spec.project.overlays
+    )
+    others = {name: cache(partial(_with_overlay, reference, spec, name)) for name in spec.other_overlays}
+    return replace(reference, others=others)
+
+
+def _with_overlay(reference: Reference, spec: Spec, overlay: str) -> Reference | None:
+    """What a project would say with an overlay that it does not list; of the messages that differ it sends none."""
+    other = other_dialect(spec, reference.dialect, overlay)
+    if other is None:
+        return None
+    sent = {name: size for name, size in reference.sent.items() if name not in other.messages}
+    rates = {name: rate for name, rate in reference.rates.items() if name not in other.messages}
+    return replace(reference, dialect=other.dialect, sent=sent, rates=rates, systems=())
 
 
 def _rates(systems: Sequence[System]) -> dict[str, tuple[Fraction, ...]]:
@@ -91,8 +110,7 @@ def check_documents(paths: Iterable[str], reference: Reference, report: Report) 
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = read_text(path, report)
         if text is not None:
-            found = check_claims(with_other_dialects(read_document(text, path, reference)))
-            report.extend(finding for finding in found if finding.place not in told)
+            report.extend(finding for finding in found_claims(text, path, reference) if finding.place not in told)
             read.append(path)
     return read
 
@@ -103,6 +121,20 @@ def example_numbers(paths: Iterable[str], reference: Reference) -> Iterator[Numb
         text = read_text(path, Report())
         if text is not None:
             yield from numbers(text, with_other_dialects(read_document(text, path, reference)))
+
+
+def found_claims(text: str, path: str, reference: Reference) -> list[Diagnostic]:
+    """What is wrong in the claims of a text: those about an overlay that is not in use by what holds with it."""
+    reading = read_document(text, path, reference)
+    found: list[Diagnostic] = []
+    elsewhere: set[int] = set()
+    for overlay, lines in lines_about(reading.prose, reference.overlays, reference.others).items():
+        other = reference.others[overlay]()
+        if other is not None:
+            elsewhere |= lines
+            found += check_claims(with_other_dialects(read_document(text, path, other)), lines.__contains__)
+    found += check_claims(with_other_dialects(reading), lambda line: line not in elsewhere)
+    return sorted(found, key=lambda finding: finding.place)
 
 
 def with_other_dialects(reading: Reading) -> Reading:

@@ -2,6 +2,7 @@
 
 import gc
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -9,6 +10,7 @@ import sys
 import tempfile
 import uuid
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -54,6 +56,41 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
     """Let the process that began the run take the cache away."""
     if not hasattr(session.config, "workerinput"):
         shutil.rmtree(CACHE, ignore_errors=True)
+
+
+OTHER_DRAFTS = pytest.StashKey[int]()
+"""How many tests are about drafts that specs/codegen.yaml does not list."""
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the marker known."""
+    config.addinivalue_line("markers", "draft(*overlays): what the test expects holds while specs/ list these overlays")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is about a draft that is not in use; with the shipped choice that is nothing."""
+    listed = set(re.findall(r"(?m)^  - dialects/(\w+)\.xml$", (ROOT / "specs" / "codegen.yaml").read_text()))
+    others = [
+        item for item in items if not {name for mark in item.iter_markers("draft") for name in mark.args} <= listed
+    ]
+    config.stash[OTHER_DRAFTS] = len(others)
+    if hasattr(config, "workeroutput"):
+        config.workeroutput["other_drafts"] = len(others)
+    if others:
+        config.hook.pytest_deselected(items=others)
+        items[:] = [item for item in items if item not in set(others)]
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """Take over what a worker of xdist left out; each of them collects everything."""
+    node.config.stash[OTHER_DRAFTS] = getattr(node, "workeroutput", {}).get("other_drafts", 0)
+
+
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    """Say how many tests were left out."""
+    if number := config.stash.get(OTHER_DRAFTS, 0):
+        terminalreporter.write_line(f"{number} tests are about drafts that specs/codegen.yaml does not list: not run")
 
 
 @pytest.fixture(scope="session")

@@ -3,20 +3,22 @@
 A module with a function ``check`` that lies here is run; nothing lists it.
 """
 
+from collections.abc import Callable
+
 from codegen.checks import checks_in
 from codegen.claims.reading import Reading, merged
 from codegen.claims.worked.examples import EXAMPLE
 from codegen.diagnostics import Diagnostic
 
 
-def check_claims(reading: Reading) -> list[Diagnostic]:
-    """What is wrong in a document, in its order; each claim once, with the places that repeat it.
+def check_claims(reading: Reading, is_judged: Callable[[int], bool] = lambda _: True) -> list[Diagnostic]:
+    """What is wrong in the lines of a document, in its order; each claim once, with the places that repeat it.
 
     Of a number that another rule tells already, nothing is said as part of a worked example.
     """
     quoted = reading.quoted_as_wrong
     found = (finding for check in checks_in(__name__) for finding in check(reading))
-    told = merged(finding for finding in found if finding.place.line not in quoted)
+    told = merged(each for each in found if each.place.line not in quoted and is_judged(each.place.line))
     others = {
         place for each in told if each.rule is not EXAMPLE for place in (each.place, *(at for at, _ in each.related))
     }

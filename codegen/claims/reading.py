@@ -2,7 +2,7 @@
 
 import re
 from bisect import bisect_left
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from fractions import Fraction
 from functools import reduce
@@ -46,7 +46,9 @@ class Reference:
 
     ``sent`` has the bytes of whole frames as the project sends them, by message; ``listed`` are messages of other
     dialects that it knows of, ``parameters`` what its programs say of each of theirs, ``rates`` at how many Hz
-    each sends a message at first, ``systems`` these programs.
+    each sends a message at first, ``systems`` these programs. ``overlays`` are those of the project, as it writes them,
+    ``others`` those that it could list: by name what documents are compared with then, or None where that cannot be
+    told.
     """
 
     dialect: Dialect
@@ -55,6 +57,8 @@ class Reference:
     parameters: Mapping[str, tuple[StatedParameter, ...]] = field(default_factory=dict)
     rates: Mapping[str, tuple[Fraction, ...]] = field(default_factory=dict)
     systems: tuple[System, ...] = ()
+    overlays: tuple[str, ...] = ()
+    others: Mapping[str, "Callable[[], Reference | None]"] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from codegen.decode.board_model import FOLDER, OWN, board_model_path
 from codegen.decode.decoded import decoded
+from codegen.decode.overlays import Overlays
 from codegen.decode.programs import PROGRAM_ALONE, ListedProgram
 from codegen.decode.record import decode_record
 from codegen.decode.record_file import decode_record_file, decode_record_text
@@ -17,7 +18,7 @@ from codegen.decode.unread import DRIVERS, READ_BY_OTHERS, hint_for_unread
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
 from codegen.load.text import FILE_NOT_READABLE, decode_text, read_bytes
-from codegen.load.trees import exists, file_names, is_file, why_not_listed
+from codegen.load.trees import exists, file_names, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
 from codegen.model.board_spec import BoardSpec
@@ -58,11 +59,6 @@ DUPLICATE_TABLE = Rule(
     "Two tables of messages have the same name, so it is ambiguous what is sent, or taken: they are for the same "
     "message, or say "
     "the same 'as'. Merge them into one, or give one of them a name of its own with 'as: NAME'.",
-)
-UNKNOWN_OVERLAY = Rule(
-    "unknown-overlay",
-    "A population table or a correction is for an overlay that does not exist, so it would never be used. The path is "
-    "written as in codegen.yaml, relative to that file.",
 )
 NO_TABLE = Rule(
     "no-table",
@@ -120,6 +116,7 @@ class _SpecReader:
         self._base_file = program.base.place.file if program else project_file
         self._base = os.path.dirname(self._base_file)
         self._report = report
+        self._overlays = Overlays(self._base, report)
         self._hashes: dict[str, str] = {}
         self._unused_tables: dict[str, str] = {}  # their overlays, by name
         self._has_broken_table = False
@@ -135,7 +132,7 @@ class _SpecReader:
             message = f"there is no {', '.join(self._missing[:-1])} and {self._missing[-1]} beside it"
             hint = "codegen init FOLDER writes a project that has them all"
             self._report.add(INCOMPLETE_PROJECT, Place(self._project_file), message, hint)
-        state = self._fixed("state.yaml", StateSpec)
+        state = self._overlays.state(self._fixed("state.yaml", StateSpec), project)
         board = self._fixed("board.yaml", BoardSpec)
         board_model = None if board is None else self._board_model(board)
         drivers, broken_drivers = self._drivers(board)
@@ -178,6 +175,8 @@ class _SpecReader:
             commands=commands,
             drivers=drivers,
             broken_drivers=broken_drivers,
+            other_overlays=tuple(sorted(self._overlays.others)),
+            other_corrections=tuple(self._overlays.spare),
         )
 
     def _main_project(self) -> Project | None:
@@ -263,7 +262,7 @@ class _SpecReader:
             if table is None:
                 self._has_broken_table = True
                 continue
-            if not self._is_used(table, table.overlay, project):
+            if not self._overlays.is_used(table, table.overlay, project):
                 assert table.overlay is not None
                 self._unused_tables[table.name] = table.overlay
                 continue
@@ -283,7 +282,7 @@ class _SpecReader:
         tables: dict[str, ReceiveSpec] = {}
         for path in self._listed("receives", (".yaml",)):
             table = self._record(path, ReceiveSpec, Place(path))
-            if table is None or not self._is_used(table, table.overlay, project):
+            if table is None or not self._overlays.is_used(table, table.overlay, project):
                 continue
             first = tables.setdefault(table.name, table)
             if first is not table:
@@ -322,21 +321,10 @@ class _SpecReader:
             assert project is not None
             decoded = self._record(self._path(name), CorrectionsSpec, project.at(f"corrections[{index}]"))
             for correction in decoded.corrections if decoded else ():
-                if self._is_used(correction, correction.overlay, project):
+                if self._overlays.is_applied(correction, project):
                     corrections.append(correction)
             refusals += decoded.refuse if decoded else ()
         return tuple(corrections), tuple(refusals)
-
-    def _is_used(self, record: Written, overlay: str | None, project: Project | None) -> bool:
-        """Whether the project has the overlay for which a record is written; one that is no file is reported."""
-        if overlay is None:
-            return True
-        path = self._path(overlay)
-        if not is_file(path):
-            names = [f"dialects/{os.path.basename(found)}" for found in self._listed("dialects", (".xml",))]
-            hint = did_you_mean(overlay, names)
-            self._report.add(UNKNOWN_OVERLAY, record.at("overlay"), f"there is no overlay {overlay}", hint)
-        return project is not None and path in {self._path(name) for name in project.overlays}
 
     def _requirements(self) -> tuple[Requirement, ...]:
         requirements = []

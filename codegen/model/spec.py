@@ -288,7 +288,8 @@ class Spec:
 
     ``folder`` is its absolute path; ``files`` maps the absolute path of every file that was read to the sha256 of
     its content with line ends of LF, in the order of the paths. A further program has its name in ``program``;
-    ``folder`` is then that of its base, and ``own_folder`` its own, of which the files come first.
+    ``folder`` is then that of its base, and ``own_folder`` its own, of which the files come first. ``other_overlays``
+    are those that something is written for and that are not listed, ``other_corrections`` the corrections among that.
     """
 
     folder: str
@@ -311,6 +312,8 @@ class Spec:
     commands: CommandsSpec | None = None
     drivers: Mapping[str, OwnDriver] = field(default_factory=dict)
     broken_drivers: frozenset[str] = frozenset()
+    other_overlays: tuple[str, ...] = ()
+    other_corrections: tuple[Correction, ...] = ()
 
     def path(self, name: str) -> str:
         """The absolute path of the file that is used under this name."""

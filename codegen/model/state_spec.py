@@ -17,6 +17,10 @@ class QuantitySpec(Written):
     """One quantity of the vehicle state, kept by the firmware as an integer of ``stored`` units."""
 
     doc: str = described("What the quantity is, for people.")
+    overlay: str | None = described(
+        "Overlay for which the quantity is there, as codegen.yaml names it; without that overlay there is none of it.",
+        default=None,
+    )
     called: str | None = described(
         "What texts say of it when the vehicle is not armed, as in: below minimum arming capacity. Default: its name.",
         default=None,

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 1ca89c2dbaf3c448
+# Inputs: f7f2e4837a2b2749
 """The current of the battery: imported only where it is measured.
 
 The board gets `read_battery_current_adc()` by connect(), and behind() lets the state take readings

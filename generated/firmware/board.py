@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: 1ca89c2dbaf3c448
+# Inputs: f7f2e4837a2b2749
 """The hardware: Raspberry Pi Pico 2 W (RP2350)."""
 
 import machine

@@ -3,7 +3,7 @@
 #   specs/messages/battery_status_v2.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, dialect common: do not edit.
-# Inputs: 4611330225b742ff
+# Inputs: 3030aa0d26480019
 """Messages as the dialect lays them out; what each field is stands with its class."""
 
 from message import Message

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 5d5af8e74e8eaee1
+# Inputs: 5cd61e04175b4fa9
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/streams.yaml: do not edit.
-# Inputs: aaada83436066500
+# Inputs: eefe9b0a84f393cf
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time

@@ -1,7 +1,7 @@
 # Generated from specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
 #   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
 #   specs/messages/smart_battery_info.yaml, dialect common: do not edit.
-# Inputs: 9c465ecfa67e8b81
+# Inputs: f5f0934fe05ce977
 """The fields of the messages in messages.py, by their ids, in wire order; fields.py says what the words mean."""
 
 FIELDS = {

@@ -2,13 +2,14 @@
 #   specs/dialects/battery_info_upstream.xml, specs/dialects/battery_upstream.xml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_faults_rfc_0018.yaml,
 #   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
 #   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
 #   specs/messages/battery_status_v2_rfc_0018.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 7fba1d6c8610d7ee
+# Inputs: a193dabba3cda5b3
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500

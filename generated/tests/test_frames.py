@@ -2,13 +2,14 @@
 #   specs/dialects/battery_info_upstream.xml, specs/dialects/battery_upstream.xml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_faults_rfc_0018.yaml,
 #   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_info.yaml,
 #   specs/messages/battery_status.yaml, specs/messages/battery_status_v2.yaml,
 #   specs/messages/battery_status_v2_rfc_0018.yaml, specs/messages/heartbeat.yaml,
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: ac4330ae39f9306c
+# Inputs: ae5c8317fc164d4c
 """Every case's frames, byte for byte as pymavlink encodes the expected values, on both interpreters."""
 
 import json

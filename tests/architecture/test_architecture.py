@@ -57,6 +57,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sides": {"project_files", *READING, "model", *GROUND},
     "trace": {"targets", "render", "comment", "fingerprint", "model", *GROUND},
     "project_dialect": {*READING, "model", *GROUND},
+    "other_overlays": {"project_dialect", *READING, "model", *GROUND},
     "pipeline": {
         *READING,
         "project_dialect",
@@ -73,7 +74,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     },
     "claims": {"checks", "fingerprint", *READING, "model", *GROUND},
     "bench": {"targets", "model", *GROUND},
-    "documents": {"pipeline", "project_dialect", "claims", "codec", *READING, "model", *GROUND},
+    "documents": {"pipeline", "project_dialect", "other_overlays", "claims", "codec", *READING, "model", *GROUND},
     "codec": {*READING, "targets", "model", *GROUND},
     "depfile": set(),
     "start": {"decode", "load", "template_files", "model", *GROUND},

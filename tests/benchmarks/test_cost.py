@@ -18,7 +18,13 @@ def test_every_workload_is_stored() -> None:
     assert all(figure.value for figure in STORED.values())
 
 
-@pytest.mark.parametrize("script", cost.SCRIPTS)
+OF_DRAFTS = pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
+"""What is stored of the firmware was counted with these."""
+
+
+@pytest.mark.parametrize(
+    "script", [pytest.param(each, marks=OF_DRAFTS if each == "firmware" else ()) for each in cost.SCRIPTS]
+)
 def test_instructions_are_not_more_than_stored(script: str, tmp_path: Path) -> None:
     """Up to 3 % more are none; else the change is to be mended, or `make benchmarks` stores the new figure."""
     if shutil.which("valgrind") and cost.problem():

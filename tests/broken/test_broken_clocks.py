@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from test_broken_tables import Case, check_place, name_of
+from test_broken_tables import Case, about_their_drafts, check_place, name_of
 
 from codegen.cli import main
 
@@ -23,7 +23,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize("case", CASES, ids=name_of)
+@pytest.mark.parametrize("case", about_their_drafts(CASES), ids=name_of)
 def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
     """The rule, the place and the words are right, the exit code is not 0, and nothing is written."""
     check_place(case, tmp_path, monkeypatch, capsys)

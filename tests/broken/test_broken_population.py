@@ -5,7 +5,7 @@ The cases are written as those of ``test_broken_tables``.
 
 import pytest
 from test_broken_tables import BATTERY as STATUS
-from test_broken_tables import SYS, Case, check_place, name_of
+from test_broken_tables import SYS, Case, about_their_drafts, check_place, name_of
 
 CELLS = "messages/battery_cell_voltages.yaml"
 OVER = "at_least: discharge_maximum_burst_current"
@@ -126,7 +126,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize("case", CASES, ids=name_of)
+@pytest.mark.parametrize("case", about_their_drafts(CASES), ids=name_of)
 def test_is_reported_at_its_place(case, tmp_path, monkeypatch, capsys):
     """The rule, the place and the words are right, the exit code is not 0, and nothing is written."""
     check_place(case, tmp_path, monkeypatch, capsys)

@@ -9,12 +9,11 @@ import pytest
 
 from codegen import pipeline
 from codegen.catalogue import rule_catalogue
-from codegen.claims import check_claims
-from codegen.claims.reading import Reference, read_document
+from codegen.claims.reading import Reference
 from codegen.cli import main
 from codegen.decode.waivers import decode_waivers
 from codegen.diagnostics import Report
-from codegen.documents import project_reference, with_other_dialects
+from codegen.documents import found_claims, project_reference
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "claims.md").read_text()
@@ -72,6 +71,6 @@ def own() -> Reference:
 def test_documents_of_this_repository_claim_nothing_wrong(own: Reference, path: Path) -> None:
     """Hundreds of figures, among them quotations of documents that are wrong."""
     if path.name != "claims.md":
-        found = check_claims(with_other_dialects(read_document(path.read_text(), str(path), own)))
+        found = found_claims(path.read_text(), str(path), own)
         waived = {waiver.fingerprint for waiver in decode_waivers(str(ROOT / "specs" / "waivers.yaml"), Report())}
         assert [(one.place.line, one.message) for one in found if one.fingerprint not in waived] == []

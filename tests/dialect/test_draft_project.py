@@ -3,6 +3,7 @@
 draft_project/ is the specification without its dialects, which are those of the shipped specification.
 """
 
+import json
 import re
 import shutil
 import subprocess
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 from generated_suite import suite_is_green
 
+from codegen.cli import main
 from codegen.decode.spec import decode_spec
 from codegen.diagnostics import Report
 from codegen.model.system import System
@@ -93,25 +95,62 @@ def test_the_firmware_sends_the_chosen_layout(overlays: tuple[str, ...], tmp_pat
     assert "BATTERY_CELL_VOLTAGES" in (tmp_path / "generated" / "tests" / "cases.json").read_text()
 
 
-@pytest.fixture(scope="module")
-def shipped_with_the_draft(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The shipped specification with the one edit that its project file names, built."""
+CHOICES = {
+    "upstream": (UPSTREAM, CELLS),
+    "draft": (DRAFT, CELLS),
+    "faults": (UPSTREAM, FAULTS),
+}
+"""Which overlays the shipped specification can list; benchmarks/alternatives.py runs whole suites with each."""
+
+
+@pytest.fixture(scope="module", params=CHOICES)
+def shipped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
+    """The shipped specification with the one edit that its project file names, built without a finding."""
     folder = tmp_path_factory.mktemp("shipped")
     shutil.copytree(DIALECTS.parent, folder / "specs")
     file = folder / "specs" / "codegen.yaml"
-    listed = f"  - dialects/{UPSTREAM}.xml\n"
-    assert file.read_text().count(listed) == 1
-    file.write_text(file.read_text().replace(listed, f"  - dialects/{DRAFT}.xml\n"))
+    text = file.read_text()
+    for pair, chosen in zip(((UPSTREAM, DRAFT), (CELLS, FAULTS)), CHOICES[request.param], strict=True):
+        text, number = re.subn(f"(?m)^  - dialects/(?:{'|'.join(pair)}).xml$", f"  - dialects/{chosen}.xml", text)
+        assert number == 1
+    file.write_text(text)
     command = [sys.executable, "-m", "codegen", "build"]
     built = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert (built.returncode, built.stdout) == (0, ""), built.stderr
-    return folder
+    return request.param, folder
 
 
+@pytest.mark.requirement("FR-00072.1", "FR-00072.9", "FR-00076.7", "FR-00076.10")
 @pytest.mark.parametrize("program", ["", "smart_battery"])
-def test_the_shipped_specification_takes_the_draft(program: str, shipped_with_the_draft: Path) -> None:
-    """One line of codegen.yaml: both programs build without a finding, and send the draft's 24 bytes."""
-    generated = shipped_with_the_draft / "generated" / program
-    suite_is_green(generated, "tests/test_frames.py")
-    table = (generated / "docs" / "telemetry.md").read_text().partition("## BATTERY_STATUS_V2 (369)")[2]
-    assert "Payload 24 bytes, CRC_EXTRA 151." in table.partition("## ")[0]
+def test_the_shipped_specification_takes_each_draft(program: str, shipped: tuple[str, Path]) -> None:
+    """One line of codegen.yaml: both programs send what the draft says, 24 bytes of status or one bit for each cell."""
+    choice, folder = shipped
+    generated = folder / "generated" / program
+    if choice != "upstream" or not program:
+        suite_is_green(generated, "tests/test_frames.py", only="BATTERY_STATUS_V2 or BATTERY_CELL_VOLTAGES")
+    sent = (generated / "docs" / "telemetry.md").read_text()
+    for message, wanted in (
+        ("BATTERY_STATUS_V2 (369)", "24 bytes, CRC_EXTRA 151" if choice == "draft" else "27 bytes, CRC_EXTRA 145"),
+        ("BATTERY_CELL_VOLTAGES (54372)", "10 bytes")
+        if choice == "faults"
+        else ("BATTERY_CELL_VOLTAGES (54371)", "28 bytes"),
+    ):
+        assert f"Payload {wanted}" in sent.partition(f"## {message}")[2].partition("## ")[0]
+
+
+def test_each_draft_keeps_the_documents_true(shipped: tuple[str, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    """No claim of a requirement document is wrong with one draft and right with another."""
+    assert main(["check", "--project", str(shipped[1] / "specs")]) == 0, capsys.readouterr().out
+
+
+@pytest.mark.requirement("FR-00076.10")
+def test_faults_that_nobody_tells_are_not_sent(shipped: tuple[str, Path]) -> None:
+    """The draft has no value for unknown: the builder gives nothing until code has set the mask, all of its bits."""
+    choice, folder = shipped
+    cases = json.loads((folder / "generated" / "tests" / "cases.json").read_text())["messages"]
+    about = {each["name"]: each for each in cases if each["name"].startswith("BATTERY_CELL_VOLTAGES.")}
+    quantities = {name for each in about.values() for _, name, *_ in each["set"]}
+    assert ("cell_faults_number" in quantities) == (choice == "faults")
+    if choice == "faults":
+        assert about["BATTERY_CELL_VOLTAGES.fault_mask-maximum"]["expect"]["fault_mask"] == 2**64 - 1
+        assert about["BATTERY_CELL_VOLTAGES.fault_mask-unknown"]["expect"] == {}

@@ -5,9 +5,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
+@pytest.mark.draft("battery_upstream")
 def test_the_price_of_both_generations_is_the_one_in_the_document():
     """Every byte per second; the simulation goes by its own clock, so that each run finds the same."""
     shown = re.search(

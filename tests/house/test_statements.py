@@ -82,11 +82,13 @@ def has(target: str, name: str) -> bool:
     return is_run and name in run
 
 
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
 def test_each_statement_is_met_or_answered() -> None:
     """Rows, criteria and tests hold together; see the other test for what would be found."""
     assert list(faults(DOCUMENT.read_text())) == []
 
 
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
 def test_the_tests_that_are_named_are_collected() -> None:
     """pytest itself says so."""
     named = {(FOLDER / target).resolve().relative_to(ROOT): name for name, target in targets_of_tests()}

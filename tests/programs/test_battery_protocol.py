@@ -43,6 +43,7 @@ def frames_are_green(folder: Path, selection: str) -> None:
     suite_is_green(folder, "generated/tests/test_frames.py", only=selection)
 
 
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
 @pytest.mark.requirement(
     "FR-00074.8", "FR-00076.7", "FR-00076.8", "FR-00072.1", "FR-00072.4", "FR-00072.6", "FR-00068.9"
 )
@@ -52,6 +53,7 @@ def test_the_rover_reports_its_batteries(interpreter: str) -> None:
     check(ROOT / "generated", interpreter, 3)
 
 
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
 @pytest.mark.requirement("FR-00076.7", "FR-00068.3")
 @pytest.mark.parametrize(("cells", "interpreter"), [(14, "cpython"), (28, "micropython")])
 def test_cells_of_a_large_pack(cells: int, interpreter: str, tmp_path: Path) -> None:

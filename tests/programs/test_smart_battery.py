@@ -30,6 +30,7 @@ def run(interpreter, folders, script, *arguments, given="", seconds=100):
     return done.stdout
 
 
+@pytest.mark.draft("battery_upstream")
 @pytest.mark.requirement(
     "FR-00074.1", "FR-00074.2", "FR-00074.3", "FR-00074.4", "FR-00074.6", "FR-00074.7", "FR-00074.9"
 )

@@ -13,7 +13,11 @@ STATUS = ("BATTERY_STATUS", "BATTERY_STATUS_V2")
 @pytest.mark.parametrize(
     ("project", "messages"),
     [
-        ("shipped", {*STATUS, "SMART_BATTERY_INFO", "BATTERY_INFO", "BATTERY_CELL_VOLTAGES"}),
+        pytest.param(
+            "shipped",
+            {*STATUS, "SMART_BATTERY_INFO", "BATTERY_INFO", "BATTERY_CELL_VOLTAGES"},
+            marks=pytest.mark.draft("battery_cell_voltages_rfc_0018"),
+        ),
         ("two_packs", {*STATUS, "SMART_BATTERY_INFO"}),
     ],
 )

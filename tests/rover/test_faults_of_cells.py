@@ -30,6 +30,7 @@ def faults(wire: ModuleType, messages: list[Any]) -> tuple[str, set[str]]:
     return "".join(found), flags
 
 
+@pytest.mark.draft("battery_upstream")
 @pytest.mark.requirement("FR-00072.5", "FR-00068.6")
 @pytest.mark.parametrize("interpreter", ["python", "micropython"])
 def test_a_cell_or_a_current_beyond_its_limit_is_told(wire: ModuleType, interpreter: str) -> None:

@@ -9,6 +9,7 @@ from codegen.cli import main
 ROOT = Path(__file__).resolve().parents[2]
 
 
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
 def test_the_first_example_is_what_the_command_prints(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -3,7 +3,7 @@
 #   specs/messages/protocol_version.yaml, specs/smart_battery/messages/battery_info.yaml,
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml, dialect common: do not edit.
-# Inputs: 3f36cec1ac325b86
+# Inputs: a2c996a0dc92a3e9
 """The fields of the messages in messages.py, by their ids, in wire order; fields.py says what the words mean."""
 
 FIELDS = {

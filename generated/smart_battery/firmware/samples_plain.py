@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/state.yaml: do not edit.
-# Inputs: 1d9b97369c0121e9
+# Inputs: e225ae5060b1835f
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -5,7 +5,7 @@
 #   specs/smart_battery/messages/heartbeat.yaml,
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/streams.yaml: do not edit.
-# Inputs: aac4f4ebd444856b
+# Inputs: 1df7f316e517b18a
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
 import time

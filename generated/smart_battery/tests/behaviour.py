@@ -2,6 +2,7 @@
 #   specs/dialects/battery_info_upstream.xml, specs/dialects/battery_upstream.xml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_faults_rfc_0018.yaml,
 #   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_status.yaml,
 #   specs/messages/battery_status_v2.yaml, specs/messages/battery_status_v2_rfc_0018.yaml,
 #   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
@@ -10,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 3817ebd820ff216d
+# Inputs: 14b5828966256a21
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.

@@ -2,6 +2,7 @@
 #   specs/dialects/battery_info_upstream.xml, specs/dialects/battery_upstream.xml,
 #   specs/dialects/corrections_rfc_0018.yaml, specs/dialects/protocol_version.xml,
 #   specs/dialects/upstream.xml, specs/messages/autopilot_version.yaml,
+#   specs/messages/battery_cell_faults_rfc_0018.yaml,
 #   specs/messages/battery_cell_voltages.yaml, specs/messages/battery_status.yaml,
 #   specs/messages/battery_status_v2.yaml, specs/messages/battery_status_v2_rfc_0018.yaml,
 #   specs/messages/protocol_version.yaml, specs/smart_battery/board.yaml,
@@ -10,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: efd5968f36552cae
+# Inputs: f3a00c0e0052a1c8
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
