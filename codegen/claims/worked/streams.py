@@ -19,7 +19,7 @@ BYTES, PER_SECOND, HERTZ, SECOND = (unit_named(name) for name in ("bytes", "byte
 _PARAMETERS = re.compile(r"\b(?:all|list of(?: the)?) (?P<count>\d{1,4}) parameters\b", re.IGNORECASE)
 _BAUD = re.compile(r"\b(?P<baud>[1-9]\d{2,6}) baud\b")
 _BITS = re.compile(r"\b(?P<bits>[1-9]\d?) bits per byte\b")
-_SAME = re.compile(r"the same\b", re.IGNORECASE)
+_SAME = re.compile(r"(?:^|: )the same\b", re.IGNORECASE)
 _FRAME, _PAYLOAD = re.compile(r"\bframe\b", re.IGNORECASE), re.compile(r"\bpayload\b", re.IGNORECASE)
 _WHOLE = re.compile(r"\b(?:whole|largest|extended|with extensions)\b", re.IGNORECASE)
 _OTHER = re.compile(r"\bdraft|\bthat text\b|\bof the\b|\bsigned\b", re.IGNORECASE)
@@ -51,7 +51,7 @@ def check(examples: Examples) -> Iterator[Diagnostic]:
         if value is None:
             continue
         said = _said(examples, statement)
-        if said is None and before is not None and _SAME.match(label.text):
+        if said is None and before is not None and _SAME.search(label.text):
             yield from _instance(examples, statement, value, before)
             said = replace(before, is_v1=is_v1(label.text)) if is_v1(label.text) else None
         if said is not None and said.rates:
