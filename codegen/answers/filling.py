@@ -4,7 +4,7 @@ import math
 
 from codegen.model.answer import Elements
 from codegen.model.payload_code import UNKNOWN, PayloadCode, indented
-from codegen.model.scaling import Scaling
+from codegen.model.scaling import Scaling, rounded
 from codegen.model.statements import scaled
 from codegen.model.storage import SMALL_INT_MAX
 from codegen.model.vehicle import Parameter, Quantity
@@ -42,7 +42,12 @@ def fitted(scaling: Scaling, unknown: int | None, why: str = "unknown") -> list[
     """
     if scaling.factor == 1:
         return _limited(scaling, unknown, why)
-    lines = [*_narrowed(scaling), *scaled(scaling.factor, scaling.rounding), *_limited(scaling, None, "")]
+    low, high = scaling.steps
+    ends = [rounded(end * scaling.factor, scaling.rounding) for end in (low, high)]
+    if ends == [int(scaling.low), int(scaling.high)]:  # limited once, before it is scaled
+        lines = [*_between(low, high), *scaled(scaling.factor, scaling.rounding), *_tested(_moved(scaling))]
+    else:
+        lines = [*_narrowed(scaling), *scaled(scaling.factor, scaling.rounding), *_limited(scaling, None, "")]
     if unknown is None:
         return lines
     return [f"if value == {UNKNOWN}:", f"    value = {unknown}  # {why}", "else:", *indented(lines)]
@@ -59,8 +64,17 @@ def _limited(scaling: Scaling, unknown: int | None, why: str) -> list[str]:
         tests.append((f"value < {low}", f"value = {unknown} if value == {UNKNOWN} else {low}  # {why}, or too small"))
     if high < SMALL_INT_MAX:
         tests.append((f"value > {high}", f"value = {high}"))
-    if scaling.hole is not None and low <= scaling.hole <= high:
-        tests.append((f"value == {scaling.hole}", f"value = {scaling.beside}  # {scaling.hole} would read as unknown"))
+    return _tested([*tests, *_moved(scaling)])
+
+
+def _moved(scaling: Scaling) -> list[tuple[str, str]]:
+    """The test for the sentinel within the limits, and what goes out in its place."""
+    if scaling.hole is None or not scaling.low <= scaling.hole <= scaling.high:
+        return []
+    return [(f"value == {scaling.hole}", f"value = {scaling.beside}  # {scaling.hole} would read as unknown")]
+
+
+def _tested(tests: list[tuple[str, str]]) -> list[str]:
     lines: list[str] = []
     for test, statement in tests:
         lines += [f"{'elif' if lines else 'if'} {test}:", f"    {statement}"]
@@ -70,4 +84,8 @@ def _limited(scaling: Scaling, unknown: int | None, why: str) -> list[str]:
 def _narrowed(scaling: Scaling) -> list[str]:
     """Limits in stored steps, one step wider than the field, that keep the product of the scaling small."""
     low, high = math.floor(scaling.low / scaling.factor) - 1, math.ceil(scaling.high / scaling.factor) + 1
+    return _between(low, high)
+
+
+def _between(low: int, high: int) -> list[str]:
     return [f"if value < {low}:", f"    value = {low}", f"elif value > {high}:", f"    value = {high}"]

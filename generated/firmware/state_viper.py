@@ -98,39 +98,40 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                             battery[_BATTERY_HIGHEST_CELL_MV] = value
             told = 0
             count = (battery[_BATTERY_COUNT] ^ sign) - sign
-            value = _UNKNOWN
-            if battery[_BATTERY_IS_SET]:
-                # Code sets it; that is forgotten 5000 ms later (FR-00073.10).
-                battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
-                if battery[_BATTERY_FAILURES] > 50:
-                    battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-                    battery[_BATTERY_TREND_COUNT] = 0
-                    battery[_BATTERY_TREND_NEWER] = 0
-                    battery[_BATTERY_TREND_OLDER] = 0
-                    battery[_BATTERY_CURRENT_MA] = _UNKNOWN
-                    battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
-                    battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
-                    battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
-                    battery[_BATTERY_LEFT_MAH] = _UNKNOWN
-                    battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
-                    count = 0
-                    while count < 3:
-                        battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
-                        count += 1
-                    battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
-                    battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
-                    battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
-                value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
-            elif count < 0 or count > 4095:
-                # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
-                battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
-                if battery[_BATTERY_FAILURES] >= 5:
-                    battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
-                    battery[_BATTERY_TREND_MV_S] = _UNKNOWN
-                    battery[_BATTERY_TREND_COUNT] = 0
-                    battery[_BATTERY_TREND_NEWER] = 0
-                    battery[_BATTERY_TREND_OLDER] = 0
+            if count < 0 or count > 4095:
+                if battery[_BATTERY_IS_SET]:
+                    # Code sets it; that is forgotten 5000 ms later (FR-00073.10).
+                    battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
+                    if battery[_BATTERY_FAILURES] > 50:
+                        battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                        battery[_BATTERY_TREND_COUNT] = 0
+                        battery[_BATTERY_TREND_NEWER] = 0
+                        battery[_BATTERY_TREND_OLDER] = 0
+                        battery[_BATTERY_CURRENT_MA] = _UNKNOWN
+                        battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
+                        battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
+                        battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                        battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                        battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
+                        count = 0
+                        while count < 3:
+                            battery[_BATTERY_CELLS_MV + count] = _UNKNOWN
+                            count += 1
+                        battery[_BATTERY_LOWEST_CELL_MV] = _UNKNOWN
+                        battery[_BATTERY_HIGHEST_CELL_MV] = _UNKNOWN
+                        battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
+                    value = (battery[_BATTERY_VOLTAGE_MV] ^ sign) - sign
+                else:
+                    # A failed reading keeps the last value; 5 in a row make it unknown (FR-00067.3).
+                    battery[_BATTERY_FAILURES] = battery[_BATTERY_FAILURES] + 1
+                    if battery[_BATTERY_FAILURES] >= 5:
+                        battery[_BATTERY_VOLTAGE_MV] = _UNKNOWN
+                        battery[_BATTERY_TREND_MV_S] = _UNKNOWN
+                        battery[_BATTERY_TREND_COUNT] = 0
+                        battery[_BATTERY_TREND_NEWER] = 0
+                        battery[_BATTERY_TREND_OLDER] = 0
+                    value = _UNKNOWN
             else:
                 # count / 4095 * reference * multiplier, rounded to nearest (FR-00069.1).
                 value = count * battery[_BATTERY_MULTIPLIER]

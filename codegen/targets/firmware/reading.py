@@ -101,18 +101,16 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
         later = f"now_ms - {(1 << 30) - stale_ms} & {CLOCK_MASK}"  # a sum may be no small integer
         good.append(f"{code.word(name, reading.word('expires_ms'))} = {later}  # in {stale_ms} ms")
     lasts = _until(lasting) + _cited(measured.cited("invalid_after"))
-    taking = [
-        f"if count < 0 or count > {full_scale}:",
-        f"    # A failed reading keeps the last value{lasts}.",
-        *indented(failed),
-        "else:",
-        *indented(good),
-    ]
+    failed = [f"# A failed reading keeps the last value{lasts}.", *failed]
+    following = [*_followed(reading, code)]
     if measured.derivation.represented is None:
-        taking += indented([*_followed(reading, code)])
-    else:
-        taking = [f"value = {UNKNOWN}", *_set(reading, measured.derivation.represented, code), *_else(taking)]
-        taking += [f"if value != {UNKNOWN}:", *indented([*_followed(reading, code)])]
+        good += following
+        following = []
+    else:  # the count of what code sets is none
+        failed = [*_set(reading, measured.derivation.represented, code), "else:", *indented(failed)]
+        failed.append(f"    value = {UNKNOWN}")
+        following = [f"if value != {UNKNOWN}:", *indented(following)]
+    taking = [f"if count < 0 or count > {full_scale}:", *indented(failed), "else:", *indented(good), *following]
     return [
         *(_aged(reading, code) if reading.is_first else ()),
         "told = 0",
@@ -133,11 +131,6 @@ def _followed(reading: Reading, code: SpelledCode) -> Iterator[str]:
         yield from _returned(reading.component, reading.returns, code)
     if threshold is not None:
         yield from _above(reading, threshold, code)
-
-
-def _else(statements: list[str]) -> list[str]:
-    """Statements that begin with a condition, behind another one."""
-    return [f"el{statements[0]}", *statements[1:]]
 
 
 def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Iterator[str]:

@@ -212,19 +212,15 @@ def write_battery_status(value, place, wire, words, instance):
     if value == _UNKNOWN:
         value = -1  # unknown
     else:
-        if value < -327681:
-            value = -327681
-        elif value > 327671:
-            value = 327671
+        if value < -327680:
+            value = -327680
+        elif value > 327670:
+            value = 327670
         if value < 0:
             value = 0 - (5 - value) // 10
         else:
             value = (value + 5) // 10
-        if value < -32768:
-            value = -32768
-        elif value > 32767:
-            value = 32767
-        elif value == -1:
+        if value == -1:
             value = -2  # -1 would read as unknown
     wire[30] = value & 0xFF
     wire[31] = value >> 8 & 0xFF
