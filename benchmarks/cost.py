@@ -80,7 +80,10 @@ WORKLOADS = (
     Workload("set_field", "codec, set a field by its name", "codec", "set", most=4660),
     Workload("read_field", "codec, read a field as an attribute", "codec", "read"),
     Workload("parse", "codec, receive a BATTERY_STATUS into an object", "codec", "parse", most=8000),
-    Workload("idle", "pass of a link with nothing to do", "link", "idle"),
+    Workload(
+        "control", "pass of the main loop in which control alone is due", "loop", "control", most=round(8000 / CYCLES)
+    ),
+    Workload("idle", "pass of a link with nothing to do", "link", "idle", most=round(6000 / CYCLES)),
     Workload("heartbeat", "a HEARTBEAT arrives: more for that pass", "link", "hear", less="idle"),
     *(
         Workload(

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/udp_port.py: do not edit.
-# Inputs: 204bb4d60ea73769
+# Inputs: 62bd3fea707cca15
 """A port that sends UDP over Wi-Fi.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -62,12 +62,14 @@ class UdpPort:
 
     def read(self):
         """Return the next datagram, None for none."""
-        if self._socket is None or not self._is_ready():
+        if self._socket is None:
             return None
-        data = self._receive()
-        if data is not None:
-            self.received = (self.received + len(data)) & _WRAP
-        return data
+        with self._guard:
+            if self._ready.check():
+                return self._receive()
+        if self._guard.error is not None:
+            self._note(self._guard.error)
+        return None
 
     def write(self, frame):
         """Send a frame as one datagram and return its length, or drop it and return 0."""
@@ -149,14 +151,6 @@ class UdpPort:
         with self._guard:
             self._log(severity, self.name, text, detail)
 
-    def _is_ready(self):
-        is_ready = False
-        with self._guard:
-            is_ready = self._ready.check()
-        if self._guard.error is not None:
-            self._note(self._guard.error)
-        return is_ready
-
     def _is_sent(self, frame):
         with self._guard:
             self._send(frame)
@@ -169,11 +163,8 @@ class UdpPort:
         self._socket.sendto(frame, self.ends[0])
 
     def _receive(self):
-        data = None
-        with self._guard:
-            data, self.ends[1] = self._socket.recvfrom(_LONGEST)
-        if self._guard.error is not None:
-            self._note(self._guard.error)
+        data, self.ends[1] = self._socket.recvfrom(_LONGEST)
+        self.received = (self.received + len(data)) & _WRAP
         return data
 
 

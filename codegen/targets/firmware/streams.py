@@ -16,6 +16,8 @@ from codegen.targets.naming import parameter_attribute
 
 _ROOM = 100
 """Columns of a literal in one line; what it is called stands before it."""
+_LONGEST_INTERVAL_BITS = 21
+"""Milliseconds of the longest interval that a ground station can ask for, 2 ** 30 us, have so many and one less."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +67,7 @@ class StreamsView:
 
     ``component`` is the name of a link's component id. ``chosen`` are the bits of the generations that parameters
     choose, below the lines of ``choosing``; ``or_not_chosen`` goes behind another reason not to stream a message.
+    Nothing is due in more than 2 ** ``furthest_bits`` ms.
     """
 
     system_id: int
@@ -77,6 +80,7 @@ class StreamsView:
     longest: int
     streams: tuple[StreamView, ...]
     periods: tuple[PeriodView, ...]
+    furthest_bits: int
     messages: tuple[SentView, ...]
     ways: tuple[WayView, ...]
     withheld: tuple[SentView, ...]
@@ -119,6 +123,7 @@ def streams_view(system: System) -> StreamsView:
         longest=max((wire.length for wire in system.sent), default=1),
         streams=streams,
         periods=_periods(streams),
+        furthest_bits=max([_LONGEST_INTERVAL_BITS, *(_slowest_ms(stream).bit_length() for stream in streams)]),
         messages=messages,
         ways=ways(messages),
         withheld=tuple(message for message in messages if message.tells),
@@ -143,6 +148,13 @@ def streams_view(system: System) -> StreamsView:
         signs=system.signs,
         places=read_places(system.messages, word_layout(system)),
     )
+
+
+def _slowest_ms(stream: StreamView) -> int:
+    """Return the longest period of a stream that is not off, in whole milliseconds."""
+    if stream.parameter:
+        return 1000 * stream.denominator // (max(stream.minimum, 1) * stream.numerator)
+    return stream.period_numerator // stream.period_denominator
 
 
 def _periods(streams: tuple[StreamView, ...]) -> tuple[PeriodView, ...]:

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: edd30680ffef6d29
+# Inputs: 84d2106b0cd33bb4
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
@@ -23,6 +23,7 @@ _MESSAGES = const(2)  # in a pass
 _FRAMES = const(8)  # of streams in a pass
 _REPLIES = const(8)  # that wait for the port
 _QUIET_MS = const(1000)  # between two texts about faults
+_FORGET_MS = const(1000)  # from one look at who is silent to the next
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
 
@@ -71,6 +72,7 @@ class Connection:
         self._texts = TextSender(self, vehicle.texts)
         self._guard = Guard()
         self._quiet_from_ms = None
+        self._forgot_ms = 0
 
     def run(self, now_ms):
         """Do one pass, at time.ticks_ms(): read, answer, send what is due.
@@ -148,10 +150,12 @@ class Connection:
                 break
             if self._stations is None or self._is_answered(message, now_ms):
                 self.services.handle(message)
-        self.services.listeners.forget_silent(now_ms)
-        self.services.components.forget_silent(now_ms)
-        if self._stations is not None:
-            self._stations.forget_silent(now_ms)
+        if not 0 <= time.ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
+            self._forgot_ms = now_ms
+            self.services.listeners.forget_silent(now_ms)
+            self.services.components.forget_silent(now_ms)
+            if self._stations is not None:
+                self._stations.forget_silent(now_ms)
 
     def _is_answered(self, message, now_ms):
         """Turn to who has sent a message; return whether there is a place for it. No vehicle is a station."""
@@ -173,7 +177,14 @@ class Connection:
     def _serve_all(self, now_ms):
         self._last = None
         for station in self.stations:
-            self._serve(station, now_ms)
+            if (
+                not station.streams.is_idle(now_ms)
+                or station.text != self._log.last
+                or station.said is not None
+                or station.parameter is not None
+                or station.waiting
+            ):
+                self._serve(station, now_ms)
         if self._last is not None:
             self._begin_with(self._last)  # next time others have their share first
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: 1f910ffb51c7377d
+# Inputs: b04b20689719a900
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
 import time
@@ -50,7 +50,7 @@ class Inbox:
                     self._link.give_up()
                     continue
                 self._is_open = False
-            if not self._read() and not self._is_given_up():
+            if not self._read() and (self._state[0] == self._state[1] or not self._is_given_up()):
                 return None
             self._is_open = True
 
@@ -69,11 +69,8 @@ class Inbox:
         return count
 
     def _is_given_up(self):
-        """Give up the frame whose end does not come, if there is one; return whether that was done."""
-        left = self._state[1] - self._state[0]
-        if not left:
-            return False
-        start = (self._total - left) & 0x3FFFFFFF
+        """Give up the frame that is not whole, if its end does not come; return whether that was done."""
+        start = (self._total - self._state[1] + self._state[0]) & 0x3FFFFFFF
         if start != self._start:
             self._start = start
             self._since_ms = self._read_ms

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: f1e70dbb1e50f990
+# Inputs: e3b733937dacb465
 """Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
 
 import time
@@ -20,7 +20,6 @@ class Listeners:
         self._silence_ms = silence_ms
         self.names = array("H", [0] * places)
         self._heard_ms = [0] * places
-        self._looked_at = 0
 
     def hear(self, system, component, now_ms):
         """Note a HEARTBEAT; return whether it is the first of its sender, or the first after a silence.
@@ -33,10 +32,9 @@ class Listeners:
                 is_new = self._age_ms(place, now_ms) >= self._silence_ms
                 self._heard_ms[place] = now_ms
                 return is_new
+        self.forget_silent(now_ms)
         oldest = 0
         for place in range(len(self.names)):
-            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
-                self.names[place] = 0
             if self._age_ms(place, now_ms) > self._age_ms(oldest, now_ms):
                 oldest = place
         is_new = self.names[oldest] == 0
@@ -45,12 +43,10 @@ class Listeners:
         return is_new
 
     def forget_silent(self, now_ms):
-        """Forget one of those who are gone; for each pass. Clocks of boards start again after 12 days."""
-        place = self._looked_at
-        if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
-            self.names[place] = 0
-        place += 1
-        self._looked_at = place if place < len(self.names) else 0
+        """Forget those who are gone; now and then, for clocks of boards start again after 12 days."""
+        for place in range(len(self.names)):
+            if self.names[place] and self._age_ms(place, now_ms) >= self._silence_ms:
+                self.names[place] = 0
 
     def _age_ms(self, place, now_ms):
         return time.ticks_diff(now_ms, self._heard_ms[place]) if self.names[place] else 0x3FFFFFFF

@@ -14,6 +14,7 @@ from array import array
 import messages
 import telemetry
 from mavlink import Link
+from micropython import const
 
 SYSTEM_ID = 1  # at first: SYSID_THISMAV sets it
 COMPONENT_ID = 180  # MAV_COMP_ID_BATTERY; COMPID_BATT sets it
@@ -21,7 +22,9 @@ VERSION = 2
 LONGEST = 140  # bytes of the longest payload; a link keeps a view of each length
 
 OFF = -1
-_OFF_MS = 1000  # what is off is looked at again then, or when a parameter changes
+_OFF_MS = const(1000)  # what is off is looked at again then, or when a parameter changes
+_LOOK_MS = const(100)  # no later something is looked at again, as what is watched
+_FURTHEST_MS = const(1 << 21)  # nothing is due later: the ticks went half round while nobody asked
 
 # What is sent: the id of each message, its stream (None: on request only) and the shortest interval in microseconds.
 _IDS = (0, 147, 369, 370, 372, 148, 300, 54371)
@@ -139,39 +142,60 @@ class Streams:
         self._budget = [0x3FFFFFFF, 0] if budget is None else budget
         self._has_waited = False  # whether something is late for that reason
         now_ms = time.ticks_ms()
+        self._next_ms = now_ms  # when something is due, or is looked at again
         self._due_ms = [now_ms] * len(_IDS)
         self._rest = array("i", [0] * len(_IDS))  # what due times are late by, in parts of a millisecond; -1: it is off
         self._interval_us = array("i", [0] * len(_IDS))  # asked for; 0 is the stream's own rate
         self._asked_hz = array("i", [OFF] * len(_FASTEST_HZ))  # asked for; -1 is the stream's own rate
+        self._parameters = state.parameters
         self._changes = state.parameters.changes
         self._steps = self._parameter_steps()
         # The period that _find_period() found, in milliseconds.
         self._numerator = 0
         self._denominator = 1
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
+        self._is_waiting = False  # whether any of them is
         self._seen = [state.words[_BATTERY_SWAPS_NUMBER]]
         self.connect()
 
+    def is_idle(self, now_ms):
+        """Return whether run() and announce() have nothing to do in a pass of the main loop."""
+        return (
+            0 < time.ticks_diff(self._next_ms, now_ms) <= _LOOK_MS
+            and self._parameters.changes == self._changes
+            and not self._is_waiting
+        )
+
     def run(self, now_ms):
-        """Send what is due; call it in every pass of the main loop with time.ticks_ms()."""
-        if self._state.parameters.changes != self._changes:
+        """Send what is due; call it in every pass of the main loop with time.ticks_ms() that is not idle."""
+        if self._parameters.changes != self._changes:
             self._follow_parameters(now_ms)
+        self._look_for_changes()
+        wait_ms = _LOOK_MS
+        self._next_ms = now_ms  # also if something raises, or has to wait
         for index in range(8):
-            if time.ticks_diff(now_ms, self._due_ms[index]) >= 0:
+            ahead_ms = time.ticks_diff(self._due_ms[index], now_ms)
+            if ahead_ms <= 0 or ahead_ms > _FURTHEST_MS:
                 if self._budget[0] <= 0:  # what comes first in this order goes first
                     self._has_waited = True
                     return
                 self._send_due(index, now_ms)
+                ahead_ms = time.ticks_diff(self._due_ms[index], now_ms)
+            if ahead_ms < wait_ms:  # noqa: PLR1730  min() takes longer
+                wait_ms = ahead_ms
+        self._next_ms = time.ticks_add(now_ms, wait_ms)
         self._has_waited = False
 
     def connect(self):
         """Let everything be announced that who appears on the link has to know."""
         for place in range(_ON_CONNECTION):
             self._waits[place] = 1
+            self._is_waiting = True
 
     def announce(self):
-        """Send at most one of the messages that wait to be announced; call it in every pass while the port is up."""
-        self._look_for_changes()
+        """Send at most one of the messages that wait to be announced; call it after run() while the port is up."""
+        if not self._is_waiting:
+            return
         for place in range(len(_ANNOUNCED)):
             if self._waits[place]:
                 self._waits[place] = 0  # before it can raise: so a faulty one goes
@@ -180,6 +204,7 @@ class Streams:
                 if not self._send_announced(place):
                     self._waits[place] = 1
                 return
+        self._is_waiting = False
 
     def _look_for_changes(self):
         """Let what tells about an instance be announced where a quantity of the instance has changed."""
@@ -195,6 +220,7 @@ class Streams:
         for place in range(len(_ANNOUNCED)):
             if _ANNOUNCED[place][0] == index and _ANNOUNCED[place][2] == instance:
                 self._waits[place] = 1
+                self._is_waiting = True
 
     def _is_off(self, index):
         """Return whether a message is left out: by its generation, or because a ground station has switched it off."""
@@ -320,7 +346,7 @@ class Streams:
 
     def _follow_parameters(self, now_ms):
         """Drop what was asked for where the stream's parameter has changed."""
-        self._changes = self._state.parameters.changes
+        self._changes = self._parameters.changes
         for index in range(len(_IDS)):
             if self._rest[index] == OFF:  # perhaps it is not any more
                 self._restart(index, now_ms)
@@ -339,7 +365,7 @@ class Streams:
                 self._restart(index, now_ms)
 
     def _restart(self, index, now_ms):
-        self._due_ms[index] = now_ms
+        self._due_ms[index] = self._next_ms = now_ms
         self._rest[index] = 0
 
     def _send_due(self, index, now_ms):

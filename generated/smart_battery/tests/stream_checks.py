@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/stream_checks.py: do not edit.
-# Inputs: ca414aeb4e3fa37d
+# Inputs: 23fb3681489bbb13
 """Streams of the whole vehicle: rates by parameter, by interval and by request, each on its own link."""
 
 from generation_checks import is_chosen, reported, reporting
@@ -344,11 +344,29 @@ def streams_go_on_across_the_wrap():
     mock_time.set_ticks_us(0)
 
 
+def streams_go_on_after_standing_still():
+    """The ticks go half round in 6 days, and once in 12: whatever was due then is due now, not in some days."""
+    for hours in (24, 150, 7 * 24, 9 * 24, 11 * 24, 297):
+        port = Counter()
+        craft = new_craft(ports=[port], at_us=1000000)
+        _counted(craft, port, 3)
+        mock_time.advance_us(hours * 3600 * SECOND_US)
+        found = _counted(craft, port, 20)
+        for stream in STREAMS:
+            if stream["parameter"] is None:
+                rate = 1000 * stream["period_denominator"] / stream["period_numerator"]
+                for number, _, _ in stream["messages"]:
+                    least = int(20 * rate) * _frames(craft, number)  # the first at once
+                    assert found.get(number, 0) >= least, (hours, stream["name"], found)
+    mock_time.set_ticks_us(0)
+
+
 CHECKS = (
     (rates_by_parameter, "streams.rate", "storage.reboot"),
     (default_rates, "streams.rate"),
     (fixed_rates, "streams.fixed"),
     (streams_go_on_across_the_wrap, "streams.fixed"),
+    (streams_go_on_after_standing_still, "streams.fixed"),
     (nothing_is_reported_without_the_monitor, "component.reported"),
     (intervals_on_one_link, "services.intervals"),
     (intervals_of_others, "services.intervals"),

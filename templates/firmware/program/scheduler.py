@@ -5,7 +5,7 @@ rate drifts. Nothing here allocates while nothing fails.
 """
 
 import asyncio
-import time
+from time import sleep_us, ticks_add, ticks_diff, ticks_us
 
 from guard import Guard
 from micropython import const
@@ -20,23 +20,23 @@ class _Slot:
     def __init__(self, period_us, call, name):
         if not 0 < period_us <= LONGEST_PERIOD_US:
             raise ValueError(f"a period is 1 to {LONGEST_PERIOD_US} us")
+        self.period_us = period_us
         self.call = call
         self.name = name
         self.due_us = 0
         self.is_failing = False
-        self._period_us = period_us
 
     def take(self, now_us):
         """Go on to the next time on the grid; return how many slots were missed, -1 while the call is not due."""
-        late_us = time.ticks_diff(now_us, self.due_us)
+        late_us = ticks_diff(now_us, self.due_us)
         if late_us < 0:
-            if late_us >= -self._period_us:
+            if late_us >= -self.period_us:
                 return -1
             # Further ahead than it can be: nobody asked for so long that the ticks went half round.
-            self.due_us = time.ticks_add(now_us, self._period_us)
+            self.due_us = ticks_add(now_us, self.period_us)
             return 1
-        self.due_us = time.ticks_add(now_us, self._period_us - late_us % self._period_us)
-        return late_us // self._period_us
+        self.due_us = ticks_add(now_us, self.period_us - late_us % self.period_us)
+        return late_us // self.period_us
 
 
 class Scheduler:
@@ -74,18 +74,27 @@ class Scheduler:
 
     def run_pass(self):
         """Do what is due now, and return the microseconds until the next pass: 0 if that is late already."""
-        now_us = time.ticks_us()
+        now_us = ticks_us()
         if not self._is_started:
             self._start(now_us)
-        missed = self._control.take(now_us)
-        if missed >= 0:
+        slot = self._control
+        if 0 <= ticks_diff(now_us, slot.due_us) < slot.period_us:
+            slot.due_us = ticks_add(slot.due_us, slot.period_us)
+        else:
+            missed = slot.take(now_us)
+            if missed < 0:
+                return self._wait_us()
             self.overruns += missed
-            self._call(self._control)
-            ahead_us = time.ticks_diff(self._next_us, now_us)
-            if ahead_us <= 0 or ahead_us > self._shortest_us:  # too far ahead: the ticks went half round meanwhile
-                self._run_jobs(now_us)
-            self._measure(now_us)
-        return self._wait_us()
+        self._call(slot)
+        ahead_us = ticks_diff(self._next_us, now_us)
+        if ahead_us <= 0 or ahead_us > self._shortest_us:  # too far ahead: the ticks went half round meanwhile
+            self._run_jobs(now_us)
+        end_us = ticks_us()
+        self._busy_us += ticks_diff(end_us, now_us)
+        if not 0 <= ticks_diff(end_us, self._window_us) < _WINDOW_US:
+            self._measure(end_us)
+        end_us = ticks_diff(slot.due_us, end_us)
+        return end_us if end_us > 0 else 0
 
     async def run(self):
         """Run passes for ever; other tasks have their turn after each, and all the time that is left."""
@@ -94,18 +103,18 @@ class Scheduler:
             await asyncio.sleep_ms(wait_us // 1000)
             wait_us = self._wait_us()
             if wait_us < 1000:  # else it woke up early, and the next pass finds nothing to do
-                time.sleep_us(wait_us)
+                sleep_us(wait_us)
 
     def _run_jobs(self, now_us):
         """Run the jobs that are due, and find out when the next one is."""
-        self._next_us = time.ticks_add(now_us, self._shortest_us)
+        self._next_us = ticks_add(now_us, self._shortest_us)
         for job in self._jobs:
             self._serve(job, now_us)
 
     def _serve(self, job, now_us):
         if job.take(now_us) >= 0:
             self._call(job)
-        if time.ticks_diff(job.due_us, self._next_us) < 0:
+        if ticks_diff(job.due_us, self._next_us) < 0:
             self._next_us = job.due_us
 
     def _start(self, now_us):
@@ -115,7 +124,7 @@ class Scheduler:
             job.due_us = now_us
 
     def _wait_us(self):
-        wait_us = time.ticks_diff(self._control.due_us, time.ticks_us())
+        wait_us = ticks_diff(self._control.due_us, ticks_us())
         return wait_us if wait_us > 0 else 0
 
     def _call(self, slot):
@@ -131,12 +140,8 @@ class Scheduler:
         with self._guard:
             self._log(f"error: {name} failed:", type(error).__name__, error)
 
-    def _measure(self, start_us):
-        end_us = time.ticks_us()
-        self._busy_us += time.ticks_diff(end_us, start_us)
-        window_us = time.ticks_diff(end_us, self._window_us)
-        if 0 <= window_us < _WINDOW_US:
-            return
+    def _measure(self, end_us):
+        window_us = ticks_diff(end_us, self._window_us)
         if window_us > 0:  # otherwise the ticks went half round, and nobody knows how long that was
             self.load = self._busy_us // (window_us // 1000)
         self._busy_us = 0

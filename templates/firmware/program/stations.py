@@ -6,7 +6,6 @@ from micropython import const
 
 _MOST = const(4)
 _GONE_MS = const(3000)  # a station that is silent for so long makes room where others wait
-_LOOK_MS = const(1000)
 
 
 class Stations:
@@ -21,7 +20,6 @@ class Stations:
         self._port = port
         self._make = make
         self._silence_ms = silence_ms
-        self._looked_ms = 0  # when it was looked who is gone
         self.served = [make()]
         self._known = [self.served[0]]
         self.refused = 0  # frames of those for whom there is no place
@@ -41,9 +39,6 @@ class Stations:
 
     def forget_silent(self, now_ms):
         """Serve nobody any more who is silent, and the declared address if there is nobody else."""
-        if 0 <= time.ticks_diff(now_ms, self._looked_ms) < _LOOK_MS:
-            return
-        self._looked_ms = now_ms
         for station in self._known:
             if station.is_heard and time.ticks_diff(now_ms, station.heard_ms) >= self._silence_ms:
                 station.is_heard = False

@@ -21,6 +21,10 @@ class Streams:
         self._due_ms = time.ticks_ms()
         self.is_broken = False
 
+    def is_idle(self, now_ms):
+        """Return whether nothing is due."""
+        return not self.is_broken and time.ticks_diff(now_ms, self._due_ms) < 0
+
     def run(self, now_ms):
         """Send what is due."""
         if self.is_broken:
