@@ -146,6 +146,10 @@ runs `benchmarks/conformance.py --write`: {rounds} rounds of random values from 
 fails if anything differs. `tests/codec/test_conformance.py` compares every different message once, with every kind of
 case.
 
+`make conformance` then switches through the drafts that `specs/codegen.yaml` can list
+([CONTRIBUTING.md](../CONTRIBUTING.md#tests)): with each, `benchmarks/alternatives.py` builds, checks, traces and
+simulates a copy of the project, and runs all tests that are not about another draft.
+
 {table}
 
 All of it is done twice, with machine code (`frames_viper.py`) and without (`frames_plain.py`); the numbers are those of
