@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from rover_alone import without_programs
 
 from codegen.cli import main
 
@@ -639,14 +640,6 @@ def changed_copy(case: Case, folder: Path) -> tuple[Path, str | None]:
 
 WITH_PROGRAMS = ("codegen.yaml", "scenarios.yaml", "smart_battery/")
 """What cases that are about the further programs change; others need the rover alone, which is read in half the time."""
-
-
-def without_programs(specs: Path) -> None:
-    """Take the further programs away, and the scenarios in which they run."""
-    project = specs / "codegen.yaml"
-    text = project.read_text()
-    project.write_text(text[: text.index("# Further programs")])
-    (specs / "scenarios.yaml").unlink()
 
 
 def check_place(case: Case, folder: Path, monkeypatch, capsys) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from generated_suite import suite_is_green
-from test_broken_tables import without_programs
+from rover_alone import without_programs
 
 from codegen.cli import main
 
