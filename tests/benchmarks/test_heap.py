@@ -17,6 +17,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made
 
 
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")  # what is stored was measured with these
 @pytest.mark.parametrize("form", heap.FORMS)
 def test_program_runs_in_the_heap_that_is_stored(folder: Path, form: str) -> None:
     """From its start through a simulated minute, in the first two of the heaps that the stored figure stands for.
