@@ -23,18 +23,20 @@ unexport PYTHONDONTWRITEBYTECODE
 build: $(INSTALLED)
 	@$(BIN)/codegen build
 
-# The types are checked beside the tests, which wait now and then.
+# The types are checked, and the suites of further programs run, beside the tests, which wait now and then.
 test: $(STATIONS) $(RELEASES) $(MICROPYTHON32) browser valgrind tools
 	@failed=""; rm -rf $(RESULTS); mkdir -p $(RESULTS); \
 	step() { name="$$1"; shift; echo "== $$name"; "$$@" || failed="$$failed, $$name"; echo; }; \
+	ended() { wait "$$1"; code=$$?; cat "$$2"; return $$code; }; \
 	$(BIN)/mypy > $(RESULTS)/mypy.txt 2>&1 & types=$$!; \
-	checked() { wait $$types; types=$$?; cat $(RESULTS)/mypy.txt; return $$types; }; \
+	( code=0; for tests in $(wildcard generated/*/tests); do name="$$(basename "$$(dirname "$$tests")")"; \
+		$(BIN)/python -m pytest -p no:xdist --junit-xml=$(RESULTS)/$$name.xml "$$tests" || code=1; done; exit $$code \
+	) > $(RESULTS)/further.txt 2>&1 & further=$$!; \
 	step "ruff check" $(BIN)/ruff check; \
 	step "ruff format" $(BIN)/ruff format --check; \
 	step "pytest" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/pytest.xml; \
-	for tests in $(wildcard generated/*/tests); do name="$$(basename "$$(dirname "$$tests")")"; \
-		step "pytest $$tests" $(BIN)/python -m pytest -n auto --dist worksteal --junit-xml=$(RESULTS)/$$name.xml "$$tests"; done; \
-	step "mypy" checked; \
+	step "pytest $(wildcard generated/*/tests)" ended $$further $(RESULTS)/further.txt; \
+	step "mypy" ended $$types $(RESULTS)/mypy.txt; \
 	step "codegen trace" $(BIN)/codegen trace $$(printf -- '--results %s ' $(RESULTS)/*.xml); \
 	step "codegen build --check" $(BIN)/codegen build --check; \
 	step "codegen check" $(BIN)/codegen check; \

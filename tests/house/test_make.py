@@ -90,6 +90,25 @@ def test_what_mypy_says_is_shown(checkout: Path) -> None:
     assert "Not good yet: mypy\n" in ran.stdout
 
 
+@pytest.mark.parametrize("failing", ["", "one", "two"])
+def test_suites_of_further_programs_run_beside_the_others(checkout: Path, failing: str) -> None:
+    """Each of them, also where another one fails; which is shown, and fails the whole."""
+    for name in ("one", "two"):
+        (checkout / "generated" / name / "tests").mkdir(parents=True)
+    suites = [
+        f"python -m pytest -p no:xdist --junit-xml=build/results/{name}.xml generated/{name}/tests"
+        for name in ("one", "two")
+    ]
+    program = checkout / ".venv" / "bin" / "python"
+    program.write_text(f'{TOOL[:-1]}\ncase "$*" in *no:xdist*) echo "of $*" ;; esac\n')
+    ran = run(checkout, "make", "test", FAILING=suites[("one", "two").index(failing)] if failing else "nothing")
+    assert sorted(set(called(checkout)) - {*STEPS, TYPES}) == suites
+    assert (ran.returncode != 0) == bool(failing)
+    shown = ran.stdout.partition("== pytest generated/one/tests generated/two/tests\n")[2].partition("\n\n")[0]
+    assert [name for name in ("one", "two") if f"generated/{name}/tests" not in shown] == ([failing] if failing else [])
+    assert ("Not good yet: pytest generated/one/tests generated/two/tests" in ran.stdout) == bool(failing)
+
+
 @pytest.mark.parametrize("step", [*STEPS, TYPES])
 def test_one_failing_step_fails_make_test_and_the_others_still_run(checkout: Path, step: str) -> None:
     ran = run(checkout, "bash", ".ci/run", FAILING=step)
