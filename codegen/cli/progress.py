@@ -51,7 +51,7 @@ class _Line:
         self._text = text
         if self._shown is not None:
             for task in self._shown.tasks:
-                self._shown.update(task.id, description=text)
+                self._shown.update(task.id, description=text, refresh=True)
 
     def end(self) -> None:
         self._timer.cancel()
@@ -69,3 +69,4 @@ class _Line:
         shown.start()
         shown.add_task(self._text, total=None)
         self._shown = shown
+        self.change(self._text)  # which may be another one meanwhile
