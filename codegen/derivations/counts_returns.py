@@ -41,6 +41,7 @@ class CountsReturns(Derivation):
 
     gone: str
     least: tuple[int, ...] = ()
+    stale_ms: int | None = None
 
     @property
     def counts(self) -> str | None:
@@ -50,16 +51,24 @@ class CountsReturns(Derivation):
     def back_from(self) -> tuple[int, ...]:
         return self.least
 
+    @property
+    def set_stale_ms(self) -> int | None:
+        return self.stale_ms
+
     def facts(self, quantity: Quantity) -> Iterator[DerivationFact]:
         yield DerivationFact("counts returns of", self.gone, "counts_returns_of")
         if self.least:
             yield DerivationFact("back from", ", ".join(map(str, self.least)), "back_from")
+        if self.stale_ms is not None:
+            yield DerivationFact("what code sets counts for", f"{self.stale_ms} ms", "restarting_stale_after")
 
     def words(self, quantity: Quantity) -> str:
         return f"counts when {quantity.component}.{self.gone} ends"
 
     def story(self, quantity: Quantity, system: "System") -> Iterator[tuple[str, str]]:
         yield "follows", f"counts up when {self.gone} was true and a reading shows that it is no longer"
+        if self.stale_ms is not None:
+            yield "set by code", f"what restarts with it counts for {self.stale_ms} ms after code has set any of that"
 
 
 def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surroundings) -> CountsReturns:
@@ -82,7 +91,10 @@ def resolve_counts_returns(written: CountsReturnsSpec, kept: Kept, around: Surro
     elif kept.initial is None:
         message = f"{name} starts unknown, and nothing can be added to that"
         around.bad("counts_returns_of", message, BAD_RETURN, "initial: 0")
-    return CountsReturns(gone, () if around.failed else _back_from(written, around))
+    stale_ms = None
+    if written.restarting_stale_after is not None:
+        stale_ms = around.time_ms("restarting_stale_after", written.restarting_stale_after)
+    return CountsReturns(gone, () if around.failed else _back_from(written, around), stale_ms)
 
 
 def _back_from(written: CountsReturnsSpec, around: Surroundings) -> tuple[int, ...]:

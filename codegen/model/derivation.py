@@ -136,6 +136,11 @@ class Derivation(ABC):
         return ()
 
     @property
+    def set_stale_ms(self) -> int | None:
+        """For how long what code sets is believed of what begins anew with this count; None is for ever."""
+        return None
+
+    @property
     def kept_readings(self) -> int:
         """How many readings are kept for it."""
         return 0

@@ -127,6 +127,11 @@ class CountsReturnsSpec(DerivationSpec):
         "and times the same per, shows that it is back. Readings in between change nothing.",
         default=None,
     )
+    restarting_stale_after: Amount | None = described(
+        "With counts_returns_of: for how long code is believed that sets what restarts with it, such as 5 s after it "
+        "has set any of that. What is counted of a reading is not forgotten while that is taken.",
+        default=None,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

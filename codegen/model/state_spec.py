@@ -69,7 +69,7 @@ class QuantitySpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: multiplier, rounding, warn_above, invalid_after, stale_after, "
-        "set_stale_after, calibration, gaps, estimate, slope, returns.",
+        "set_stale_after, restarting_stale_after, calibration, gaps, estimate, slope, returns.",
         default_factory=dict,
     )
 
@@ -80,6 +80,7 @@ class QuantitySpec(Written):
         "invalid_after",
         "stale_after",
         "set_stale_after",
+        "restarting_stale_after",
         "calibration",
         "gaps",
         "estimate",

@@ -94,7 +94,7 @@ def behaviour_checks(
 
 
 def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[BehaviourCheck]:
-    measured = component.measured
+    measured, together = component.measured, component.set_together
     assert measured is not None
     found = [
         (reader.cited["samples"], "mean", True),
@@ -107,6 +107,7 @@ def _of_reading(reader: ReaderView, component: ComponentFacts) -> Iterator[Behav
         ("", "readings_are_timed", True),
         (measured.cited["stale_after"], "old_reading_is_unknown", measured.stale_after_ms is not None),
         (measured.cited["set_stale_after"], "what_code_sets_counts_for_a_while", measured.represented is not None),
+        (together.citation if together else "", "what_code_sets_beside_is_forgotten", together is not None),
         (measured.cited["warn_above"], "high_value_warns_now_and_then", measured.warns),
         (measured.citation, "formula_of_people_agrees", True),
         (measured.cited["calibration"], "calibration", True),

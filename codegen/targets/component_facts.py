@@ -15,6 +15,7 @@ from codegen.targets.cases import first_attribute
 from codegen.targets.expected import nominal_values
 from codegen.targets.message_case import literal_of
 from codegen.targets.naming import parameter_attribute
+from codegen.targets.set_together_facts import SetTogetherFacts, set_together_facts
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +155,7 @@ class ComponentFacts:
     estimate: EstimateFacts | None
     not_estimated: tuple[str, ...]
     returns: ReturnsFacts | None
+    set_together: SetTogetherFacts | None
     extremes: tuple[ExtremeFacts, ...]
     cited: Mapping[str, str]
 
@@ -188,6 +190,7 @@ def _component(component: Component, system: System, told: Mapping[str, Reach]) 
             if "estimate" in quantity.aspects and quantity.spec.derivations == ()
         ),
         returns=_returns(component),
+        set_together=set_together_facts(component),
         extremes=tuple(_extremes(component)),
         cited={aspect: component.cited(aspect) for aspect in ComponentSpec.ASPECTS},
     )

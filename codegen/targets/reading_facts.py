@@ -67,7 +67,7 @@ def reading_facts(system: System) -> tuple[ReadingFacts, ...]:
 
 def _facts(reading: Reading, system: System) -> ReadingFacts:
     component, quantity, conversion = reading.component, reading.quantity, reading.conversion
-    on, off = _switched(reading)
+    on, off = switched(reading)
     others = [each for each in component.readings if each is not reading and each.quantity is not quantity]
     return ReadingFacts(
         own=_input(reading, system),
@@ -127,7 +127,7 @@ def _counts(reading: Reading) -> tuple[int, int]:
     return (counts[0], counts[1]) if len(counts) > 1 else (0, conversion.channel.full_scale)
 
 
-def _switched(reading: Reading) -> tuple[dict[str, int], tuple[Settings, ...]]:
+def switched(reading: Reading) -> tuple[dict[str, int], tuple[Settings, ...]]:
     """The settings with which it is read, and those with which it is not."""
     switch, when = reading.component.switch, reading.conversion.channel.when
     on: dict[str, int] = {}

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f7f2e4837a2b2749
+# Inputs: 5eb5889d63dd2266
 """The current of the battery: imported only where it is measured.
 
 The board gets `read_battery_current_adc()` by connect(), and behind() lets the state take readings
@@ -17,12 +17,12 @@ except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from battery_current_plain import battery_current_reading, read_battery_current
 
 # What stands where among the words of the battery, see state.py.
-_BATTERY_CURRENT_COUNT = const(25)
-_BATTERY_CURRENT_MULTIPLIER = const(26)
-_BATTERY_CURRENT_OFFSET = const(27)
-_BATTERY_CURRENT_FAILURES = const(28)
-_BATTERY_CURRENT_IS_READ = const(30)
-_BATTERY_BATT_CAPACITY = const(37)
+_BATTERY_CURRENT_COUNT = const(26)
+_BATTERY_CURRENT_MULTIPLIER = const(27)
+_BATTERY_CURRENT_OFFSET = const(28)
+_BATTERY_CURRENT_FAILURES = const(29)
+_BATTERY_CURRENT_IS_READ = const(31)
+_BATTERY_BATT_CAPACITY = const(38)
 
 # Names of the parameters that each has of its own.
 _BATT_AMP_PERVLT = ("batt_amp_pervlt", "batt2_amp_pervlt")

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f7f2e4837a2b2749
+# Inputs: 5eb5889d63dd2266
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 import time
@@ -15,20 +15,20 @@ _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
 _BATTERY_TIME_LEFT_S = const(6)
-_BATTERY_CURRENT_COUNT = const(25)
-_BATTERY_CURRENT_MULTIPLIER = const(26)
-_BATTERY_CURRENT_OFFSET = const(27)
-_BATTERY_CURRENT_FAILURES = const(28)
-_BATTERY_CURRENT_IS_LOGGED = const(29)
-_BATTERY_CURRENT_IS_READ = const(30)
-_BATTERY_CURRENT_EXPIRES_MS = const(31)
-_BATTERY_CURRENT_SINCE_MS = const(32)
-_BATTERY_CONSUMED_REST = const(33)
-_BATTERY_ENERGY_LOW = const(34)
-_BATTERY_ENERGY_MIDDLE = const(35)
-_BATTERY_ENERGY_HIGH = const(36)
-_BATTERY_BATT_CAPACITY = const(37)
-_BATTERY_TIME_LEFT_MEAN = const(38)
+_BATTERY_CURRENT_COUNT = const(26)
+_BATTERY_CURRENT_MULTIPLIER = const(27)
+_BATTERY_CURRENT_OFFSET = const(28)
+_BATTERY_CURRENT_FAILURES = const(29)
+_BATTERY_CURRENT_IS_LOGGED = const(30)
+_BATTERY_CURRENT_IS_READ = const(31)
+_BATTERY_CURRENT_EXPIRES_MS = const(32)
+_BATTERY_CURRENT_SINCE_MS = const(33)
+_BATTERY_CONSUMED_REST = const(34)
+_BATTERY_ENERGY_LOW = const(35)
+_BATTERY_ENERGY_MIDDLE = const(36)
+_BATTERY_ENERGY_HIGH = const(37)
+_BATTERY_BATT_CAPACITY = const(38)
+_BATTERY_TIME_LEFT_MEAN = const(39)
 # Places in what is counted of each input, see adc_inputs.
 _FAILURES = const(0)
 _LONGEST_US = const(1)

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f7f2e4837a2b2749
+# Inputs: 5eb5889d63dd2266
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -13,7 +13,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(86)
+_BATTERY_SIZE = const(87)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -21,20 +21,20 @@ _BATTERY_ENERGY_HJ = const(3)
 _BATTERY_REMAINING_PCT = const(4)
 _BATTERY_LEFT_MAH = const(5)
 _BATTERY_TIME_LEFT_S = const(6)
-_BATTERY_CURRENT_COUNT = const(25)
-_BATTERY_CURRENT_MULTIPLIER = const(26)
-_BATTERY_CURRENT_OFFSET = const(27)
-_BATTERY_CURRENT_FAILURES = const(28)
-_BATTERY_CURRENT_IS_LOGGED = const(29)
-_BATTERY_CURRENT_IS_READ = const(30)
-_BATTERY_CURRENT_EXPIRES_MS = const(31)
-_BATTERY_CURRENT_SINCE_MS = const(32)
-_BATTERY_CONSUMED_REST = const(33)
-_BATTERY_ENERGY_LOW = const(34)
-_BATTERY_ENERGY_MIDDLE = const(35)
-_BATTERY_ENERGY_HIGH = const(36)
-_BATTERY_BATT_CAPACITY = const(37)
-_BATTERY_TIME_LEFT_MEAN = const(38)
+_BATTERY_CURRENT_COUNT = const(26)
+_BATTERY_CURRENT_MULTIPLIER = const(27)
+_BATTERY_CURRENT_OFFSET = const(28)
+_BATTERY_CURRENT_FAILURES = const(29)
+_BATTERY_CURRENT_IS_LOGGED = const(30)
+_BATTERY_CURRENT_IS_READ = const(31)
+_BATTERY_CURRENT_EXPIRES_MS = const(32)
+_BATTERY_CURRENT_SINCE_MS = const(33)
+_BATTERY_CONSUMED_REST = const(34)
+_BATTERY_ENERGY_LOW = const(35)
+_BATTERY_ENERGY_MIDDLE = const(36)
+_BATTERY_ENERGY_HIGH = const(37)
+_BATTERY_BATT_CAPACITY = const(38)
+_BATTERY_TIME_LEFT_MEAN = const(39)
 # Places in what is counted of each input, see adc_inputs.
 _FAILURES = const(0)
 _LONGEST_US = const(1)

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 5cd61e04175b4fa9
+# Inputs: 0140bd55a8332858
 """What takes samples of each ADC and their mean, in plain Python, for ports without machine code."""
 
 import time

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/state.yaml: do not edit.
-# Inputs: 5cd61e04175b4fa9
+# Inputs: 0140bd55a8332858
 """Samples of each ADC and their mean, by MicroPython's viper emitter; samples_plain is the same in Python."""
 
 # ptr32 is viper's own name.

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f7f2e4837a2b2749
+# Inputs: 5eb5889d63dd2266
 """State of the vehicle: 32-bit words in one array, in the units that go out; attributes are views of them.
 
 Attributes show what is kept in the units of people, or, by their longer names, as it is; None is unknown. To set one to
@@ -32,10 +32,10 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
-_SIZE = const(177)
+_SIZE = const(179)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(86)
+_BATTERY_SIZE = const(87)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -61,27 +61,28 @@ _BATTERY_IS_SET = const(21)
 _BATTERY_EXPIRES_MS = const(22)
 _BATTERY_WARNED_MS = const(23)
 _BATTERY_GONE = const(24)
-_BATTERY_CURRENT_COUNT = const(25)
-_BATTERY_CURRENT_MULTIPLIER = const(26)
-_BATTERY_CURRENT_OFFSET = const(27)
-_BATTERY_CURRENT_FAILURES = const(28)
-_BATTERY_CURRENT_IS_LOGGED = const(29)
-_BATTERY_CURRENT_IS_READ = const(30)
-_BATTERY_CURRENT_EXPIRES_MS = const(31)
-_BATTERY_CURRENT_SINCE_MS = const(32)
-_BATTERY_CONSUMED_REST = const(33)
-_BATTERY_ENERGY_LOW = const(34)
-_BATTERY_ENERGY_MIDDLE = const(35)
-_BATTERY_ENERGY_HIGH = const(36)
-_BATTERY_BATT_CAPACITY = const(37)
-_BATTERY_TIME_LEFT_MEAN = const(38)
-_BATTERY_TREND_COUNT = const(39)
-_BATTERY_TREND_NEWER = const(40)
-_BATTERY_TREND_OLDER = const(41)
-_BATTERY_TREND_READINGS = const(42)
-_BATTERY_CELLS_MV_AGE = const(82)
-_BATTERY_CELLS_MV = const(83)
-_VEHICLE = const(172)
+_BATTERY_SET_AGE = const(25)
+_BATTERY_CURRENT_COUNT = const(26)
+_BATTERY_CURRENT_MULTIPLIER = const(27)
+_BATTERY_CURRENT_OFFSET = const(28)
+_BATTERY_CURRENT_FAILURES = const(29)
+_BATTERY_CURRENT_IS_LOGGED = const(30)
+_BATTERY_CURRENT_IS_READ = const(31)
+_BATTERY_CURRENT_EXPIRES_MS = const(32)
+_BATTERY_CURRENT_SINCE_MS = const(33)
+_BATTERY_CONSUMED_REST = const(34)
+_BATTERY_ENERGY_LOW = const(35)
+_BATTERY_ENERGY_MIDDLE = const(36)
+_BATTERY_ENERGY_HIGH = const(37)
+_BATTERY_BATT_CAPACITY = const(38)
+_BATTERY_TIME_LEFT_MEAN = const(39)
+_BATTERY_TREND_COUNT = const(40)
+_BATTERY_TREND_NEWER = const(41)
+_BATTERY_TREND_OLDER = const(42)
+_BATTERY_TREND_READINGS = const(43)
+_BATTERY_CELLS_MV_AGE = const(83)
+_BATTERY_CELLS_MV = const(84)
+_VEHICLE = const(174)
 _VEHICLE_SIZE = const(5)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
@@ -101,6 +102,14 @@ class BatteryState(Component):
     SIZE = _BATTERY_SIZE
     # What is known from the start: places and values, for each of them where it differs.
     START = (
+        _BATTERY_CONSUMED_REST,
+        1800000,
+        _BATTERY_ENERGY_LOW,
+        0,
+        _BATTERY_ENERGY_MIDDLE,
+        0,
+        _BATTERY_ENERGY_HIGH,
+        50000,
         _BATTERY_COUNTED_FROM_FULL,
         0,
         _BATTERY_HEALTH_NUMBER,
@@ -135,22 +144,22 @@ class BatteryState(Component):
     voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000, age=_BATTERY_FAILURES)
     # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [mA]
     # A, or None while it is unknown; FR-00077.3
-    current_ma, current = number(_BATTERY_CURRENT_MA, -327680, 327670, "current", 1000)
+    current_ma, current = number(_BATTERY_CURRENT_MA, -327680, 327670, "current", 1000, age=_BATTERY_SET_AGE)
     # Charge drawn since the start, or since the pack was put in [mAh]
     # mAh, or None while it is unknown; FR-00077.5
-    consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
+    consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1, age=_BATTERY_SET_AGE)
     # Energy drawn since the start, or since the pack was put in [hJ]
     # hJ, or None while it is unknown; FR-00077.5
-    energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1)
+    energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1, age=_BATTERY_SET_AGE)
     # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
     # %, or None while it is unknown; FR-00068.5
-    remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
+    remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1, age=_BATTERY_SET_AGE)
     # Charge that is left of BATT_CAPACITY, where current is measured [mAh]
     # mAh, or None while it is unknown; FR-00077.6
-    left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1)
+    left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1, age=_BATTERY_SET_AGE)
     # How long the charge is enough, as far as the last half minute tells [s]
     # s, or None while it is unknown; FR-00077.7
-    time_left_s, time_left = number(_BATTERY_TIME_LEFT_S, 0, 1000000, "time_left", 1)
+    time_left_s, time_left = number(_BATTERY_TIME_LEFT_S, 0, 1000000, "time_left", 1, age=_BATTERY_SET_AGE)
     # Whether the charge that was drawn counts from a full pack, and not from power-on
     counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
     # Voltage of each cell. Unknown until code sets it [mV]
@@ -158,7 +167,9 @@ class BatteryState(Component):
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
     # Temperature of the pack. The rover has no sensor for it [cdegC]
     # degC, or None while it is unknown; FR-00068.6
-    temperature_cdegc, temperature = number(_BATTERY_TEMPERATURE_CDEGC, -32768, 32766, "temperature", 100)
+    temperature_cdegc, temperature = number(
+        _BATTERY_TEMPERATURE_CDEGC, -32768, 32766, "temperature", 100, age=_BATTERY_SET_AGE
+    )
     # Change of the pack's voltage per second, positive while it rises [mV/s]
     trend_mv_s = whole(_BATTERY_TREND_MV_S, -1073741823, 1073741823, "trend")
     trend = result(_BATTERY_TREND_MV_S, 1000)  # V/s, or None while it is unknown; FR-00021.1

@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f7f2e4837a2b2749
+# Inputs: 5eb5889d63dd2266
 """What is done with each reading, in plain Python, for ports without machine code."""
 
 from micropython import const
@@ -28,17 +28,19 @@ _BATTERY_IS_SET = const(21)
 _BATTERY_EXPIRES_MS = const(22)
 _BATTERY_WARNED_MS = const(23)
 _BATTERY_GONE = const(24)
-_BATTERY_CURRENT_EXPIRES_MS = const(31)
-_BATTERY_CONSUMED_REST = const(33)
-_BATTERY_ENERGY_LOW = const(34)
-_BATTERY_ENERGY_MIDDLE = const(35)
-_BATTERY_ENERGY_HIGH = const(36)
-_BATTERY_TREND_COUNT = const(39)
-_BATTERY_TREND_NEWER = const(40)
-_BATTERY_TREND_OLDER = const(41)
-_BATTERY_TREND_READINGS = const(42)
-_BATTERY_CELLS_MV_AGE = const(82)
-_BATTERY_CELLS_MV = const(83)
+_BATTERY_SET_AGE = const(25)
+_BATTERY_CURRENT_IS_READ = const(31)
+_BATTERY_CURRENT_EXPIRES_MS = const(32)
+_BATTERY_CONSUMED_REST = const(34)
+_BATTERY_ENERGY_LOW = const(35)
+_BATTERY_ENERGY_MIDDLE = const(36)
+_BATTERY_ENERGY_HIGH = const(37)
+_BATTERY_TREND_COUNT = const(40)
+_BATTERY_TREND_NEWER = const(41)
+_BATTERY_TREND_OLDER = const(42)
+_BATTERY_TREND_READINGS = const(43)
+_BATTERY_CELLS_MV_AGE = const(83)
+_BATTERY_CELLS_MV = const(84)
 
 
 def read_battery(words, every, board, ticks, first):
@@ -97,6 +99,19 @@ def _take_battery(battery, now_ms):
                     battery[_BATTERY_LOWEST_CELL_MV] = value
                 if value > battery[_BATTERY_HIGHEST_CELL_MV]:
                     battery[_BATTERY_HIGHEST_CELL_MV] = value
+    # What else code sets is forgotten 5000 ms after the last of it (FR-00073.11).
+    if battery[_BATTERY_SET_AGE] != _UNKNOWN:
+        battery[_BATTERY_SET_AGE] = battery[_BATTERY_SET_AGE] + 1
+        if battery[_BATTERY_SET_AGE] > 50:
+            battery[_BATTERY_SET_AGE] = _UNKNOWN
+            battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
+            if battery[_BATTERY_CURRENT_IS_READ] != 1:
+                battery[_BATTERY_CURRENT_MA] = _UNKNOWN
+                battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
+                battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
+                battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
     told = 0
     count = battery[_BATTERY_COUNT]
     if count < 0 or count > 4095:

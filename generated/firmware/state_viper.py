@@ -1,5 +1,5 @@
 # Generated from specs/board.yaml, specs/parameters.yaml, specs/state.yaml: do not edit.
-# Inputs: f7f2e4837a2b2749
+# Inputs: 5eb5889d63dd2266
 """What is done with each reading, by MicroPython's viper emitter; state_plain has the same in Python."""
 
 # ptr8, ptr16 and ptr32 are viper's own names.
@@ -11,7 +11,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where a component keeps what, see state.py.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(86)
+_BATTERY_SIZE = const(87)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -34,17 +34,19 @@ _BATTERY_IS_SET = const(21)
 _BATTERY_EXPIRES_MS = const(22)
 _BATTERY_WARNED_MS = const(23)
 _BATTERY_GONE = const(24)
-_BATTERY_CURRENT_EXPIRES_MS = const(31)
-_BATTERY_CONSUMED_REST = const(33)
-_BATTERY_ENERGY_LOW = const(34)
-_BATTERY_ENERGY_MIDDLE = const(35)
-_BATTERY_ENERGY_HIGH = const(36)
-_BATTERY_TREND_COUNT = const(39)
-_BATTERY_TREND_NEWER = const(40)
-_BATTERY_TREND_OLDER = const(41)
-_BATTERY_TREND_READINGS = const(42)
-_BATTERY_CELLS_MV_AGE = const(82)
-_BATTERY_CELLS_MV = const(83)
+_BATTERY_SET_AGE = const(25)
+_BATTERY_CURRENT_IS_READ = const(31)
+_BATTERY_CURRENT_EXPIRES_MS = const(32)
+_BATTERY_CONSUMED_REST = const(34)
+_BATTERY_ENERGY_LOW = const(35)
+_BATTERY_ENERGY_MIDDLE = const(36)
+_BATTERY_ENERGY_HIGH = const(37)
+_BATTERY_TREND_COUNT = const(40)
+_BATTERY_TREND_NEWER = const(41)
+_BATTERY_TREND_OLDER = const(42)
+_BATTERY_TREND_READINGS = const(43)
+_BATTERY_CELLS_MV_AGE = const(83)
+_BATTERY_CELLS_MV = const(84)
 
 
 @micropython.viper
@@ -96,6 +98,19 @@ def read_battery(words, every, board, ticks, first: int) -> int:
                             battery[_BATTERY_LOWEST_CELL_MV] = value
                         if value > (battery[_BATTERY_HIGHEST_CELL_MV] ^ sign) - sign:
                             battery[_BATTERY_HIGHEST_CELL_MV] = value
+            # What else code sets is forgotten 5000 ms after the last of it (FR-00073.11).
+            if (battery[_BATTERY_SET_AGE] ^ sign) - sign != _UNKNOWN:
+                battery[_BATTERY_SET_AGE] = battery[_BATTERY_SET_AGE] + 1
+                if battery[_BATTERY_SET_AGE] > 50:
+                    battery[_BATTERY_SET_AGE] = _UNKNOWN
+                    battery[_BATTERY_TEMPERATURE_CDEGC] = _UNKNOWN
+                    if (battery[_BATTERY_CURRENT_IS_READ] ^ sign) - sign != 1:
+                        battery[_BATTERY_CURRENT_MA] = _UNKNOWN
+                        battery[_BATTERY_CONSUMED_MAH] = _UNKNOWN
+                        battery[_BATTERY_ENERGY_HJ] = _UNKNOWN
+                        battery[_BATTERY_REMAINING_PCT] = _UNKNOWN
+                        battery[_BATTERY_LEFT_MAH] = _UNKNOWN
+                        battery[_BATTERY_TIME_LEFT_S] = _UNKNOWN
             told = 0
             count = (battery[_BATTERY_COUNT] ^ sign) - sign
             if count < 0 or count > 4095:

@@ -41,8 +41,8 @@ _DATA_STREAMS = (None, 2, 10, 12, None)
 _FASTEST_HZ = (50, 50, 50, 50, 1)
 
 # Where the state has, by instance, whether it is measured, and what is watched for changes.
-_BATTERY_MONITORED = (13, 99)
-_BATTERY_SWAPS_NUMBER = (12, 98)
+_BATTERY_MONITORED = (13, 100)
+_BATTERY_SWAPS_NUMBER = (12, 99)
 
 
 def open_link(stream, known=messages.ALL, system_id=SYSTEM_ID):

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 1a28be766ea39e76
+# Inputs: f07cafb16a51306d
 """Messages of the telemetry: for each what builds it, and what makes its frame for a link.
 
 A builder returns the same message object at each call: send or encode it before the next one. An encoder goes from the
@@ -12,6 +12,7 @@ state to the whole frame at once; that is valid until the link's next one. Neith
 instance and the first page where they are not told another one, counted from 0. What is called `..._frame` is an
 encoder that has to be told: machine code has no default arguments, and the streams can do without the call between.
 """
+# ruff: noqa: F401  this is where they are imported from
 
 try:
     from telemetry_viper import (
@@ -65,29 +66,3 @@ except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
         encode_sys_status,
         smart_battery_info_frame,
     )
-
-__all__ = (
-    "battery_cell_voltages_frame",
-    "battery_info_frame",
-    "battery_status_frame",
-    "battery_status_v2_frame",
-    "build_autopilot_version",
-    "build_battery_cell_voltages",
-    "build_battery_info",
-    "build_battery_status",
-    "build_battery_status_v2",
-    "build_heartbeat",
-    "build_protocol_version",
-    "build_smart_battery_info",
-    "build_sys_status",
-    "encode_autopilot_version",
-    "encode_battery_cell_voltages",
-    "encode_battery_info",
-    "encode_battery_status",
-    "encode_battery_status_v2",
-    "encode_heartbeat",
-    "encode_protocol_version",
-    "encode_smart_battery_info",
-    "encode_sys_status",
-    "smart_battery_info_frame",
-)

@@ -4,7 +4,7 @@
 #   specs/messages/heartbeat.yaml, specs/messages/protocol_version.yaml,
 #   specs/messages/smart_battery_info.yaml, specs/messages/sys_status.yaml,
 #   specs/parameters.yaml, specs/state.yaml, dialect common: do not edit.
-# Inputs: 1a28be766ea39e76
+# Inputs: f07cafb16a51306d
 """From the words of the state to the frame of a message, by MicroPython's viper emitter: one function for each message.
 
 `value` is each value in turn, at last the checksum; `wire` is where the payload goes, in a link's buffer; `words` are
@@ -30,7 +30,7 @@ from micropython import const
 _UNKNOWN = const(-0x3FFFFFFF - 1)
 # Where the state keeps what.
 _BATTERY = const(0)
-_BATTERY_SIZE = const(86)
+_BATTERY_SIZE = const(87)
 _BATTERY_VOLTAGE_MV = const(0)
 _BATTERY_CURRENT_MA = const(1)
 _BATTERY_CONSUMED_MAH = const(2)
@@ -48,12 +48,12 @@ _BATTERY_PROTECTED = const(14)
 _BATTERY_LOWEST_CELL_MV = const(15)
 _BATTERY_HIGHEST_CELL_MV = const(16)
 _BATTERY_EXPIRES_MS = const(22)
-_BATTERY_CURRENT_EXPIRES_MS = const(31)
-_BATTERY_TREND_COUNT = const(39)
-_BATTERY_TREND_NEWER = const(40)
-_BATTERY_TREND_OLDER = const(41)
-_BATTERY_CELLS_MV = const(83)
-_VEHICLE = const(172)
+_BATTERY_CURRENT_EXPIRES_MS = const(32)
+_BATTERY_TREND_COUNT = const(40)
+_BATTERY_TREND_NEWER = const(41)
+_BATTERY_TREND_OLDER = const(42)
+_BATTERY_CELLS_MV = const(84)
+_VEHICLE = const(174)
 _VEHICLE_ARMED = const(0)
 _VEHICLE_READY = const(1)
 _VEHICLE_MODE_NUMBER = const(2)

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 122525e5c4eaca49
+# Inputs: 61adf55910623e93
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio

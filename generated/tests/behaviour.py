@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: ae5c8317fc164d4c
+# Inputs: f480277f3b373bdc
 """How the board and the state behave: checks that need more than one step, run as they are on every interpreter.
 
 As a program it prints one JSON object: what went wrong in each check, or null.
@@ -320,14 +320,14 @@ def battery_what_code_sets_counts_for_a_while():
     assert one.voltage_mv is None
     for value in (9775, 9775 + 1):
         one.voltage_mv = value
-        one.current_ma = 1
-        one.consumed_mah = 1
-        one.energy_hj = 1
-        one.remaining_pct = 1
-        one.left_mah = 1
-        one.time_left_s = 1
-        one.temperature_cdegc = 1
         for _ in range(50):
+            one.current_ma = 1
+            one.consumed_mah = 1
+            one.energy_hj = 1
+            one.remaining_pct = 1
+            one.left_mah = 1
+            one.time_left_s = 1
+            one.temperature_cdegc = 1
             state.update_battery(board)
             assert one.voltage_mv == value
         state.update_battery(board)
@@ -340,6 +340,42 @@ def battery_what_code_sets_counts_for_a_while():
         assert told(one.time_left_s) is None
         assert told(one.temperature_cdegc) is None
     assert not state.calibrate_battery(12)
+
+
+def battery_what_code_sets_beside_is_forgotten():
+    """All of it is believed while code sets any of it; where some of it is counted, that goes on."""
+    names = ("temperature_cdegc", "current_ma", "consumed_mah", "energy_hj", "remaining_pct", "left_mah", "time_left_s")
+    parameters = Parameters()
+    parameters.batt2_monitor = 0
+    parameters.batt_monitor = 3
+    state, board = SystemState(parameters, Log()), BatteryOddity(3063)
+    one = state.battery[0]
+    for last in names:
+        for name in names:
+            setattr(one, name, 1)
+        for _ in range(50):
+            state.update_battery(board)
+        setattr(one, last, 2)
+        for _ in range(50):
+            state.update_battery(board)
+            assert [getattr(one, name) for name in names if name != last] == [1] * (len(names) - 1), last
+        assert getattr(one, last) == 2
+        state.update_battery(board)
+        assert [getattr(one, name) for name in names] == [None] * len(names), last
+    parameters.batt2_monitor = 0
+    parameters.batt_monitor = 4
+    state, board = SystemState(parameters, Log()), MockBoard(Log(), parameters=parameters)
+    board.set_adc_value(3063)
+    one = state.battery[0]
+    for name in names:
+        setattr(one, name, 1)
+    one.consumed_mah = 1000
+    one.energy_hj = 1000
+    for _ in range(51):
+        state.update_battery(board)
+    assert one.consumed_mah > 500, "it went on from what code had set"
+    assert one.energy_hj > 500, "it went on from what code had set"
+    assert one.temperature_cdegc is None
 
 
 def battery_high_value_warns_now_and_then():
@@ -912,6 +948,7 @@ CHECKS = (
     ("", battery_readings_are_timed),
     ("FR-00067.3", battery_old_reading_is_unknown),
     ("FR-00073.10", battery_what_code_sets_counts_for_a_while),
+    ("FR-00073.11", battery_what_code_sets_beside_is_forgotten),
     ("FR-00069.5", battery_high_value_warns_now_and_then),
     ("FR-00069.1", battery_formula_of_people_agrees),
     ("FR-00069.6", battery_calibration),

@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: a193dabba3cda5b3
+# Inputs: fb9ddae3f02e0460
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -89,6 +89,7 @@ CRITERIA = {
     "quantity.gaps": ("FR-00021.2",),
     "quantity.invalid_after": ("FR-00067.3", "FR-00077.4"),
     "quantity.multiplier": ("FR-00069.2",),
+    "quantity.restarting_stale_after": ("FR-00073.11",),
     "quantity.returns": ("FR-00073.8",),
     "quantity.rounding": ("FR-00069.7",),
     "quantity.set_stale_after": ("FR-00073.10",),

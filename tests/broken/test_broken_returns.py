@@ -9,7 +9,7 @@ from test_broken_tables import Case, check_place, name_of
 STATE = "state.yaml"
 COUNTS = "counts_returns_of: absent"
 CHARGE = "stored: mAh\n        integral_of: current\n        restarts_with: "
-NOTHING = "        counts_returns_of: absent\n        back_from: 2.0\n        initial: 0\n"
+NOTHING = "        counts_returns_of: absent\n        back_from: 2.0\n        restarting_stale_after: 5 s\n        initial: 0\n"
 
 CASES = [
     # what is counted
@@ -21,6 +21,7 @@ CASES = [
     Case("bad-return", STATE, NOTHING, "        counts_returns_of: §absent\n", "starts unknown"),
     Case("bad-return", STATE, "back_from: 2.0", "back_from: §1.0", "absent is not below a smaller number"),
     Case("bad-return", STATE, "        below: 1.0\n", "        at_least: 1.0\n", "not below a smaller number", at="state.yaml:154:20"),
+    Case("unit-mismatch", STATE, "restarting_stale_after: 5 s", "restarting_stale_after: §5 V", "a time is needed"),
     Case("bad-quantity", STATE, "back_from: 2.0", "back_from: §2.0001", "not a whole number of stored units"),
     Case("bad-return", STATE, NOTHING, f"        unit: mAh\n{NOTHING}".replace("of: ", "of: §"), "no pure number"),
     Case(

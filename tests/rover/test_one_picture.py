@@ -94,6 +94,25 @@ def test_nothing_of_the_pack_before_is_told_of_another(wire: ModuleType, interpr
     assert math.isnan(latest.state_of_charge)
 
 
+@pytest.mark.requirement("FR-00073.11", "FR-00068.3", "FR-00072.4")
+@pytest.mark.parametrize("interpreter", ["python", "micropython"])
+def test_a_gauge_that_is_silent_is_believed_for_five_seconds(wire: ModuleType, interpreter: str) -> None:
+    """While the ADC goes on: the pack sags, and its charge from before is told no longer, nor its temperature."""
+    gauge: Step = [("left", 1200), ("remaining", 36), ("temperature", 25)]
+    sags = [[gauge, *[[]] * 49, [("voltage", 3300)], *[[]] * 5]]
+    (steps,) = told(wire, sags, 3, interpreter)
+    basic, status, latest = steps[49]
+    assert basic.battery_remaining == status.battery_remaining == 36
+    assert latest.capacity_remaining == pytest.approx(1.2)
+    assert status.temperature == 2500
+    basic, status, latest = steps[-1]
+    assert basic.voltage_battery == millivolts(status) < 11000
+    assert basic.battery_remaining == status.battery_remaining == -1
+    assert math.isnan(latest.state_of_charge)
+    assert math.isnan(latest.capacity_remaining)
+    assert status.temperature == latest.temperature == 32767
+
+
 STEPS = st.lists(
     st.one_of(
         st.tuples(st.just("voltage"), st.sampled_from([3770, 3900, 3000, 2500, 0, -1])),

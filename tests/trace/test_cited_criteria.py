@@ -54,6 +54,7 @@ OF_THE_BEHAVIOUR = {
         "multiplier",
         "rounding",
         "set_stale_after",
+        "restarting_stale_after",
         "stale_after",
         "warn_above",
     },

@@ -31,7 +31,7 @@ def project(folder: Path) -> tuple[Trace, dict[str, str]]:
 def names_of(text: str) -> set[str]:
     """What a module defines: functions, classes, constants, and of classes methods and the attributes of self.
 
-    Also what it passes on from others, as its ``__all__`` says.
+    Also what it passes on from others, in the faster of two forms or in the only one: what it imports of a module that is called so.
     """
     found = set()
     for node in ast.parse(text).body:
@@ -39,8 +39,9 @@ def names_of(text: str) -> set[str]:
             found.add(node.name)
         if isinstance(node, ast.Assign):
             found |= {target.id for target in node.targets if isinstance(target, ast.Name)}
-            if ast.unparse(node.targets[0]) == "__all__":
-                found |= set(ast.literal_eval(node.value))
+        for part in node.body if isinstance(node, ast.Try) else (node,):
+            if isinstance(part, ast.ImportFrom) and str(part.module).endswith(("_viper", "_plain")):
+                found |= {each.name for each in part.names}
         if isinstance(node, ast.ClassDef):  # views of the state's words
             views = [each for each in node.body if isinstance(each, ast.Assign)]
             parts = [part for each in views for target in each.targets for part in ast.walk(target)]

@@ -6,9 +6,10 @@ from dataclasses import replace
 from codegen.frozen import dataclass
 from codegen.model.letters import letter_words
 from codegen.model.reach import Reach
+from codegen.model.set_together import set_together
 from codegen.model.storage import Storage
 from codegen.model.vehicle import Component, Quantity, QuantityKind
-from codegen.targets.firmware.words import Block, age_word, differ
+from codegen.targets.firmware.words import SET_AGE, Block, age_word, differ
 from codegen.targets.naming import prose, quoted
 
 VIEWS = {
@@ -157,13 +158,21 @@ def _views(quantity: Quantity, component: Component, block: Block, told: Reach) 
         yield AttributeView(quantity.name, f"result({place}, {steps})", "", f"{shown}, {_known_words(quantity)}{cited}")
     else:
         names = f"{quantity.attribute}, {quantity.name}"
-        age = f"age={block.constant('failures')}" if derivation.represented else ""
+        age = _age(quantity, component, block)
         yield AttributeView(
             names,
             f"number({_joined(limits, steps, age)})",
             _lines(above, f"{shown}, {_known_words(quantity)}{cited}"),
             "",
         )
+
+
+def _age(quantity: Quantity, component: Component, block: Block) -> str:
+    """The argument for what counts readings since code has set it, or nothing."""
+    if quantity.derivation.represented:
+        return f"age={block.constant('failures')}"
+    together = set_together(component)
+    return f"age={block.constant(SET_AGE)}" if together and quantity in together.quantities else ""
 
 
 def _elements(quantity: Quantity, told: Reach, block: Block, above: str, behind: str) -> Iterator[AttributeView]:

@@ -1,6 +1,5 @@
 """Statements that take a reading over into the words of a component, and forget one that has become too old."""
 
-import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
@@ -8,6 +7,7 @@ from codegen.model.conversion import Factor
 from codegen.model.payload_code import ELEMENT, UNKNOWN, each_element, indented
 from codegen.model.trust import Threshold
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading, Represented, Returns
+from codegen.targets.firmware.aged import aged, all_unknown, cited_in
 from codegen.targets.firmware.payload import SpelledCode
 from codegen.targets.firmware.summing import CLOCK_MASK, begun, summed
 from codegen.targets.firmware.words import TREND_WORDS, age_word, differ, factor_words
@@ -34,7 +34,7 @@ def _expiry(reading: Reading, code: SpelledCode, now: str) -> list[str]:
     measured = reading.quantity
     if measured.trust.stale_after_ms is None:
         return []
-    cited = _cited(measured.cited("stale_after"))
+    cited = cited_in(measured.cited("stale_after"))
     expires = code.word(measured.component, reading.word("expires_ms"))
     what = "A reading" if reading.is_first else f"The {measured.name}"
     return [
@@ -46,7 +46,7 @@ def _expiry(reading: Reading, code: SpelledCode, now: str) -> list[str]:
 def forgetting(quantity: Quantity, code: SpelledCode, now: str) -> list[str]:
     """Forget what code has set where that was too long ago by the time ``now``, in ms."""
     expires = code.word(quantity.component, age_word(quantity))
-    cited = _cited(quantity.cited("stale_after"))
+    cited = cited_in(quantity.cited("stale_after"))
     element = ELEMENT if quantity.elements else ""
     forget = [f"{code.half(quantity, 0, element)} = {UNKNOWN}"]
     forget = each_element(0, quantity.elements[0], forget) if quantity.elements else forget
@@ -100,7 +100,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
     if stale_ms is not None:
         later = f"now_ms - {(1 << 30) - stale_ms} & {CLOCK_MASK}"  # a sum may be no small integer
         good.append(f"{code.word(name, reading.word('expires_ms'))} = {later}  # in {stale_ms} ms")
-    lasts = _until(lasting) + _cited(measured.cited("invalid_after"))
+    lasts = _until(lasting) + cited_in(measured.cited("invalid_after"))
     failed = [f"# A failed reading keeps the last value{lasts}.", *failed]
     following = [*_followed(reading, code)]
     if measured.derivation.represented is None:
@@ -112,7 +112,7 @@ def taken(reading: Reading, code: SpelledCode, counting_on: list[str] | None = N
         following = [f"if value != {UNKNOWN}:", *indented(following)]
     taking = [f"if count < 0 or count > {full_scale}:", *indented(failed), "else:", *indented(good), *following]
     return [
-        *(_aged(reading, code) if reading.is_first else ()),
+        *(aged(reading, code) if reading.is_first else ()),
         "told = 0",
         f"count = {code.number_of(code.word(name, reading.word('count')))}",
         *taking,
@@ -137,7 +137,7 @@ def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Itera
     """Where code sets the value: ``value`` is what it has set, unless that was too long ago."""
     measured, name = reading.quantity, reading.component.name
     failures = code.word(name, reading.word("failures"))
-    cited = _cited(measured.cited("set_stale_after"))
+    cited = cited_in(measured.cited("set_stale_after"))
     yield f"if {code.word(name, reading.word('is_set'))}:"
     yield f"    # Code sets it; that is forgotten {represented.stale_after_ms} ms later{cited}."
     yield f"    {failures} = {failures} + 1"
@@ -148,44 +148,6 @@ def _set(reading: Reading, represented: Represented, code: SpelledCode) -> Itera
     yield f"    value = {code.number_of(code.word(name, measured.attribute))}"
 
 
-def _aged(reading: Reading, code: SpelledCode) -> Iterator[str]:
-    """Forget the lists whose values nothing has set for a while: readings count how long ago it was."""
-    component = reading.component
-    for quantity in component.quantities.values():
-        if not quantity.ages_by_readings:
-            continue
-        stale_ms = quantity.trust.stale_after_ms
-        age = code.word(component.name, f"{quantity.attribute}_age")
-        yield f"# {quantity.path} is forgotten {stale_ms} ms after one was set{_cited(quantity.cited('stale_after'))}."
-        yield f"if {code.number_of(age)} != {UNKNOWN}:"
-        yield f"    {age} = {age} + 1"
-        yield f"    if {age} > {math.ceil((stale_ms or 0) / (component.period_ms or 100))}:"
-        yield f"        {age} = {UNKNOWN}"
-        yield from indented(_all_unknown(quantity, component, code), 2)
-        if extremes := component.extremes(quantity):
-            yield "    else:"
-            yield from indented([*_found(extremes, quantity, code)], 2)
-
-
-def _found(extremes: Iterable[Quantity], listed: Quantity, code: SpelledCode) -> Iterator[str]:
-    """Find the lowest and the highest value of a list, of those that are known."""
-    words = [(each, code.word(each.component, each.attribute)) for each in extremes]
-    yield from (f"{word} = {UNKNOWN}" for _, word in words)
-    yield "count = 0"
-    yield f"while count < {max(listed.elements or (0,))}:"
-    yield f"    value = {code.number_of(code.half(listed, 0, 'count'))}"
-    yield "    count += 1"
-    yield f"    if value == {UNKNOWN}:"
-    yield "        continue"
-    for extreme, word in words:
-        number = code.number_of(word)
-        if extreme.derivation.is_of_lowest:
-            yield f"    if {number} == {UNKNOWN}:"
-            yield f"        {word} = value"
-        yield f"    if value {'<' if extreme.derivation.is_of_lowest else '>'} {number}:"
-        yield f"        {word} = value"
-
-
 def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
     """Take what comes before a reading, where all of it is known."""
     measured, name = reading.quantity, reading.component.name
@@ -193,7 +155,8 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
         return
     listed = reading.component.quantities[measured.derivation.prefers]
     number = code.number_of(code.half(listed, 0, "count"))
-    yield f"# The sum of {listed.path} comes first while all of them are known{_cited(measured.cited('stale_after'))}."
+    cited = cited_in(measured.cited("stale_after"))
+    yield f"# The sum of {listed.path} comes first while all of them are known{cited}."
     yield "value = 0"
     yield "count = 0"
     yield f"while count < {code.count(listed)} and {number} != {UNKNOWN}:"
@@ -204,20 +167,6 @@ def _preferred(reading: Reading, code: SpelledCode) -> Iterator[str]:
     if measured.trust.stale_after_ms is not None:
         later = f"now_ms - {(1 << 30) - measured.trust.stale_after_ms} & {CLOCK_MASK}"
         yield f"    {code.word(name, reading.word('expires_ms'))} = {later}"
-
-
-def _all_unknown(quantity: Quantity, component: Component, code: SpelledCode) -> list[str]:
-    """Make a list unknown, and the lowest and the highest of it.
-
-    ``count`` counts its values, since one more variable would put all on the heap.
-    """
-    return [
-        "count = 0",
-        f"while count < {max(quantity.elements or (0,))}:",
-        f"    {code.half(quantity, 0, 'count')} = {UNKNOWN}",
-        "    count += 1",
-        *(f"{code.word(each.component, each.attribute)} = {UNKNOWN}" for each in component.extremes(quantity)),
-    ]
 
 
 def _converted(reading: Reading, code: SpelledCode) -> list[str]:
@@ -289,10 +238,6 @@ def _until(failures: int | None) -> str:
     return "" if failures is None else f"; {failures} in a row make it unknown"
 
 
-def _cited(criterion: str) -> str:
-    return f" ({criterion})" if criterion else ""
-
-
 def _product(numerator: int, denominator: int) -> str:
     """``value * numerator / denominator`` for a positive value, rounded to nearest, without a product of all three."""
     whole = f"value // {denominator}" + (f" * {numerator}" if numerator != 1 else "")
@@ -304,7 +249,7 @@ def _returned(component: Component, returns: Returns, code: SpelledCode) -> Iter
     """Count that something has come back, and let what was counted for the last one begin anew."""
     name = component.name
     gone, counted = code.word(name, "gone"), code.word(name, returns.count.attribute)
-    cited = _cited(str(returns.count.citation or ""))
+    cited = cited_in(str(returns.count.citation or ""))
     yield f"# Whether it is {returns.gone.name}; another one may have been put in{cited}."
     least = returns.count.derivation.back_from
     yield f"is_gone = {gone}" if least else "is_gone = 0"
@@ -339,7 +284,7 @@ def _gone(component: Component, returns: Returns, code: SpelledCode, *, sums: bo
     for quantity in returns.restarting:
         if _is_forgotten(quantity) or (sums and quantity.derivation.sums):
             word = code.word(component.name, quantity.attribute)
-            yield from _all_unknown(quantity, component, code) if quantity.elements else [f"{word} = {UNKNOWN}"]
+            yield from all_unknown(quantity, component, code) if quantity.elements else [f"{word} = {UNKNOWN}"]
 
 
 def _is_forgotten(quantity: Quantity) -> bool:
@@ -354,7 +299,7 @@ def _above(reading: Reading, threshold: Threshold, code: SpelledCode) -> Iterato
     own = differ(limits)
     limit = code.number_of(code.word(name, reading.word("warn_above"))) if own else str(limits[0])
     words = f"# Above {limit if limit.isdigit() else 'its limit'} a warning is due, unless there was one just now"
-    yield f"{words}{_cited(measured.cited('warn_above'))}."
+    yield f"{words}{cited_in(measured.cited('warn_above'))}."
     yield f"since = {code.number_of(warned)}"
     yield f"if since != {UNKNOWN} and now_ms - since & {CLOCK_MASK} >= {threshold.every_ms or 0}:"
     yield f"    {warned} = {UNKNOWN}"
@@ -372,7 +317,7 @@ def _trend(trend: Quantity, reading: Reading, code: SpelledCode) -> Iterator[str
     count, newer, older = (code.word(name, f"{trend.name}_{word}") for word in TREND_WORDS)
     word = code.word(name, trend.attribute)
     scale = Fraction(1000, half * half * component.period_ms)
-    cited = _cited(str(trend.citation or ""))
+    cited = cited_in(str(trend.citation or ""))
     ring = f"{trend.name}_readings"
     yield f"# The change per second: the sum of the newer {half} readings against that of the older ones{cited}."
     yield f"value = {code.word(name, measured.attribute)}"

@@ -26,7 +26,7 @@ from codegen.targets.firmware.measured_view import (
     unreadable,
 )
 from codegen.targets.firmware.reading import WAITING, expires
-from codegen.targets.firmware.sum_words import fulls
+from codegen.targets.firmware.sum_words import fulls, rest_words
 from codegen.targets.firmware.words import TREND_WORDS, Block, ConstantView, Layout, differ
 from codegen.targets.imports import either_import, import_lines
 from codegen.targets.naming import parameter_attribute, parameter_expression, prose, state_class
@@ -225,6 +225,7 @@ def _start(component: Component, block: Block) -> Iterator[tuple[str, str]]:
             yield block.constant(quantity.attribute), str(int(bool(quantity.initial)))
         elif quantity.initial is not None:
             yield from initial_words(quantity, block.constant(quantity.attribute))
+        yield from ((block.constant(word), str(at)) for word, at in rest_words(quantity).items())
     yield from _counters(component, block)
     counted = (reading.word(word) for reading in component.readings for word in ("failures", "is_logged"))
     for word in ("number", *counted, "gone"):

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from codegen.model.basis import Basis
-from codegen.model.summed import Rest
+from codegen.model.summed import RADIX, Rest
 from codegen.model.vehicle import Parameter, Quantity
 from codegen.targets.naming import parameter_attribute
 
@@ -37,9 +37,16 @@ def full_word(rest: Rest) -> str:
     return parameter_attribute(rest.full.siblings[0] if rest.full.siblings else rest.full.name)
 
 
-def rest_words(quantity: Quantity) -> tuple[str, ...]:
-    """The words of what a sum has beyond its last whole step."""
+def rest_words(quantity: Quantity) -> dict[str, int]:
+    """The words of what a sum has beyond its last whole step, with what they begin with.
+
+    That is half a step in advance, so that whole steps are the nearest ones.
+    """
     found = quantity.derivation.sums
     if found is None:
-        return ()
-    return (f"{quantity.name}_rest",) if found.times is None else tuple(f"{quantity.name}_{word}" for word in DIGITS)
+        return {}
+    half = found.parts // 2
+    if found.times is None:
+        return {f"{quantity.name}_rest": half}
+    digits = (half % RADIX, half // RADIX % RADIX, half // RADIX // RADIX)
+    return {f"{quantity.name}_{word}": digit for word, digit in zip(DIGITS, digits, strict=True)}

@@ -12,13 +12,12 @@ CLOCK_MASK = "0x3FFFFFFF"
 
 
 def begun(quantity: Quantity, code: SpelledCode) -> list[str]:
-    """Begin a sum anew: half a step in advance, so that whole steps are the nearest ones."""
-    found, owner = quantity.derivation.sums, quantity.component
-    assert found is not None
-    half = found.parts // 2
-    starts = [half] if found.times is None else [half % RADIX, half // RADIX % RADIX, half // RADIX // RADIX]
-    rests = zip(rest_words(quantity), starts, strict=True)
-    return [f"{code.word(owner, quantity.attribute)} = 0", *(f"{code.word(owner, word)} = {at}" for word, at in rests)]
+    """Begin a sum anew."""
+    owner, rests = quantity.component, rest_words(quantity)
+    return [
+        f"{code.word(owner, quantity.attribute)} = 0",
+        *(f"{code.word(owner, word)} = {at}" for word, at in rests.items()),
+    ]
 
 
 def summed(reading: Basis, code: SpelledCode) -> list[str]:
@@ -55,7 +54,7 @@ def _sum(quantity: Quantity, found: Sum, reading: Basis, code: SpelledCode) -> l
     cited = f" ({quantity.citation})" if quantity.citation else ""
     head = f"# {quantity.path}: {found.parts} parts are a step, and what is less is kept{cited}."
     if found.times is None:
-        rest = code.word(owner, rest_words(quantity)[0])
+        (rest,) = (code.word(owner, name) for name in rest_words(quantity))
         carried = [f"part = took + {rest}", f"{rest} = part % {found.parts}"]
         carried.append(f"part = {code.number_of(word)} + part // {found.parts}")
         return [head, *start, *carried, *_limited("part", quantity), f"{word} = part"]

@@ -8,17 +8,16 @@ from codegen.targets.naming import builder_name, encoder_name, frame_name
 
 @dataclass(frozen=True, slots=True)
 class TelemetryView:
-    """The module: the lines that import the functions, and their names."""
+    """The module: the lines that import the functions."""
 
     imports: tuple[str, ...]
-    names: tuple[str, ...]
 
 
 def telemetry_view(system: System) -> TelemetryView:
     """The view of the whole module."""
     names = [name for message in system.messages for name in _functions(message)]
     names.sort(key=order)
-    return TelemetryView(either_import("telemetry", names, machine_code=system.spec.project.machine_code), tuple(names))
+    return TelemetryView(either_import("telemetry", names, machine_code=system.spec.project.machine_code))
 
 
 def _functions(message: PopulatedMessage) -> set[str]:

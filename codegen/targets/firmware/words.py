@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 
 from codegen.frozen import dataclass
 from codegen.model.conversion import Factor
+from codegen.model.set_together import set_together
 from codegen.model.system import System
 from codegen.model.vehicle import Component, Parameter, Quantity, Reading
 from codegen.targets.firmware.sum_words import sum_words
@@ -143,6 +144,8 @@ def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
                 yield reading.word("warn_above"), 1
         if reading.returns:
             yield "gone", 1
+            if set_together(component):
+                yield SET_AGE, 1
         yield from ((word, 1) for word in sum_words(reading))
     for basis in component.counted_on:
         yield from ((word, 1) for word in sum_words(basis))
@@ -151,6 +154,9 @@ def _of_readings(component: Component) -> Iterator[tuple[str, int]]:
             yield from ((f"{quantity.name}_{word}", 1) for word in TREND_WORDS)
             yield f"{quantity.name}_readings", quantity.derivation.kept_readings
 
+
+SET_AGE = "set_age"
+"""How many readings ago code has set one of those that are forgotten together; unknown is never, or long ago."""
 
 FACTOR_WORDS = ("multiplier", "offset")
 

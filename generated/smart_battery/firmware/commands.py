@@ -71,7 +71,6 @@ class Commands:
         self._vehicle = vehicle
         self._connection = connection
         self._ack = messages.CommandAck(unknown=False)
-        self._interval = messages.MessageInterval(unknown=False)
         self.table = {
             _MAV_CMD_REQUEST_MESSAGE: self._request_message,
             _MAV_CMD_SET_MESSAGE_INTERVAL: self._set_interval,
@@ -175,9 +174,10 @@ class Commands:
 
     def _send_interval(self, message_id):
         interval_us = self._connection.streams.interval_us(message_id)
-        pack_into("<i", self._interval.wire, _MESSAGE_INTERVAL_INTERVAL_US_AT, interval_us)
-        pack_into("<H", self._interval.wire, _MESSAGE_INTERVAL_MESSAGE_ID_AT, message_id)
-        return self._connection.send(self._interval)
+        answer = messages.MessageInterval(unknown=False)  # few ask
+        pack_into("<i", answer.wire, _MESSAGE_INTERVAL_INTERVAL_US_AT, interval_us)
+        pack_into("<H", answer.wire, _MESSAGE_INTERVAL_MESSAGE_ID_AT, message_id)
+        return self._connection.send(answer)
 
     def _reboot(self, command):
         """Start again, if the vehicle is disarmed. Vehicle.reboot() leaves the COMMAND_ACK time to go out."""

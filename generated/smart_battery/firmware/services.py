@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: a6f496c18dbfdc00
+# Inputs: 2380a543e248dba1
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -83,8 +83,6 @@ class Services:
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
-        self._pong = messages.Ping(unknown=False)
-        self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
         self._targets = {}  # where those that are for this vehicle alone have their target
         for kind, taker in (
@@ -155,10 +153,10 @@ class Services:
         wire = message.wire
         if wire[_PING_TARGET_SYSTEM_AT] or wire[_PING_TARGET_COMPONENT_AT]:
             return
-        self._pong.wire[:] = wire
-        self._pong.wire[_PING_TARGET_SYSTEM_AT] = message.source_system
-        self._pong.wire[_PING_TARGET_COMPONENT_AT] = message.source_component
-        self._connection.link.send(self._pong)  # a late answer would measure the wait: better none
+        wire[_PING_TARGET_SYSTEM_AT] = message.source_system
+        wire[_PING_TARGET_COMPONENT_AT] = message.source_component
+        self._connection.link.send(message)  # a late answer would measure the wait: better none
+        wire[_PING_TARGET_SYSTEM_AT] = wire[_PING_TARGET_COMPONENT_AT] = 0  # as it came, for who is next
 
     def _request_stream(self, message):
         wire = message.wire
@@ -177,7 +175,8 @@ class Services:
         if request[3] >= _MAV_FTP_OPCODE_ACK or self._connection.link.version == 1:
             return  # an answer, or MAVLink 1, which would take all 251 bytes of the payload
         sequence = (request[0] | request[1] << 8) + 1
-        wire = self._refusal.wire
+        refusal = FtpHead(unknown=False)  # few ask: kept, it would take more of the heap than it is worth
+        wire = refusal.wire
         wire[_FILE_TRANSFER_PROTOCOL_TARGET_SYSTEM_AT] = message.source_system
         wire[_FILE_TRANSFER_PROTOCOL_TARGET_COMPONENT_AT] = message.source_component
         payload = wire[at:]
@@ -188,4 +187,4 @@ class Services:
         payload[4] = 1  # byte of data: the reason
         payload[5] = request[3]
         payload[_HEAD] = _MAV_FTP_ERR_UNKNOWNCOMMAND
-        self._connection.link.send(self._refusal)
+        self._connection.link.send(refusal)

@@ -23,7 +23,6 @@ class ParameterService:
         self._vehicle = vehicle
         self._connection = connection
         self._value = messages.ParamValue(unknown=False)  # each sets all fields
-        self._error = messages.ParamError(unknown=False)
 
     def run(self):
         """Send the next value of a list that was asked for: one in a pass, so that streams have their turn."""
@@ -96,19 +95,16 @@ class ParameterService:
 
     def _refuse(self, message, name, index, error):
         # MAVLink 1 has no PARAM_ERROR: its id is above 255.
-        if self._connection.link.version == 2:
-            refusal = (message.source_system, message.source_component, name, index, error)
-            self._connection.deliver(self._send_error, refusal)
-
-    def _send_error(self, refusal):
-        system, component, name, index, error = refusal
-        wire = self._error.wire
+        if self._connection.link.version == 1:
+            return
+        refusal = messages.ParamError(unknown=False)
+        wire = refusal.wire
         pack_into("<h", wire, dialect.PARAM_ERROR_PARAM_INDEX_AT, index)
-        wire[dialect.PARAM_ERROR_TARGET_SYSTEM_AT] = system
-        wire[dialect.PARAM_ERROR_TARGET_COMPONENT_AT] = component
+        wire[dialect.PARAM_ERROR_TARGET_SYSTEM_AT] = message.source_system
+        wire[dialect.PARAM_ERROR_TARGET_COMPONENT_AT] = message.source_component
         _put_name(wire, dialect.PARAM_ERROR_PARAM_ID_AT, name)
         wire[dialect.PARAM_ERROR_ERROR_AT] = error
-        return self._connection.send(self._error)
+        self._connection.deliver(self._connection.send, refusal)
 
 
 def _index(name):

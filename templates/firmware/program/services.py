@@ -67,8 +67,6 @@ class Services:
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
-        self._pong = messages.Ping(unknown=False)
-        self._refusal = FtpHead(unknown=False)
         self._takers = {}  # who takes messages, by their ids
         self._targets = {}  # where those that are for this vehicle alone have their target
         for kind, taker in (
@@ -139,10 +137,10 @@ class Services:
         wire = message.wire
         if wire[dialect.PING_TARGET_SYSTEM_AT] or wire[dialect.PING_TARGET_COMPONENT_AT]:
             return
-        self._pong.wire[:] = wire
-        self._pong.wire[dialect.PING_TARGET_SYSTEM_AT] = message.source_system
-        self._pong.wire[dialect.PING_TARGET_COMPONENT_AT] = message.source_component
-        self._connection.link.send(self._pong)  # a late answer would measure the wait: better none
+        wire[dialect.PING_TARGET_SYSTEM_AT] = message.source_system
+        wire[dialect.PING_TARGET_COMPONENT_AT] = message.source_component
+        self._connection.link.send(message)  # a late answer would measure the wait: better none
+        wire[dialect.PING_TARGET_SYSTEM_AT] = wire[dialect.PING_TARGET_COMPONENT_AT] = 0  # as it came, for who is next
 
     def _request_stream(self, message):
         wire = message.wire
@@ -161,7 +159,8 @@ class Services:
         if request[3] >= dialect.MAV_FTP_OPCODE_ACK or self._connection.link.version == 1:
             return  # an answer, or MAVLink 1, which would take all 251 bytes of the payload
         sequence = (request[0] | request[1] << 8) + 1
-        wire = self._refusal.wire
+        refusal = FtpHead(unknown=False)  # few ask: kept, it would take more of the heap than it is worth
+        wire = refusal.wire
         wire[dialect.FILE_TRANSFER_PROTOCOL_TARGET_SYSTEM_AT] = message.source_system
         wire[dialect.FILE_TRANSFER_PROTOCOL_TARGET_COMPONENT_AT] = message.source_component
         payload = wire[at:]
@@ -172,4 +171,4 @@ class Services:
         payload[4] = 1  # byte of data: the reason
         payload[5] = request[3]
         payload[_HEAD] = dialect.MAV_FTP_ERR_UNKNOWNCOMMAND
-        self._connection.link.send(self._refusal)
+        self._connection.link.send(refusal)
