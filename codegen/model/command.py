@@ -107,6 +107,8 @@ BUILT_IN = (
         "arming in vehicle.yaml says how the vehicle is armed, and check_arming() of its code what speaks against it",
     ),
     BuiltInCommand("MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN", "Restarts the board.", "_reboot"),
+    BuiltInCommand("MAV_CMD_PREFLIGHT_STORAGE", "Gives all parameters their defaults.", "_do_rarely"),
+    BuiltInCommand("MAV_CMD_RUN_PREARM_CHECKS", "Tells what speaks against arming.", "_do_rarely", Needs.ARMING),
     BuiltInCommand(
         "MAV_CMD_DO_SET_MODE",
         "Changes to one of the modes.",

@@ -307,6 +307,13 @@ class WireMessage:
         """The message id, 0 to 16777215; up to 255 the message can be sent in MAVLink 1."""
         return self.definition.id
 
+    @property
+    def targets(self) -> tuple[int, ...]:
+        """Where the payload has its target system and component, as far as it has them."""
+        system = self.field("target_system") or self.field("target")
+        fields = (system, self.field("target_component")) if system else ()
+        return tuple(field.offset for field in fields if field)
+
     def field(self, name: str) -> WireField | None:
         """The field called ``name``, or None."""
         return next((field for field in self.fields if field.name == name), None)

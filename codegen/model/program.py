@@ -5,6 +5,7 @@ from enum import Enum
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.absence import Absence
 from codegen.model.access import Access
 from codegen.model.access_spec import SETUP_SIGNING
 from codegen.model.board_spec import LinkSpec
@@ -74,7 +75,7 @@ class Program:
     or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
     single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
     ``priority`` are the actions, the most severe first, or none where each failsafe acts for itself. ``access`` is None
-    where every link is open.
+    where every link is open. ``absences`` are the questions about what it does not have.
     """
 
     control_us: int
@@ -99,6 +100,7 @@ class Program:
     modes: tuple[Mode, ...] = ()
     priority: tuple[ActionSpec, ...] = ()
     access: Access | None = None
+    absences: tuple[Absence, ...] = ()
 
     @property
     def built_in(self) -> tuple[BuiltInCommand, ...]:

@@ -95,13 +95,14 @@ class ServicesSpec(Written):
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
         "Criteria for single aspects: commands, request, intervals, data_streams, restart, ping, texts, garbage, "
-        "links, stations, standing (what is told again), twins (who uses the same ids is told).",
+        "links, stations, standing (what is told again), absent (missions, logs and modes), checks, defaults (of all "
+        "parameters), twins (who uses the same ids is told).",
         default_factory=dict,
     )
 
     ASPECTS = (
         *("commands", "request", "intervals", "data_streams", "restart", "ping", "texts", "garbage", "links"),
-        *("stations", "standing", "twins"),
+        *("stations", "standing", "absent", "checks", "defaults", "twins"),
     )
 
 

@@ -13,6 +13,7 @@ from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import unit_named
 from codegen.model.vehicle import Component, Parameter
+from codegen.resolve.absences import mission_results, resolve_absences
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.commands import resolve_commands
 from codegen.resolve.failsafe import resolve_failsafes
@@ -50,10 +51,13 @@ def resolve_program(
     commands: CommandsSpec | None,
     access: Access | None,
     takes_time: bool,
+    component_id: int,
+    received: frozenset[str],
 ) -> Program | None:
     """The program of vehicle.yaml, with its ``commands``; None, with findings, where it cannot be built.
 
-    ``access`` is resolved already. ``takes_time``: a table has the time since 1970.
+    ``access`` is resolved already. ``takes_time``: a table has the time since 1970. ``component_id`` is its own;
+    ``received`` are the messages that tables receive.
     """
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
     links = read_rate(spec.control.links, spec.control.at("links"), report)
@@ -68,6 +72,7 @@ def resolve_program(
     takes_keys = access is not None and bool(access.spec.setup)
     uses = Uses(takes_time=takes_time, takes_long=takes_long, has_modes=bool(modes), takes_keys=takes_keys)
     services = service_messages(spec, dialect, report, uses)
+    absences = resolve_absences(dialect, component_id, received | ({"SET_MODE"} if modes else frozenset()))
     cited = {}
     for name, text, place in (
         ("control", spec.control.requirement, spec.control.at("requirement")),
@@ -115,7 +120,7 @@ def resolve_program(
         actions=spec.actions,
         services=services,
         sent=SENT,
-        constants=service_constants(spec, dialect, report, uses),
+        constants={**service_constants(spec, dialect, report, uses), **(mission_results(dialect) if absences else {})},
         fastest=fastest,
         module=code.module,
         class_name=code.class_name,
@@ -128,6 +133,7 @@ def resolve_program(
         modes=modes,
         priority=resolve_priority(spec, failsafes, report),
         access=access,
+        absences=absences,
     )
 
 

@@ -71,6 +71,8 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             commands=spec.commands,
             access=resolve_access(spec, spec.vehicle, dialect, index, report),
             takes_time=Clock.UNIX in tables,
+            component_id=1 if component_id is None else component_id,
+            received=frozenset(reception.wire.name for reception in receptions),
         )
     elif spec.commands is not None:
         report.add(NO_PROGRAM_FOR_COMMANDS, spec.commands.place, "there is no program that could do commands")

@@ -96,6 +96,7 @@ class ProgramSuiteView:
     access: "AccessFacts | None"
     criteria: dict[str, tuple[str, ...]]
     answered: tuple[int, ...]
+    absent: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +156,7 @@ def render_program_suite(system: System, program: Program) -> dict[str, str]:
         access=_access(program),
         criteria=check_criteria(system, program),
         answered=_answered(program),
+        absent=tuple((each.question.id, each.answer.id) for each in program.absences),
     )
     origin = origin_of(system, [path for path in system.spec.files if not path.endswith(".md")])
     text = rendered(f"{_PROGRAM}/program_facts.py.j2", view)

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 82cf61049dcea8cb
+# Inputs: 9085fc500ed401f9
 """The program: what the board starts."""
 
 import asyncio

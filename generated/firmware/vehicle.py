@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 61adf55910623e93
+# Inputs: 3833bbfbf7735f3f
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -272,7 +272,9 @@ class Vehicle:
 
     def _connect(self, port):
         link = open_link(port, receivable(), self.parameters.sysid_thismav)
-        return Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
+        connection = Connection(self, port, link, lambda budget: Streams(self.state, link, budget))
+        connection.services.expect((43, 44, 45, 40, 51, 117, 11))
+        return connection
 
     def _load_parameters(self):
         stored = self.storage.load()

@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: fb9ddae3f02e0460
+# Inputs: cdb85991f2a305b8
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -25,6 +25,9 @@ FORCE_ARM = 21196
 SYSTEM_ID = 1
 COMPONENT_ID = 1
 VERSION = 2
+
+# Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
+ABSENT = ((43, 44), (44, 47), (45, 47), (40, 47), (51, 47), (117, 118), (11, 77))
 
 # Numbers of the commands that not every program answers.
 ANSWERED = ()
@@ -105,8 +108,11 @@ CRITERIA = {
     "reading.read_limit": ("NFR-00060.2",),
     "reading.samples": ("FR-00066.2",),
     "reading.when": ("FR-00077.2",),
+    "services.absent": ("FR-00070.13",),
+    "services.checks": ("FR-00070.14",),
     "services.commands": ("FR-00070.1",),
     "services.data_streams": ("FR-00070.4",),
+    "services.defaults": ("FR-00070.15",),
     "services.garbage": ("FR-00070.9",),
     "services.intervals": ("FR-00070.3",),
     "services.links": ("FR-00070.10",),

@@ -1,9 +1,10 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 8203fb56bcd08511
+# Inputs: 7f4dc00c38786ccd
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
     SECOND_US,
+    SETTABLE,
     TURN_US,
     Flash,
     GroundStation,
@@ -17,7 +18,18 @@ from program_bench import (
     run,
     run_passes,
 )
-from program_facts import ANSWERED, COMPONENT_ID, FILES, FORCE_ARM, MESSAGES, ON_REQUEST, SENT, SYSTEM_ID
+from program_facts import (
+    ABSENT,
+    ANSWERED,
+    COMPONENT_ID,
+    FILES,
+    FORCE_ARM,
+    MESSAGES,
+    ON_REQUEST,
+    PARAMETERS,
+    SENT,
+    SYSTEM_ID,
+)
 
 import dialect
 
@@ -318,6 +330,69 @@ def what_stands_is_told_again():
         assert len(craft.said("PreArm: no")) == 1, craft.said()
 
 
+def what_is_not_here_is_answered():
+    """One answer to each question about missions, logs and modes, to who asked; none where it is for others."""
+    needs(ABSENT, "questions about what the vehicle does not have")
+    import absences  # noqa: PLC0415  as the firmware does
+
+    craft, station = _met()
+    for question, answer in ABSENT:
+        for targets in ((SYSTEM_ID, COMPONENT_ID), (0, 0), (SYSTEM_ID + 1, 0), (SYSTEM_ID, COMPONENT_ID + 1)):
+            asked = absences.Bare(question)
+            for place, target in zip(asked.TARGETS, targets):  # noqa: B905  SET_MODE has no target component
+                asked.wire[place] = target
+            station.port.frames = []
+            station.link.send(asked)
+            run_passes(craft, 3)
+            found = [frame for frame in station.port.frames if frame[7] | frame[8] << 8 | frame[9] << 16 == answer]
+            is_asked = targets[0] in (0, SYSTEM_ID) and (len(asked.TARGETS) == 1 or targets[1] in (0, COMPONENT_ID))
+            assert len(found) == is_asked, (question, targets, found)
+            places = absences.Bare(answer).TARGETS
+            assert all((255, 190)[at] == frame[10 + places[at]] for frame in found for at in range(len(places))), found
+    assert craft.connections[0].faults == 0, craft.said()
+
+
+def checks_are_said_on_request():
+    """Within a second what speaks against arming is said, while the vehicle is disarmed."""
+    needs_arming()
+    craft, station = _met()
+    craft.problem = "door open"
+    run(craft, 2 * SECOND_US)
+    before = len(craft.said("PreArm: door open"))
+    assert _result(craft, station, dialect.MAV_CMD_RUN_PREARM_CHECKS) == ACCEPTED
+    run(craft, 2 * SECOND_US)
+    assert len(craft.said("PreArm: door open")) == before + 1, craft.said()
+    craft.arm(force=True)
+    assert _result(craft, station, dialect.MAV_CMD_RUN_PREARM_CHECKS) == dialect.MAV_RESULT_TEMPORARILY_REJECTED
+    run(craft, 2 * SECOND_US)
+    assert len(craft.said("PreArm: door open")) == before + 1, craft.said()
+
+
+def defaults_by_command():
+    """All parameters have their defaults, and are saved; not while armed. Other actions change nothing."""
+    command = dialect.MAV_CMD_PREFLIGHT_STORAGE
+    craft, station = _met()
+    usual = {facts["attribute"]: getattr(craft.parameters, facts["attribute"]) for facts in PARAMETERS}
+    other = [facts for facts in SETTABLE if usual[facts["attribute"]] == facts["default"]]
+    needs(other, "a parameter with two values")
+    for facts in other:
+        choices = facts["choices"] or (facts["minimum"], facts["maximum"])
+        setattr(craft.parameters, facts["attribute"], next(value for value in choices if value != facts["default"]))
+    changes = craft.parameters.changes
+    for action, result in ((0, UNSUPPORTED), (1, ACCEPTED), (3, UNSUPPORTED), (0.5, DENIED), (float("nan"), DENIED)):
+        assert _result(craft, station, command, action) == result, action
+    if FORCE_ARM is not None:
+        craft.arm(force=True)
+        assert _result(craft, station, command, 2) == FAILED
+        assert craft.said("Defaults: disarm first")
+        craft.disarm()
+    assert craft.parameters.changes == changes
+    assert _result(craft, station, command, 2) == ACCEPTED
+    for facts in other:
+        assert getattr(craft.parameters, facts["attribute"]) == facts["default"], facts["name"]
+    assert craft.parameters.changes == changes + len(other)
+
+
 def garbage_is_survived():
     """Random bytes, cut and altered frames around whole ones: the whole ones are answered, and faults are counted.
 
@@ -393,6 +468,9 @@ CHECKS = (
     (texts_in_chunks, "services.texts"),
     (texts_reach_every_link, "services.texts"),
     (what_stands_is_told_again, "services.standing"),
+    (what_is_not_here_is_answered, "services.absent"),
+    (checks_are_said_on_request, "services.checks"),
+    (defaults_by_command, "services.defaults"),
     (garbage_is_survived, "services.garbage"),
     (ground_stations_are_noted, "services.garbage"),
 )

@@ -13,7 +13,10 @@ from typing import Any
 
 from mavsdk import ComponentType, Configuration, ConnectionResult, Mavsdk
 from mavsdk.plugins.action import Action
+from mavsdk.plugins.geofence import Geofence
 from mavsdk.plugins.info import Info
+from mavsdk.plugins.log_files import LogFiles
+from mavsdk.plugins.mission import Mission
 from mavsdk.plugins.param import Param
 from mavsdk.plugins.telemetry import Telemetry
 
@@ -48,7 +51,15 @@ def main() -> None:
     if system is None:
         sys.exit("no vehicle")
     telemetry = Telemetry(system)
-    plugins = {"telemetry": telemetry, "param": Param(system), "action": Action(system), "info": Info(system)}
+    plugins = {
+        "telemetry": telemetry,
+        "param": Param(system),
+        "action": Action(system),
+        "info": Info(system),
+        "mission": Mission(system),
+        "geofence": Geofence(system),
+        "log_files": LogFiles(system),
+    }
     kinds = ("battery", "status_text", "health", "armed", "health_all_ok", *sys.argv[2:])
     for kind in kinds:
         getattr(telemetry, f"subscribe_{kind}")(lambda value, kind: write("seen", kind=kind, value=plain(value)), kind)

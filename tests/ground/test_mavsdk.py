@@ -141,6 +141,15 @@ def test_all_parameters(station: Station) -> None:
     assert integers["BATT_CAPACITY"] == 3300
 
 
+@pytest.mark.requirement("FR-00070.13")
+def test_there_are_no_missions_and_logs(station: Station) -> None:
+    """MAVSDK runs into no time-out: what it clears is clear, and it fetches nothing without MISSION_INT."""
+    assert station.outcome("mission.clear_mission")[1] is None
+    assert station.outcome("geofence.clear_geofence")[1] is None
+    assert station.outcome("log_files.get_entries") == (None, "NO_LOGFILES")
+    assert station.outcome("mission.download_mission") == (None, "INT_MESSAGES_NOT_SUPPORTED")
+
+
 @pytest.mark.requirement("FR-00070.5", "FR-00068.9")
 def test_arming(station: Station) -> None:
     """Armable, armed, disarmed; with a reason where it is refused."""

@@ -31,7 +31,7 @@ def project(folder: Path) -> tuple[Trace, dict[str, str]]:
 def names_of(text: str) -> set[str]:
     """What a module defines: functions, classes, constants, and of classes methods and the attributes of self.
 
-    Also what it passes on from others, in the faster of two forms or in the only one: what it imports of a module that is called so.
+    Also what it passes on from others, in the faster of two forms: what it imports of modules called so.
     """
     found = set()
     for node in ast.parse(text).body:

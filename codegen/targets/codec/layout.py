@@ -63,12 +63,7 @@ def field_word(field: WireField) -> str:
 
 def _targets(wire: WireMessage) -> str:
     """The line that says where the payload has its target system and component; nothing where it has none."""
-    system = wire.field("target_system") or wire.field("target")
-    if system is None:
-        return ""
-    component = wire.field("target_component")
-    places = f"{system.offset}, {component.offset}" if component else f"{system.offset},"
-    return f"    TARGETS = ({places})\n"
+    return f"    TARGETS = {wire.targets}\n" if wire.targets else ""
 
 
 def type_text(field: WireField) -> str:

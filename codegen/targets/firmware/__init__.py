@@ -5,6 +5,7 @@ from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.targets.codec.layout import message_files
 from codegen.targets.codec.runtime import MACHINE_CODE, has_doubles, runtime_files, with_doubles
+from codegen.targets.firmware.absences import absences_view
 from codegen.targets.firmware.attribute import VIEWS
 from codegen.targets.firmware.board import board_view
 from codegen.targets.firmware.commands import command_table_view
@@ -147,12 +148,14 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "main.py": (view, [vehicle]),
         "vehicle.py": (view, paths),
         "commands.py": (view, [vehicle]),
+        **({"absences.py": (absences_view(program.absences), [vehicle])} if program.absences else {}),
         **({"failsafe.py": (failsafes, paths)} if failsafes else {}),
         **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
     }
     for name, (shown, sources) in read.items():
         text = with_numbers(rendered(f"{_PROGRAM}/{name}.j2", shown), _numbers(program))
-        files[f"firmware/{name}"] = headed(text, origin_of(system, sources, program.services))
+        wires = _absent(program) if name == "absences.py" else program.services
+        files[f"firmware/{name}"] = headed(text, origin_of(system, sources, wires))
     origin = origin_of(system, [vehicle], program.services)
     files["firmware/dialect.py"] = headed(dialect_text(program), origin)
     return files
@@ -185,4 +188,9 @@ def _program_file(system: System, program: Program, name: str) -> str:
 
 def _numbers(program: Program) -> dict[str, int]:
     """What the program's modules take from the dialect."""
-    return {**program.constants, **places(program.services)}
+    return {**program.constants, **places((*program.services, *_absent(program)))}
+
+
+def _absent(program: Program) -> tuple[WireMessage, ...]:
+    """The messages about what the vehicle does not have: questions and answers."""
+    return tuple(wire for absence in program.absences for wire in (absence.question, absence.answer))

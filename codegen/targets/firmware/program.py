@@ -259,6 +259,8 @@ def _connecting(system: System, program: Program) -> tuple[str, ...]:
         f"{name}(connection, {'self.state.clock' if module == 'clock_service' else 'self'})"
         for module, name in _answering(system, program).items()
     ]
+    absent = tuple(absence.question.id for absence in program.absences)
+    answering += [f"connection.services.expect({absent})"] if absent else []
     answering += [*watching(system, program), *_admitting(program)]
     if not answering:
         return (*link, f"return {connection}")

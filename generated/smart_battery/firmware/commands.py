@@ -16,6 +16,7 @@ _COMMAND_LONG_COMMAND_AT = const(28)
 _COMMAND_LONG_PARAM1_AT = const(0)
 _MAV_CMD_GET_MESSAGE_INTERVAL = const(510)
 _MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN = const(246)
+_MAV_CMD_PREFLIGHT_STORAGE = const(245)
 _MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES = const(520)
 _MAV_CMD_REQUEST_MESSAGE = const(512)
 _MAV_CMD_REQUEST_PROTOCOL_VERSION = const(519)
@@ -78,6 +79,7 @@ class Commands:
             _MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: self._request_capabilities,
             _MAV_CMD_REQUEST_PROTOCOL_VERSION: self._request_protocol_version,
             _MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot,
+            _MAV_CMD_PREFLIGHT_STORAGE: self._do_rarely,
         }
 
     def handle(self, message):
@@ -190,6 +192,11 @@ class Commands:
             return _MAV_RESULT_UNSUPPORTED, None
         # On boards 20190226 arrives whole: a float of 32 bits carries even numbers up to 2 ** 25.
         return self._result_of(self._vehicle.reboot(command.param(6) == _REBOOT_SHUTDOWN_CONDITIONS_FORCE))
+
+    def _do_rarely(self, command):
+        import rare_commands  # noqa: PLC0415  with the first of them: few ask
+
+        return rare_commands.do(self._vehicle, command), None
 
     def _result_of(self, why_not):
         """Return the result of what came back with None, or with a text why it was not done."""

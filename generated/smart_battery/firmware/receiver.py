@@ -1,5 +1,5 @@
 # Generated from templates/codec/receiver.py: do not edit.
-# Inputs: c59d766befeded4d
+# Inputs: 0268215d228f4b2a
 """Finding messages in the bytes that arrive. Unsigned messages that are received into objects allocate nothing."""
 
 from array import array
@@ -40,6 +40,7 @@ class Receiver:
         self._state = state = array("i", [0] * 19)  # frames_plain says what it holds
         state[13] = size
         state[14] = 0 if signing is None else 1
+        self._make = None
         self._arrived = [None]  # data that did not find room, in a list: storing into a list is faster than here
         self.receive = decoder(self)
         self.put = taker(self)
@@ -63,6 +64,13 @@ class Receiver:
     def unknown(self):
         """How many places looked like a frame of another message."""
         return self._state[18]
+
+    def expect(self, ids, make):
+        """Receive messages with these ids, too, where none is for them yet: make(id) returns one for each frame."""
+        self._make = make
+        for number in ids:
+            if number not in self._messages:
+                self._messages[number] = False
 
     def put_part(self, data, count):
         """Take in the first `count` bytes of what arrived, at least one, once receive() has read all before them."""
@@ -111,7 +119,9 @@ class Receiver:
     def _admitted(self, message):
         """Return the message that the frame at hand goes into, a new one for False; None passes over the frame."""
         if message is False:
-            message = self._classes[self._state[6]](unknown=False)
+            number = self._state[6]
+            kind = self._classes.get(number)
+            message = self._make(number) if kind is None else kind(unknown=False)
         return None if self._state[14] and not self._is_admitted(message) else message
 
     def _look_within(self):

@@ -28,6 +28,9 @@ SYSTEM_ID = 1
 COMPONENT_ID = 180
 VERSION = 2
 
+# Questions about what the vehicle does not have, by the ids of messages, each with that of its answer.
+ABSENT = ()
+
 # Numbers of the commands that not every program answers.
 ANSWERED = ()
 

@@ -26,19 +26,22 @@ class FtpHead(messages.FileTransferProtocol):
 
 
 def receivable(*others):
-    """Return a new message of each kind that Services answers, and of other classes, for a link to receive into."""
-    kinds = (
-        messages.Heartbeat,
-        messages.Ping,
+    """Return what a link receives into: of what comes all the time a message that is used again, of the rest classes.
+
+    That is what Services answers, and `others`, which are used again, too.
+    """
+    often = (messages.Heartbeat, messages.Ping, messages.CommandLong)
+    found = [kind(unknown=False) for kind in often + others]
+    rare = (
         messages.ParamRequestRead,
         messages.ParamRequestList,
         messages.ParamSet,
         messages.RequestDataStream,
         messages.CommandInt,
-        messages.CommandLong,
         FtpHead,
     )
-    return [kind(unknown=False) for kind in kinds + others]
+    found.extend(rare)
+    return found
 
 
 def _both(first, second):
@@ -96,6 +99,10 @@ class Services:
         found = self._takers.get(kind.ID)
         self._takers[kind.ID] = taker if found is None else _both(found, taker)
 
+    def expect(self, ids):
+        """Receive messages with these ids, too: absences.py answers that the vehicle has nothing of the kind."""
+        self._connection.link.expect(ids, self._question)
+
     def run(self):
         """Go on with what takes several passes, for the station at hand."""
         self.parameters.run()
@@ -120,6 +127,14 @@ class Services:
             return True
         target = wire[targets[1]]
         return target == 0 or target == self._connection.component_id  # noqa: PLR1714  as above
+
+    def _question(self, number):
+        """Return a message for a question about what is not here; who answers it is loaded with the first."""
+        import absences  # noqa: PLC0415  most vehicles never need it
+
+        if number not in self._takers:
+            absences.Absences(self._connection)
+        return absences.Bare(number)
 
     def _hear(self, message):
         system, component = message.source_system, message.source_component

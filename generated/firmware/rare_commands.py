@@ -1,0 +1,50 @@
+# Generated from templates/firmware/program/rare_commands.py, dialect common: do not edit.
+# Inputs: b16957bd9fe41ad7
+"""Commands that few ask for; commands.py loads this module with the first of them."""
+
+import parameters
+from micropython import const
+
+# Numbers of the dialect.
+_MAV_CMD_PREFLIGHT_STORAGE = const(245)
+_MAV_RESULT_ACCEPTED = const(0)
+_MAV_RESULT_DENIED = const(2)
+_MAV_RESULT_FAILED = const(4)
+_MAV_RESULT_TEMPORARILY_REJECTED = const(1)
+_MAV_RESULT_UNSUPPORTED = const(3)
+_MAV_SEVERITY_ERROR = const(3)
+
+_WRITE = const(1)  # of MAV_CMD_PREFLIGHT_STORAGE
+_DEFAULTS = const(2)
+
+
+def do(vehicle, command):
+    """Do a command and return its MAV_RESULT."""
+    is_storage = command.number == _MAV_CMD_PREFLIGHT_STORAGE
+    return _store(vehicle, command.whole(1, 0, 0xFF)) if is_storage else _check(vehicle)
+
+
+def _store(vehicle, action):
+    """Give all parameters their defaults; those that are in force are written at any rate, as soon as that may be."""
+    if action is None:
+        return _MAV_RESULT_DENIED
+    if action == _WRITE:
+        return _MAV_RESULT_ACCEPTED
+    if action != _DEFAULTS:
+        return _MAV_RESULT_UNSUPPORTED
+    if vehicle.is_armed:
+        vehicle.texts.say(_MAV_SEVERITY_ERROR, "Defaults: disarm first")
+        return _MAV_RESULT_FAILED
+    own, fresh = vehicle.parameters, parameters.Parameters()
+    for name in parameters.NAMES:
+        own.set(name, fresh.get(name))
+    vehicle.texts("notice: all parameters have their defaults")
+    return _MAV_RESULT_ACCEPTED
+
+
+def _check(vehicle):
+    """Let what speaks against arming be said within a second, and what else stands."""
+    if vehicle.is_armed:
+        return _MAV_RESULT_TEMPORARILY_REJECTED
+    vehicle.remind()
+    return _MAV_RESULT_ACCEPTED

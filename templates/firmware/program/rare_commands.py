@@ -1,0 +1,40 @@
+"""Commands that few ask for; commands.py loads this module with the first of them."""
+
+import dialect
+import parameters
+from micropython import const
+
+_WRITE = const(1)  # of MAV_CMD_PREFLIGHT_STORAGE
+_DEFAULTS = const(2)
+
+
+def do(vehicle, command):
+    """Do a command and return its MAV_RESULT."""
+    is_storage = command.number == dialect.MAV_CMD_PREFLIGHT_STORAGE
+    return _store(vehicle, command.whole(1, 0, 0xFF)) if is_storage else _check(vehicle)
+
+
+def _store(vehicle, action):
+    """Give all parameters their defaults; those that are in force are written at any rate, as soon as that may be."""
+    if action is None:
+        return dialect.MAV_RESULT_DENIED
+    if action == _WRITE:
+        return dialect.MAV_RESULT_ACCEPTED
+    if action != _DEFAULTS:
+        return dialect.MAV_RESULT_UNSUPPORTED
+    if vehicle.is_armed:
+        vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, "Defaults: disarm first")
+        return dialect.MAV_RESULT_FAILED
+    own, fresh = vehicle.parameters, parameters.Parameters()
+    for name in parameters.NAMES:
+        own.set(name, fresh.get(name))
+    vehicle.texts("notice: all parameters have their defaults")
+    return dialect.MAV_RESULT_ACCEPTED
+
+
+def _check(vehicle):
+    """Let what speaks against arming be said within a second, and what else stands."""
+    if vehicle.is_armed:
+        return dialect.MAV_RESULT_TEMPORARILY_REJECTED
+    vehicle.remind()
+    return dialect.MAV_RESULT_ACCEPTED
