@@ -53,7 +53,7 @@ def taken(name, table, alone=False):
     def work(rounds):
         takers = services._takers
         if alone:
-            services._takers = {messages.GpsInput.ID: reception.take}
+            services._takers = {messages.GpsInput.ID: (reception.take, ())}
         handle = services.handle
         before = reception.taken
         for _ in range(rounds):

@@ -39,11 +39,14 @@ class StorageSpec(Written):
     step_limit: Amount = described("Longest time that one step of a save may take; longer ones are warned about.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
     criteria: Mapping[str, str] = described(
-        "Criteria for single aspects: kept, defaults, power_cut, steps, set, read, reboot, over_link, lost.",
+        "Criteria for single aspects: kept, defaults, power_cut, steps, wear, set, read, reboot, over_link, lost, "
+        "leaving (what is set last before a restart).",
         default_factory=dict,
     )
 
-    ASPECTS = ("kept", "defaults", "power_cut", "steps", "set", "read", "reboot", "over_link", "lost")
+    ASPECTS = (
+        *("kept", "defaults", "power_cut", "steps", "wear", "set", "read", "reboot", "over_link", "lost", "leaving"),
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

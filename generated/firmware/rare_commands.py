@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/rare_commands.py, dialect common: do not edit.
-# Inputs: b16957bd9fe41ad7
+# Inputs: 015f0cfe1aed8686
 """Commands that few ask for; commands.py loads this module with the first of them."""
 
 import parameters
@@ -32,12 +32,18 @@ def _store(vehicle, action):
         return _MAV_RESULT_ACCEPTED
     if action != _DEFAULTS:
         return _MAV_RESULT_UNSUPPORTED
-    if vehicle.is_armed:
+    if vehicle.restart_ms is not None:
+        return _MAV_RESULT_TEMPORARILY_REJECTED
+    if getattr(vehicle, "is_armed", False):  # not every vehicle can be armed
         vehicle.texts.say(_MAV_SEVERITY_ERROR, "Defaults: disarm first")
         return _MAV_RESULT_FAILED
     own, fresh = vehicle.parameters, parameters.Parameters()
     for name in parameters.NAMES:
-        own.set(name, fresh.get(name))
+        attribute = parameters.attribute_of(name)
+        steps = getattr(fresh, attribute)
+        if getattr(own, attribute) != steps:
+            setattr(own, attribute, steps)
+            own.changes += 1
     vehicle.texts("notice: all parameters have their defaults")
     return _MAV_RESULT_ACCEPTED
 

@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 3833bbfbf7735f3f
+# Inputs: 9d4bf4ade1d6662a
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -33,6 +33,10 @@ REPORT_US = 10000000  # between two texts about missed slots
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
 _SAVE_MS = const(100)  # how often it is looked whether there is something to save
+_UNSETTLED_MS = const(10000)  # settings that keep coming are saved meanwhile
+_COST_MS = const(60000)  # of a save, for flash wears out: one in a minute,
+_CREDIT_MS = const(600000)  # and as many at once as this is worth
+_LEAVE_MS = const(2000)  # a restart waits no longer for settings that keep coming
 _REMIND_S = const(30)  # from one time that what stands is said to the next
 _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
 
@@ -40,8 +44,8 @@ _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before
 class Vehicle:
     """The rover. Code of its own derives a class Rover from this one, in a module rover, and overrides the calls.
 
-    `texts` is what everything logs to, `connections` are the links to ground stations. A board or ports that are given
-    are used in place of the real ones.
+    `texts` is what everything logs to, `connections` are the links to ground stations; `restart_ms` is None, or the
+    time.ticks_ms() when a restart was asked for. A board or ports that are given are used in place of the real ones.
     """
 
     FORCE_ARM = 21196  # in the command to arm: passes over the checks
@@ -54,11 +58,14 @@ class Vehicle:
         self._load_parameters()
         self._saved = self._seen = self.parameters.changes
         self._failed_ms = None  # when a save failed last
+        self._unsettled_ms = 0  # for how long settings have been coming
+        self._credit_ms = _CREDIT_MS
+        self._is_limited = False
         self._is_told = False
         self._guard = Guard()
         self.board = Board(self.texts, self.parameters) if board is None else board
         self.state = SystemState(self.parameters, self.texts)
-        self._restart_ms = None
+        self.restart_ms = None
         self._reported = 0
         # The order within a pass (FR-00071): control, readings with their failsafes, arming checks, links.
         self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
@@ -136,7 +143,7 @@ class Vehicle:
         """Let the motors turn, unless a check says no; `force` passes over the checks. Return why not, or None."""
         if self.is_armed:
             return None
-        if self._restart_ms is not None:
+        if self.restart_ms is not None:
             return "PreArm: the vehicle is about to restart"
         problem = None if force else self.arming_problem()
         if problem is not None:
@@ -166,8 +173,8 @@ class Vehicle:
         if self.is_armed and not force:
             return "Reboot: disarm first"
         self.disarm(force=True)
-        if self._restart_ms is None:
-            self._restart_ms = time.ticks_ms()
+        if self.restart_ms is None:
+            self.restart_ms = time.ticks_ms()
             self._failed_ms = None  # one more attempt to save
         return None
 
@@ -301,18 +308,30 @@ class Vehicle:
     def _is_due_to_save(self):
         """Return whether there is something to save: settings that come in a burst are saved together."""
         changes = self.parameters.changes
-        is_settled = changes == self._seen
+        self._credit_ms = min(self._credit_ms + _SAVE_MS, _CREDIT_MS)
+        self._unsettled_ms = 0 if changes == self._seen else self._unsettled_ms + _SAVE_MS
         self._seen = changes
         if self._failed_ms is not None:
             if time.ticks_diff(time.ticks_ms(), self._failed_ms) < REPORT_US // 1000:
                 return False
             self._failed_ms = None
-            return True
-        return changes != self._saved and is_settled
+        if changes == self._saved:
+            return False
+        return self.restart_ms is not None or (self._has_credit() and not 0 < self._unsettled_ms < _UNSETTLED_MS)
+
+    def _has_credit(self):
+        """Return whether another save does not wear the flash; that there have been too many is told once."""
+        if self._credit_ms == _CREDIT_MS:
+            self._is_limited = False
+        elif self._credit_ms < _COST_MS and not self._is_limited:
+            self._is_limited = True
+            self.texts("notice: parameters change so often that they are saved once a minute")
+        return self._credit_ms >= _COST_MS
 
     async def _save(self):
         changes = self.parameters.changes
-        longest_us = 0
+        self._unsettled_ms = longest_us = 0
+        self._credit_ms -= _COST_MS
         with self._guard:
             self.storage.begin(self.parameters.dump())
         while self.storage.is_saving:
@@ -347,6 +366,8 @@ class Vehicle:
         return False
 
     def _is_leaving(self):
-        if self._restart_ms is None or time.ticks_diff(time.ticks_ms(), self._restart_ms) < _FAREWELL_MS:
+        if self.restart_ms is None:
             return False
-        return self.parameters.changes == self._saved or self._failed_ms is not None
+        waited_ms = time.ticks_diff(time.ticks_ms(), self.restart_ms)
+        is_saved = self.parameters.changes == self._saved or self._failed_ms is not None
+        return waited_ms >= (_FAREWELL_MS if is_saved else _LEAVE_MS)

@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: cdb85991f2a305b8
+# Inputs: 249149392c7a626a
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -124,6 +124,7 @@ CRITERIA = {
     "services.texts": ("FR-00070.8",),
     "storage.defaults": ("NFR-00061.2",),
     "storage.kept": ("NFR-00061.1",),
+    "storage.leaving": ("NFR-00061.11",),
     "storage.lost": ("NFR-00061.9",),
     "storage.over_link": ("NFR-00061.8",),
     "storage.power_cut": ("NFR-00061.3",),
@@ -131,6 +132,7 @@ CRITERIA = {
     "storage.reboot": ("NFR-00061.7",),
     "storage.set": ("NFR-00061.5",),
     "storage.steps": ("NFR-00061.4",),
+    "storage.wear": ("NFR-00061.10",),
     "streams.fixed": ("FR-00068.8", "FR-00076.6"),
     "streams.rate": ("FR-00068.9", "FR-00068.2", "FR-00072"),
 }

@@ -42,7 +42,7 @@ CASES = [
     Case("bad-program", VEHICLE, "module: pack", "module: §vehicle", "cannot be the name of a module"),
     Case("bad-program", VEHICLE, "class: Pack", "class: §Vehicle", "cannot be the name of a class"),
     Case("bad-program", VEHICLE, "measure: 10 Hz", "measure: §0.001 Hz", "every 536 s"),
-    Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", at="vehicle.yaml:51:3", is_alone=False),
+    Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", at="vehicle.yaml:53:3", is_alone=False),
     Case("program-alone", "codegen.yaml", "project: pico-trail", "project: pico-trail\nbase: §.."),
 ]  # fmt: skip
 

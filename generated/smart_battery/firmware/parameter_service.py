@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: 85dc5632643345d4
+# Inputs: 3fb673b695a7109b
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -14,6 +14,7 @@ from micropython import const
 
 # Numbers of the dialect.
 _MAV_PARAM_ERROR_DOES_NOT_EXIST = const(1)
+_MAV_PARAM_ERROR_READ_ONLY = const(5)
 _MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE = const(2)
 _MAV_SEVERITY_NOTICE = const(5)
 _PARAM_ERROR_ERROR_AT = const(20)
@@ -80,7 +81,10 @@ class ParameterService:
             return
         changes = self._vehicle.parameters.changes
         value = unpack_from("<f", message.wire, _PARAM_SET_PARAM_VALUE_AT)[0]
-        if not self._vehicle.parameters.set(name, value):
+        if self._vehicle.restart_ms is not None:  # it could come too late to be saved
+            self._say("the vehicle is about to restart")
+            self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_READ_ONLY)
+        elif not self._vehicle.parameters.set(name, value):
             smallest, largest = self._vehicle.parameters.limits(name)
             self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
             # Before the value: a ground station that takes the value for the answer would not see the reason.

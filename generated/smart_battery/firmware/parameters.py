@@ -135,7 +135,7 @@ class Parameters:
         """Return the value of a parameter. KeyError: there is no such parameter."""
         if name not in _TABLE:
             raise KeyError(name)
-        return self.value(name, getattr(self, _attribute(name)))
+        return self.value(name, getattr(self, attribute_of(name)))
 
     def value(self, name, steps):
         """Return what so many steps of a parameter are worth."""
@@ -161,8 +161,8 @@ class Parameters:
         steps = self._steps(name, value)
         if steps is None:
             return False
-        if getattr(self, _attribute(name)) != steps:
-            setattr(self, _attribute(name), steps)
+        if getattr(self, attribute_of(name)) != steps:
+            setattr(self, attribute_of(name), steps)
             self.changes += 1
         return True
 
@@ -185,7 +185,7 @@ class Parameters:
         defaults = Parameters()
         records = []
         for name in NAMES:
-            if getattr(self, _attribute(name)) != getattr(defaults, _attribute(name)):
+            if getattr(self, attribute_of(name)) != getattr(defaults, attribute_of(name)):
                 records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
         return b"".join(records)
 
@@ -204,10 +204,11 @@ class Parameters:
             if steps is None:
                 problems.append(f"stored {name} = {value} is not accepted")
             else:
-                setattr(self, _attribute(name), steps)
+                setattr(self, attribute_of(name), steps)
             at = end + 4
         return problems
 
 
-def _attribute(name):
+def attribute_of(name):
+    """Return the attribute of Parameters that has the steps of a parameter."""
     return _ATTRIBUTES.get(name) or name.lower()

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 4391bd9e5990c6ed
+# Inputs: 3a1ba6ef0adbafcc
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -86,8 +86,7 @@ class Services:
         self.heard_ms = None
         self.listeners = Listeners(vehicle.SILENCE_MS)
         self.components = Listeners(vehicle.SILENCE_MS, _COMPONENTS)
-        self._takers = {}  # who takes messages, by their ids
-        self._targets = {}  # where those that are for this vehicle alone have their target
+        self._takers = {}  # by the ids of messages: who takes them, and where those for this vehicle have their target
         for kind, taker in (
             (messages.Heartbeat, self._hear),
             (messages.Ping, self._answer_ping),
@@ -106,14 +105,14 @@ class Services:
 
         The link has to receive it, see receivable(). What is for everybody, or names no target, is for this vehicle.
         """
-        if kind.TARGETS:
-            self._targets[kind.ID] = kind.TARGETS
-        self.take_any(kind, taker)
+        self.take_any(kind, taker, kind.TARGETS)
 
-    def take_any(self, kind, taker):
+    def take_any(self, kind, taker, targets=()):
         """Call taker(message) with each message of a class, whoever it is for, unless take() was asked, too."""
         found = self._takers.get(kind.ID)
-        self._takers[kind.ID] = taker if found is None else _both(found, taker)
+        if found is not None:
+            taker, targets = _both(found[0], taker), targets or found[1]
+        self._takers[kind.ID] = taker, targets
 
     def expect(self, ids):
         """Receive messages with these ids, too: absences.py answers that the vehicle has nothing of the kind."""
@@ -129,11 +128,11 @@ class Services:
         sent = message._image  # frames_plain says what it holds
         if sent[7] == connection.system_id and sent[8] == connection.component_id:
             return
-        kind = message.ID
-        taker = self._takers.get(kind)
-        targets = self._targets.get(kind)
-        if taker is not None and (targets is None or self._is_addressed(message.wire, targets)):
-            taker(message)
+        found = self._takers.get(message.ID)
+        if found is not None:
+            taker, targets = found
+            if not targets or self._is_addressed(message.wire, targets):
+                taker(message)
 
     def _is_addressed(self, wire, targets):
         target = wire[targets[0]]

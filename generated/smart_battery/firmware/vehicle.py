@@ -30,6 +30,10 @@ REPORT_US = 10000000  # between two texts about missed slots
 STEP_LIMIT_US = 10000  # for a step of a save (NFR-00061)
 
 _SAVE_MS = const(100)  # how often it is looked whether there is something to save
+_UNSETTLED_MS = const(10000)  # settings that keep coming are saved meanwhile
+_COST_MS = const(60000)  # of a save, for flash wears out: one in a minute,
+_CREDIT_MS = const(600000)  # and as many at once as this is worth
+_LEAVE_MS = const(2000)  # a restart waits no longer for settings that keep coming
 _REMIND_S = const(30)  # from one time that what stands is said to the next
 _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before a restart
 
@@ -37,8 +41,8 @@ _FAREWELL_MS = const(500)  # what is on its way to ground stations leaves before
 class Vehicle:
     """The pack. Code of its own derives a class Pack from this one, in a module pack, and overrides the calls.
 
-    `texts` is what everything logs to, `connections` are the links to ground stations. A board or ports that are given
-    are used in place of the real ones.
+    `texts` is what everything logs to, `connections` are the links to ground stations; `restart_ms` is None, or the
+    time.ticks_ms() when a restart was asked for. A board or ports that are given are used in place of the real ones.
     """
 
     SILENCE_MS = 10000  # without a HEARTBEAT: then a ground station is gone
@@ -50,10 +54,13 @@ class Vehicle:
         self._load_parameters()
         self._saved = self._seen = self.parameters.changes
         self._failed_ms = None  # when a save failed last
+        self._unsettled_ms = 0  # for how long settings have been coming
+        self._credit_ms = _CREDIT_MS
+        self._is_limited = False
         self._guard = Guard()
         self.board = Board(self.texts, self.parameters) if board is None else board
         self.state = SystemState(self.parameters, self.texts)
-        self._restart_ms = None
+        self.restart_ms = None
         self._reported = 0
         # The order within a pass (FR-00071): control, readings, links.
         self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
@@ -78,8 +85,8 @@ class Vehicle:
 
     def reboot(self, force=False):  # noqa: ARG002  nothing here has to be forced
         """Save the parameters and start again soon. Nothing keeps it from that, so that it returns None."""
-        if self._restart_ms is None:
-            self._restart_ms = time.ticks_ms()
+        if self.restart_ms is None:
+            self.restart_ms = time.ticks_ms()
             self._failed_ms = None  # one more attempt to save
 
     def run_pass(self):
@@ -168,18 +175,30 @@ class Vehicle:
     def _is_due_to_save(self):
         """Return whether there is something to save: settings that come in a burst are saved together."""
         changes = self.parameters.changes
-        is_settled = changes == self._seen
+        self._credit_ms = min(self._credit_ms + _SAVE_MS, _CREDIT_MS)
+        self._unsettled_ms = 0 if changes == self._seen else self._unsettled_ms + _SAVE_MS
         self._seen = changes
         if self._failed_ms is not None:
             if time.ticks_diff(time.ticks_ms(), self._failed_ms) < REPORT_US // 1000:
                 return False
             self._failed_ms = None
-            return True
-        return changes != self._saved and is_settled
+        if changes == self._saved:
+            return False
+        return self.restart_ms is not None or (self._has_credit() and not 0 < self._unsettled_ms < _UNSETTLED_MS)
+
+    def _has_credit(self):
+        """Return whether another save does not wear the flash; that there have been too many is told once."""
+        if self._credit_ms == _CREDIT_MS:
+            self._is_limited = False
+        elif self._credit_ms < _COST_MS and not self._is_limited:
+            self._is_limited = True
+            self.texts("notice: parameters change so often that they are saved once a minute")
+        return self._credit_ms >= _COST_MS
 
     async def _save(self):
         changes = self.parameters.changes
-        longest_us = 0
+        self._unsettled_ms = longest_us = 0
+        self._credit_ms -= _COST_MS
         with self._guard:
             self.storage.begin(self.parameters.dump())
         while self.storage.is_saving:
@@ -204,6 +223,8 @@ class Vehicle:
         return time.ticks_diff(time.ticks_us(), started_us)
 
     def _is_leaving(self):
-        if self._restart_ms is None or time.ticks_diff(time.ticks_ms(), self._restart_ms) < _FAREWELL_MS:
+        if self.restart_ms is None:
             return False
-        return self.parameters.changes == self._saved or self._failed_ms is not None
+        waited_ms = time.ticks_diff(time.ticks_ms(), self.restart_ms)
+        is_saved = self.parameters.changes == self._saved or self._failed_ms is not None
+        return waited_ms >= (_FAREWELL_MS if is_saved else _LEAVE_MS)

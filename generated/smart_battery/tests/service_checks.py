@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 7f4dc00c38786ccd
+# Inputs: 8784aaff9e38a60b
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -88,7 +88,7 @@ def every_command_is_answered():
                 assert (acks[0].result == UNSUPPORTED) == (number not in KNOWN) or number == KNOWN[-1], acks
                 if FORCE_ARM is not None:
                     craft.disarm()
-                craft._restart_ms = None
+                craft.restart_ms = None
     assert craft.connections[0].faults == 0, craft.said()
 
 
@@ -228,19 +228,19 @@ def restart_by_command():
     assert _result(craft, station, command, 2) == UNSUPPORTED
     assert _result(craft, station, command, 3) == UNSUPPORTED
     assert _result(craft, station, command, 0.5) == DENIED
-    assert craft._restart_ms is None
+    assert craft.restart_ms is None
     if FORCE_ARM is not None:
         craft.arm(force=True)
         assert _result(craft, station, command, 1) == FAILED
         assert _result(craft, station, command, 1, param6=1) == FAILED
-        assert craft._restart_ms is None
+        assert craft.restart_ms is None
         assert craft.is_armed
         assert _result(craft, station, command, 1, param6=dialect.REBOOT_SHUTDOWN_CONDITIONS_FORCE) == ACCEPTED
-        assert craft._restart_ms is not None
+        assert craft.restart_ms is not None
         assert not craft.is_armed
         craft, station = _met()
     assert _result(craft, station, command, 1) == ACCEPTED
-    assert craft._restart_ms is not None
+    assert craft.restart_ms is not None
 
 
 def pings_are_answered():
@@ -374,7 +374,6 @@ def defaults_by_command():
     craft, station = _met()
     usual = {facts["attribute"]: getattr(craft.parameters, facts["attribute"]) for facts in PARAMETERS}
     other = [facts for facts in SETTABLE if usual[facts["attribute"]] == facts["default"]]
-    needs(other, "a parameter with two values")
     for facts in other:
         choices = facts["choices"] or (facts["minimum"], facts["maximum"])
         setattr(craft.parameters, facts["attribute"], next(value for value in choices if value != facts["default"]))
@@ -388,6 +387,7 @@ def defaults_by_command():
         craft.disarm()
     assert craft.parameters.changes == changes
     assert _result(craft, station, command, 2) == ACCEPTED
+    needs(other, "a parameter with two values")
     for facts in other:
         assert getattr(craft.parameters, facts["attribute"]) == facts["default"], facts["name"]
     assert craft.parameters.changes == changes + len(other)

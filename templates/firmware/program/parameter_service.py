@@ -60,7 +60,10 @@ class ParameterService:
             return
         changes = self._vehicle.parameters.changes
         value = unpack_from("<f", message.wire, dialect.PARAM_SET_PARAM_VALUE_AT)[0]
-        if not self._vehicle.parameters.set(name, value):
+        if self._vehicle.restart_ms is not None:  # it could come too late to be saved
+            self._say("the vehicle is about to restart")
+            self._refuse(message, name, _BY_NAME, dialect.MAV_PARAM_ERROR_READ_ONLY)
+        elif not self._vehicle.parameters.set(name, value):
             smallest, largest = self._vehicle.parameters.limits(name)
             self._say(f"{name}: {value:g} is not {smallest:g} to {largest:g}")
             # Before the value: a ground station that takes the value for the answer would not see the reason.

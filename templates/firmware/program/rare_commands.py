@@ -22,12 +22,18 @@ def _store(vehicle, action):
         return dialect.MAV_RESULT_ACCEPTED
     if action != _DEFAULTS:
         return dialect.MAV_RESULT_UNSUPPORTED
-    if vehicle.is_armed:
+    if vehicle.restart_ms is not None:
+        return dialect.MAV_RESULT_TEMPORARILY_REJECTED
+    if getattr(vehicle, "is_armed", False):  # not every vehicle can be armed
         vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, "Defaults: disarm first")
         return dialect.MAV_RESULT_FAILED
     own, fresh = vehicle.parameters, parameters.Parameters()
     for name in parameters.NAMES:
-        own.set(name, fresh.get(name))
+        attribute = parameters.attribute_of(name)
+        steps = getattr(fresh, attribute)
+        if getattr(own, attribute) != steps:
+            setattr(own, attribute, steps)
+            own.changes += 1
     vehicle.texts("notice: all parameters have their defaults")
     return dialect.MAV_RESULT_ACCEPTED
 

@@ -1,8 +1,10 @@
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
+import struct
 
 from program_bench import (
+    IS_MICROPYTHON,
     SETTABLE,
     Craft,
     Flash,
@@ -350,6 +352,109 @@ def restart_saves_first():
     assert getattr(new_craft(flash=craft.flash).parameters, facts["attribute"]) == _other(facts)
 
 
+def _changing():
+    """Facts of a parameter that has two values."""
+    found = [facts for facts in SETTABLE if _other(facts) != facts["default"]]
+    needs(found, "a parameter with two values")
+    return found[0]
+
+
+def _value(facts, is_other):
+    return (_other(facts) if is_other else facts["default"]) * facts["numerator"] / facts["denominator"]
+
+
+def _set_for(craft, facts, seconds, every_ms, rest_s=61):
+    """Change a parameter again and again, then rest, while nothing runs but what saves.
+
+    Return when saves began, in ms. In the end the last value is the one that is stored.
+    """
+    began = []
+    start_us = mock_time.elapsed_us()
+    begin = craft.storage.begin
+
+    def noted(payload):
+        began.append((mock_time.elapsed_us() - start_us) // 1000)
+        begin(payload)
+
+    craft.storage.begin = noted
+
+    async def both():
+        keeping = asyncio.create_task(craft._keep_parameters())
+        for index in range(seconds * 1000 // every_ms):
+            craft.parameters.set(facts["name"], _value(facts, index % 2 == 0))
+            await asyncio.sleep_ms(every_ms)
+        last = getattr(craft.parameters, facts["attribute"])
+        await asyncio.sleep_ms(rest_s * 1000)
+        keeping.cancel()
+        assert getattr(new_craft(flash=craft.flash).parameters, facts["attribute"]) == last
+
+    if IS_MICROPYTHON:
+        asyncio.new_event_loop()
+    asyncio.run(both())
+    return began
+
+
+def flash_is_not_worn_out():
+    """What is set again and again is saved ten times, then once a minute, which is told; the last value in any case."""
+    facts = _changing()
+    for every_ms in (1000, 50):  # settings that are saved one by one, and such that come without a pause
+        craft = new_craft()
+        began = _set_for(craft, facts, 1800, every_ms)
+        assert len([ms for ms in began if ms <= 1800000]) in (39, 40), began
+        gaps = [began[index + 1] - began[index] for index in range(9)]
+        assert max(gaps) <= (1200 if every_ms == 1000 else 10500), gaps
+        assert len(craft.said("parameters change so often")) == 1, craft.said()
+
+
+def credit_comes_back():
+    """After ten minutes without settings the next ones are saved at once again."""
+    facts = _changing()
+    craft = new_craft()
+    _set_for(craft, facts, 60, 1000, rest_s=660)
+    began = _set_for(craft, facts, 12, 1000)
+    assert len([ms for ms in began if ms < 12000]) >= 10, began
+
+
+def restart_in_a_flood():
+    """Whatever arrives, the board starts again within 3 s, and what was accepted is saved; then nothing more is."""
+    facts = _changing()
+    craft = new_craft()
+    craft._credit_ms = 0  # ten saves were made just before
+    station = craft.ground_station()
+    asked_us = []
+
+    async def story():
+        index = 0
+        while True:
+            index += 1
+            station.send(messages.ParamSet, param_id=facts["name"], param_value=_value(facts, index % 2))
+            if index == 21:
+                asked_us.append(mock_time.elapsed_us())
+                station.command(dialect.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, dialect.REBOOT_SHUTDOWN_ACTION_REBOOT)
+            await asyncio.sleep_ms(50)
+
+    assert live(craft, story), "no reset"
+    assert mock_time.elapsed_us() - asked_us[0] < 3000000
+    told = [value.get("param_value") for value in station.received(messages.ParamValue)]
+    assert told[-5:] == [struct.unpack("<f", struct.pack("<f", _value(facts, True)))[0]] * 5, told
+    assert getattr(new_craft(flash=craft.flash).parameters, facts["attribute"]) == _other(facts)
+
+
+def code_that_changes_parameters_does_not_keep_the_board():
+    """Parameters that change in every pass do not keep a restart waiting."""
+    facts = _changing()
+    craft = new_craft()
+
+    async def story():
+        craft.reboot()
+        for index in range(10000):
+            craft.parameters.set(facts["name"], _value(facts, index % 2))
+            await asyncio.sleep_ms(1)
+
+    assert live(craft, story), "no reset"
+    assert mock_time.elapsed_us() < 3000000
+
+
 CHECKS = (
     (all_values_survive, "storage.kept"),
     (absent_files_give_defaults, "storage.defaults"),
@@ -361,6 +466,10 @@ CHECKS = (
     (failed_write_keeps_the_old_values, "storage.power_cut"),
     (save_is_done_in_steps, "storage.steps"),
     (saving_waits_while_armed, "storage.steps"),
+    (flash_is_not_worn_out, "storage.wear"),
+    (credit_comes_back, "storage.wear"),
+    (restart_in_a_flood, "storage.leaving"),
+    (code_that_changes_parameters_does_not_keep_the_board, "storage.leaving"),
     (set_over_the_link_survives_a_restart, "storage.over_link"),
     (restart_saves_first, "services.restart"),
     (no_arming_before_a_restart, "services.restart"),

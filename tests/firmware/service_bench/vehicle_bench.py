@@ -64,6 +64,7 @@ class Vehicle:
         self.calls = calls
         self.is_armed = False
         self.problem = None
+        self.restart_ms = None
         self.is_broken = False
 
     def arm(self, force=False):
