@@ -6,6 +6,7 @@ The number of cells of a battery is the argument. Prints what went wrong in each
 import sys
 
 import dialect
+import machine
 from program_bench import SECOND_US, main, messages, new_craft, run, run_passes, save
 
 CELLS = int(sys.argv[1])
@@ -148,6 +149,27 @@ def a_power_monitor_supposes_nothing():
         assert str(message.raw("capacity_remaining")) == str(message.raw("capacity_consumed")) == "nan"
 
 
+def charge_adds_up_to_the_capacity():
+    """With a current sensor, what was drawn and what is left are BATT_CAPACITY, as if the pack had been full.
+
+    That it was, a flag says, which code sets that knows.
+    """
+    rover, station = _rover(BATT_MONITOR=4, BATT_REPORT=1, BATT_CAPACITY=3300)
+    machine.analog(rover.parameters.batt_curr_pin).source = 2047
+    battery = rover.state.battery[0]
+    drawn = []
+    for is_known in (False, True):
+        battery.counted_from_full = is_known
+        run(rover, 60 * SECOND_US)
+        told = station.received(messages.BatteryStatusV2)[-1]
+        assert bool(told.raw("status_flags") & RELATIVE_TO_FULL) == is_known
+        consumed, left = told.raw("capacity_consumed"), told.raw("capacity_remaining")
+        assert consumed > 0.01, consumed
+        assert abs(consumed + left - 3.3) < 1e-6, (consumed, left)
+        drawn.append(consumed)
+    assert drawn[0] < drawn[1], drawn
+
+
 CHECKS = (
     (batteries_are_part_of_the_autopilot,),
     (cells_come_on_request_only,),
@@ -157,6 +179,7 @@ CHECKS = (
     (new_status_is_shorter,),
     (cells_come_in_an_interval,),
     (a_power_monitor_supposes_nothing,),
+    (charge_adds_up_to_the_capacity,),
 )
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from generated_suite import suite_is_green
 from test_smart_battery import run
 
 ROOT = Path(__file__).resolve().parents[2]
-CHECKED = 8
+CHECKED = 9
 SYS_STATUS = "specs/messages/sys_status.yaml"
 POLICY = "represents: {battery: {parameter: BATT_SYS_STATUS}}"
 
@@ -45,7 +45,7 @@ def frames_are_green(folder: Path, selection: str) -> None:
 
 @pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
 @pytest.mark.requirement(
-    "FR-00074.8", "FR-00076.7", "FR-00076.8", "FR-00072.1", "FR-00072.4", "FR-00072.6", "FR-00068.9"
+    "FR-00074.8", "FR-00076.7", "FR-00076.8", "FR-00072.1", "FR-00072.4", "FR-00072.6", "FR-00068.9", "FR-00077.6"
 )
 @pytest.mark.parametrize("interpreter", ["cpython", "micropython"])
 def test_the_rover_reports_its_batteries(interpreter: str) -> None:
