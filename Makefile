@@ -18,7 +18,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test browser valgrind tools lint clean benchmarks conformance mutation reference docs
+.PHONY: build test browser valgrind tools lint clean benchmarks conformance mutation soak reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -67,6 +67,10 @@ reference: $(INSTALLED)
 # draws others.
 mutation: $(INSTALLED)
 	$(BIN)/python benchmarks/mutation.py $(FAULTS)
+
+# Half an hour: a simulated week of the rover's program with stations that come and go, and hostile bytes.
+soak: $(INSTALLED) $(MICROPYTHON32)
+	$(BIN)/python benchmarks/soak.py $(SOAK)
 
 # The site of docs/: build/site/pages/index.html opens from the disk. Every link and every anchor is checked.
 docs: $(INSTALLED)

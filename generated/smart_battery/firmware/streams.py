@@ -375,7 +375,7 @@ class Streams:
             return
         parts = self._rest[index] + self._numerator
         due_ms = time.ticks_add(self._due_ms[index], parts // self._denominator)
-        if time.ticks_diff(now_ms, due_ms) >= 0:  # a pass came too late: no burst to catch up
+        if not 0 < time.ticks_diff(due_ms, now_ms) <= _FURTHEST_MS:  # a pass came too late: no burst to catch up
             due_ms = time.ticks_add(now_ms, parts // self._denominator)
             if self._has_waited:
                 self._budget[1] += 1
