@@ -339,6 +339,7 @@ class Parameters:
 
     def __init__(self):
         self.changes = 0
+        self._kept = b""  # records of parameters that only another firmware knows
         # Which arming checks are made; 1 is all of them, and none can be left out.
         self.arming_check = 1  # 1: All
         # Voltage of the current sensor while no current flows.
@@ -478,7 +479,7 @@ class Parameters:
         for name in NAMES:
             if getattr(self, attribute_of(name)) != getattr(defaults, attribute_of(name)):
                 records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
-        return b"".join(records)
+        return self._kept + b"".join(records)
 
     def restore(self, data):
         """Take over what dump() returned, perhaps of another firmware; return what could not be, as texts."""
@@ -494,6 +495,8 @@ class Parameters:
             steps = self._steps(name, value)
             if steps is None:
                 problems.append(f"stored {name} = {value} is not accepted")
+                if name not in _TABLE:
+                    self._kept += data[at : end + 4]
             else:
                 setattr(self, attribute_of(name), steps)
             at = end + 4

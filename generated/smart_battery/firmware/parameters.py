@@ -106,6 +106,7 @@ class Parameters:
 
     def __init__(self):
         self.changes = 0
+        self._kept = b""  # records of parameters that only another firmware knows
         # Charge of the full pack.
         self.batt_capacity = 3300  # 3300 mAh
         # Id of the battery in its messages; the autopilot's own batteries have 0 and 1.
@@ -187,7 +188,7 @@ class Parameters:
         for name in NAMES:
             if getattr(self, attribute_of(name)) != getattr(defaults, attribute_of(name)):
                 records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
-        return b"".join(records)
+        return self._kept + b"".join(records)
 
     def restore(self, data):
         """Take over what dump() returned, perhaps of another firmware; return what could not be, as texts."""
@@ -203,6 +204,8 @@ class Parameters:
             steps = self._steps(name, value)
             if steps is None:
                 problems.append(f"stored {name} = {value} is not accepted")
+                if name not in _TABLE:
+                    self._kept += data[at : end + 4]
             else:
                 setattr(self, attribute_of(name), steps)
             at = end + 4

@@ -246,16 +246,22 @@ def saving_waits_while_armed():
 
 
 def what_is_not_understood_is_skipped():
-    """Names that this firmware does not have are skipped with a warning each, and the rest is kept."""
+    """Names that this firmware does not have are skipped with a warning each, and stay stored for one that has them."""
     craft = new_craft()
     facts = SETTABLE[0]
     craft.parameters.set(facts["name"], _other(facts) * facts["numerator"] / facts["denominator"])
-    craft.storage.begin(b"\x07NO_SUCH\x00\x00\x80\x3f" + craft.parameters.dump())
+    unknown = b"\x07NO_SUCH\x00\x00\x80\x3f"
+    craft.storage.begin(unknown + craft.parameters.dump())
     while craft.storage.step():
         pass
     again = new_craft(flash=craft.flash)
     assert _values(again) == _values(craft)
     assert len([text for severity, text in again.said() if severity == dialect.MAV_SEVERITY_WARNING]) == 1
+    for _ in range(2):
+        save(again)
+        assert again.parameters.dump() == unknown + craft.parameters.dump()
+        again = new_craft(flash=craft.flash)
+    assert _values(again) == _values(craft)
 
 
 def save_waits_while_armed():
