@@ -8,6 +8,7 @@ from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.storage import HALF, Storage
 from codegen.model.system import System
+from codegen.model.unit import decimal
 from codegen.model.vehicle import Component, Parameter, Quantity
 
 
@@ -32,6 +33,7 @@ def _parameter(parameter: Parameter) -> Subject:
         Fact("step", amount(parameter.step, unit), rules.PARAMETER, spec.at("step")),
         Fact("values", choices, rules.PARAMETER, spec.at("values")),
         Fact("used", "after a restart" if spec.reboot else "at once", rules.PARAMETER, spec.at("reboot")),
+        Fact("was", _was(parameter), rules.PARAMETER, spec.at("was")),
         Fact("belongs to", _owner(parameter), rules.PARAMETER, spec.at("for_each")),
         Fact("default is", f"times {spec.per}" if spec.per else "", rules.PARAMETER, spec.at("per")),
         Fact("answers to", str(parameter.citation or ""), CITATION, spec.at("requirement")),
@@ -48,6 +50,10 @@ def _parameter(parameter: Parameter) -> Subject:
         cited=cited(parameter.citation),
         row=parameter.siblings[0] if parameter.siblings else "",
     )
+
+
+def _was(parameter: Parameter) -> str:
+    return ", ".join(f"{name} times {decimal(factor)}" for name, factor in sorted(parameter.spec.was.items()))
 
 
 def _owner(parameter: Parameter) -> str:

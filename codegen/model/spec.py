@@ -112,6 +112,11 @@ class ParameterSpec(Written):
         "What single values mean, by the value; no others are accepted then.", default_factory=dict
     )
     reboot: bool = described("Whether a new value is used only after a restart.", default=False)
+    was: Mapping[str, Fraction] = described(
+        "Names that it had in earlier firmware, with what values of then are multiplied by: what is stored under them "
+        "is taken over.",
+        default_factory=dict,
+    )
     for_each: str | None = described(
         "Component of which each instance has this parameter, with its own prefix in place of the first one's.",
         default=None,

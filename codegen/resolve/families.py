@@ -34,6 +34,15 @@ class Member:
         return self.default_place if key == "default" and self.default_place else self.spec.at(key)
 
 
+def _was(spec: ParameterSpec, prefix: str, part: Instance) -> dict[str, Fraction]:
+    """What the member of an instance was called: with its prefix, where the first one's had that of the first one."""
+    return {
+        part.prefix + old.removeprefix(prefix) if old.startswith(prefix) else old: factor
+        for old, factor in spec.was.items()
+        if old.startswith(prefix) or part.number == 0
+    }
+
+
 def is_single(parameter: Parameter, place: Place, report: Report) -> bool:
     """Whether a parameter is one for the whole vehicle; a finding where each instance has its own."""
     if parameter.siblings:
@@ -74,7 +83,7 @@ class ParameterFamilies:
             default, place = self._default(name, own, spec, part)
             yield Member(
                 name=own,
-                spec=replace(spec, default=default),
+                spec=replace(spec, default=default, was=_was(spec, prefix, part)),
                 default_place=place,
                 component=spec.for_each,
                 instance=part.number,

@@ -22,6 +22,9 @@ BAD_ADC = Rule(
     "An ADC channel cannot be built: its pin is an input of the board's converter, a count has 8 bits to as many as "
     "the converter has, and a mean needs 1 to 64 samples. A parameter that has the pin takes such numbers only.",
 )
+_NAME = re.compile("[A-Z][A-Z0-9_]{0,15}")
+"""Of a parameter, as PARAM_VALUE carries it."""
+
 BAD_PARAMETER = Rule(
     "bad-parameter",
     "A parameter contradicts itself: names have at most 16 characters of A-Z, 0-9 and _; min <= default <= max; "
@@ -173,13 +176,33 @@ def resolve_parameters(
                 report.add(BAD_PARAMETER, written.place, message)
             parameters[member.name] = parameter
     families.check_defaults()
+    _check_earlier_names(parameters, report)
     return parameters
+
+
+def _check_earlier_names(parameters: Mapping[str, Parameter], report: Report) -> None:
+    """Findings for earlier names of parameters that are names of today, or of two of them, or none at all."""
+    owners: dict[str, str] = {}
+    for name, parameter in parameters.items():
+        for old, factor in parameter.spec.was.items():
+            owner = owners.setdefault(old, name)
+            problem = None
+            if not _NAME.fullmatch(old):
+                problem = f"{old} is not a parameter name"
+            elif old in parameters:
+                problem = f"{old} is a parameter of today"
+            elif owner != name:
+                problem = f"{old} is also what {owner} was called"
+            elif factor == 0:
+                problem = f"{name} is not 0 times what {old} was"
+            if problem is not None and parameter.instance == 0:
+                report.add(BAD_PARAMETER, parameter.spec.at(f"was.{old}"), problem)
 
 
 def _resolve_parameter(member: Member, citation: Citation | None, report: Report) -> Parameter | None:
     name, spec = member.name, member.spec
     problems: list[tuple[str, str]] = []
-    if not re.fullmatch(r"[A-Z][A-Z0-9_]{0,15}", name):
+    if not _NAME.fullmatch(name):
         length = f": it has {len(name)} characters, and 16 are the most" if len(name) > 16 else ""
         problems.append(("", f"{name} is not a parameter name{length}"))
     if spec.step <= 0:

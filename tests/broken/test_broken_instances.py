@@ -35,6 +35,10 @@ CASES = [
     # facts and cells
     Case("bad-parameter-family", "board.yaml", "    cells: 3\n", "", "cells", is_alone=False),
     Case("bad-parameter-family", "board.yaml", "    cells: 3\n", "    cells: 2.5\n", "cells", is_alone=False),
+    # earlier names
+    Case("bad-parameter", "parameters.yaml", LAST, LAST + "    was: {SYSID_THISMAV: §1}\n", "a parameter of today"),
+    Case("bad-parameter", "parameters.yaml", LAST, LAST + "    was: {rate: §1}\n", "rate is not a parameter name"),
+    Case("bad-parameter", "parameters.yaml", LAST, LAST + "    was: {SR_EXT: §0}\n", "not 0 times"),
     # families
     Case("bad-parameter-family", "parameters.yaml", FAMILY, "  §CAPACITY:\n", "BATT_", is_alone=False),
     Case("bad-parameter-family", "parameters.yaml", EACH, EACH.replace("battery", "§bat"), "battery", is_alone=False),

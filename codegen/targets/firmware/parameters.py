@@ -13,7 +13,8 @@ class ParameterView:
 
     ``type`` is the number of its MAV_PARAM_TYPE; ``choices`` are the only steps that are accepted, or nothing,
     and ``has_gaps`` says that not all from ``minimum`` to ``maximum`` are among them. ``is_renamed`` says
-    that the attribute is not the name in small letters.
+    that the attribute is not the name in small letters. ``was`` are names of earlier firmware, each with the numerator
+    and the denominator of what its values are multiplied by.
     """
 
     name: str
@@ -31,6 +32,7 @@ class ParameterView:
     has_gaps: bool
     comment: str
     doc: str
+    was: tuple[tuple[str, int, int], ...]
 
 
 def parameter_views(system: System) -> tuple[ParameterView, ...]:
@@ -62,4 +64,5 @@ def _parameter(parameter: Parameter, types: dict[str, int]) -> ParameterView:
         has_gaps=bool(choices) and choices != tuple(range(parameter.minimum, parameter.maximum + 1)),
         comment=f"{decimal(parameter.default * parameter.step)}{unit}{step}{f': {prose(meaning)}' if meaning else ''}",
         doc=prose(parameter.spec.doc),
+        was=tuple((old, factor.numerator, factor.denominator) for old, factor in sorted(parameter.spec.was.items())),
     )
