@@ -84,7 +84,8 @@ WORKLOADS = (
         "control", "pass of the main loop in which control alone is due", "loop", "control", most=round(8000 / CYCLES)
     ),
     Workload("idle", "pass of a link with nothing to do", "link", "idle", most=round(6000 / CYCLES)),
-    Workload("heartbeat", "a HEARTBEAT arrives: more for that pass", "link", "hear", less="idle"),
+    Workload("heartbeat", "pass of a link in which a HEARTBEAT arrives", "link", "hear"),
+    Workload("datagram", "pass of a link in which a HEARTBEAT arrives in a datagram", "link", "hear_udp"),
     *(
         Workload(
             f"field_{name}", f"{words}: more than one of 16 bits, its bytes included", "fields", name, "short", FIELD

@@ -1,15 +1,14 @@
 # Generated from templates/firmware/program/connection.py, dialect common: do not edit.
-# Inputs: 84d2106b0cd33bb4
+# Inputs: 981d81873ba708a2
 """One port of the vehicle: what arrives is answered, and what is due is sent, to each station at its other end.
 
 Nothing here waits, and a pass of the main loop does a limited share of the work that a port brings. A pass in which
 nothing arrives and no text is new allocates nothing; what arrives is taken in without allocating too.
 """
 
-import time
+from time import ticks_add, ticks_diff
 
 import messages
-from guard import Guard
 from inbox import Inbox
 from micropython import const
 from services import Services
@@ -24,6 +23,8 @@ _FRAMES = const(8)  # of streams in a pass
 _REPLIES = const(8)  # that wait for the port
 _QUIET_MS = const(1000)  # between two texts about faults
 _FORGET_MS = const(1000)  # from one look at who is silent to the next
+_LOOK_MS = const(100)  # no later the streams and the port have a turn
+_HEARTBEAT = messages.Heartbeat.ID
 _TYPE = const(4)  # where HEARTBEAT has it
 _AUTOPILOT = const(5)
 
@@ -31,10 +32,15 @@ _AUTOPILOT = const(5)
 class Connection:
     """Services and streams of one port.
 
+    run(now_ms) does one pass, at time.ticks_ms(): read, answer, send what is due. It raises nothing: a fault ends the
+    part of the pass that it is in. A pass with nothing to do finds that out from few variables.
+
     `port` reads and writes bytes (see ports), `link` makes frames of messages and back: it writes to `port`, and has
     been given services.receivable() as the messages that it receives. `make_streams` returns the streams of a station,
     given the list of how many messages they may send in this pass and how many they left out.
 
+    A port that has look(0) is read where that returns something. Its poll() is called ten times a second, and in the
+    next pass where it returns that it has more to do.
     A port that has `ends` brings what keeps its stations apart: frames go to ends[0], what was read came from ends[1].
     At the other end of another port there is one station: all that hear what goes out there.
 
@@ -70,22 +76,98 @@ class Connection:
         self.services = Services(vehicle, self)
         self.inbox = Inbox(port, link)
         self._texts = TextSender(self, vehicle.texts)
-        self._guard = Guard()
+        self._is_idle = False  # whether nothing was left to do in the last pass
         self._quiet_from_ms = None
         self._forgot_ms = 0
+        self._begin(vehicle.parameters)
 
-    def run(self, now_ms):
-        """Do one pass, at time.ticks_ms(): read, answer, send what is due.
+    def _begin(self, parameters):
+        serving = self._serving()
+        next(serving)
+        turn = self._passes(parameters, getattr(self.port, "look", _perhaps), serving.send)
+        next(turn)
+        self.run = turn.send
 
-        Raises nothing: a fault ends the part of the pass that it is in.
-        """
-        with self._guard:
-            self._take_in(now_ms)
-        if self._guard.error is not None or self._quiet_from_ms is not None:
-            self._note(now_ms)
-        self._budget[0] = _FRAMES
-        self._serve_all(now_ms)
-        self.port.poll(now_ms)
+    # What generators keep between passes are variables, which are found at once and need no heap; and they catch an
+    # exception without the heap, where a function would put all of its variables there. An interrupt or a restart ends
+    # them: who goes on after it begins anew.
+
+    def _passes(self, parameters, look, serve):  # noqa: C901, PLR0912  calls are dear
+        """Do a pass for each time.ticks_ms() that is sent, for ever."""
+        diff = ticks_diff
+        log = self._log
+        buffered = self.link._state  # frames_plain says what it holds
+        is_left = False  # whether there is more to take in
+        changes = text = -1  # of parameters, and of texts, when the last pass began to send
+        next_ms = now_ms = yield  # when something is due
+        try:
+            while True:
+                for _ in look(0):
+                    is_left = True
+                if (
+                    is_left
+                    or not self._is_idle
+                    or log.last != text
+                    or parameters.changes != changes
+                    or not 0 < diff(next_ms, now_ms) <= _LOOK_MS
+                ):
+                    self._is_idle = True  # unless something is left
+                    self.inbox.begin()
+                    for _ in range(_MESSAGES):
+                        if not is_left:
+                            break
+                        try:
+                            self._take_in(now_ms)
+                        except Exception as error:
+                            self._note(error, now_ms)
+                        is_left = buffered[0] != buffered[1]
+                        for _ in look(0):
+                            is_left = True
+                    self._budget[0] = _FRAMES
+                    self._last = None
+                    changes = parameters.changes
+                    text = log.last
+                    least_ms = _LOOK_MS
+                    for station in self.stations:
+                        wait_ms = self._wait_ms(station, now_ms)
+                        if not wait_ms:
+                            if station is not self.station:
+                                self.turn_to(station)
+                            wait_ms = serve(now_ms)
+                        if wait_ms < least_ms:  # noqa: PLR1730  min() takes longer
+                            least_ms = wait_ms
+                    if self._end_pass(now_ms):
+                        least_ms = 0
+                    next_ms = ticks_add(now_ms, least_ms)
+                now_ms = yield
+        except BaseException:
+            self._begin(parameters)
+            raise
+
+    def _serving(self):
+        """Serve the station at hand for each time.ticks_ms() that is sent; yield for how long it has nothing to do."""
+        now_ms = yield
+        while True:
+            station = self.station
+            if station.waiting:
+                try:
+                    self._send_waiting(station.waiting)
+                except Exception as error:
+                    self._note(error, now_ms)
+            try:
+                station.streams.run(now_ms)
+                if self.port.is_up:
+                    station.streams.announce()
+            except Exception as error:
+                self._note(error, now_ms)
+            if self._last is None and self._budget[0] <= 0:
+                self._last = station
+            try:
+                self.services.run()
+                self._texts.run(station)
+            except Exception as error:
+                self._note(error, now_ms)
+            now_ms = yield self._wait_ms(station, now_ms)
 
     def turn_to(self, station):
         """Let what is sent go to a station from now on."""
@@ -141,21 +223,12 @@ class Connection:
             station.waiting.pop(0)
             self.lost_replies += 1
         station.waiting.append(reply)
+        self._is_idle = False
 
     def _take_in(self, now_ms):
-        self.inbox.begin()
-        for _ in range(_MESSAGES):
-            message = self.inbox.next()
-            if message is None:
-                break
-            if self._stations is None or self._is_answered(message, now_ms):
-                self.services.handle(message)
-        if not 0 <= time.ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
-            self._forgot_ms = now_ms
-            self.services.listeners.forget_silent(now_ms)
-            self.services.components.forget_silent(now_ms)
-            if self._stations is not None:
-                self._stations.forget_silent(now_ms)
+        message = self.inbox.next(now_ms)
+        if message is not None and (self._stations is None or self._is_answered(message, now_ms)):
+            self.services.handle(message)
 
     def _is_answered(self, message, now_ms):
         """Turn to who has sent a message; return whether there is a place for it. No vehicle is a station."""
@@ -163,7 +236,7 @@ class Connection:
         if sent[7] == self.system_id and sent[8] == self.component_id:
             return False
         if (
-            message.ID == messages.Heartbeat.ID
+            message.ID == _HEARTBEAT
             and message.wire[_TYPE] != _MAV_TYPE_GCS
             and message.wire[_AUTOPILOT] != _MAV_AUTOPILOT_INVALID
         ):
@@ -171,50 +244,42 @@ class Connection:
         station = self._stations.hear(self._ends[1], now_ms)
         if station is None:
             return False
-        self.turn_to(station)
+        if station is not self.station or self._ends[0] is not station.address:
+            self.turn_to(station)
         return True
 
-    def _serve_all(self, now_ms):
-        self._last = None
-        for station in self.stations:
-            if (
-                not station.streams.is_idle(now_ms)
-                or station.text != self._log.last
-                or station.said is not None
-                or station.parameter is not None
-                or station.waiting
-            ):
-                self._serve(station, now_ms)
+    def _wait_ms(self, station, now_ms):
+        """Return for how long a station has nothing to do, at most _LOOK_MS."""
+        if (
+            station.waiting
+            or station.text != self._log.last
+            or station.said is not None
+            or station.parameter is not None
+        ):
+            return 0
+        return station.streams.wait_ms(now_ms)
+
+    def _end_pass(self, now_ms):
+        """End a pass in which there was something to do; return whether the port has more."""
         if self._last is not None:
             self._begin_with(self._last)  # next time others have their share first
+        if not 0 <= ticks_diff(now_ms, self._forgot_ms) < _FORGET_MS:
+            self._forget(now_ms)
+        return self.port.poll(now_ms)
+
+    def _forget(self, now_ms):
+        """Forget who is silent, and when a fault was told long ago: such ticks would seem to lie ahead one day."""
+        self._forgot_ms = now_ms
+        if self._quiet_from_ms is not None and ticks_diff(now_ms, self._quiet_from_ms) >= _QUIET_MS:
+            self._quiet_from_ms = None
+        self.services.listeners.forget_silent(now_ms)
+        self.services.components.forget_silent(now_ms)
+        if self._stations is not None:
+            self._stations.forget_silent(now_ms)
 
     def _begin_with(self, station):
         while self.stations[0] is not station:
             self.stations.append(self.stations.pop(0))
-
-    def _serve(self, station, now_ms):
-        if station is not self.station:
-            self.turn_to(station)
-        if station.waiting:
-            self._answer(station, now_ms)
-        with self._guard:
-            self.streams.run(now_ms)
-            if self.port.is_up:
-                self.streams.announce()
-        if self._last is None and self._budget[0] <= 0:
-            self._last = station
-        if self._guard.error is not None or self._quiet_from_ms is not None:
-            self._note(now_ms)
-        with self._guard:
-            self.services.run()
-            self._texts.run(station)
-        if self._guard.error is not None or self._quiet_from_ms is not None:
-            self._note(now_ms)
-
-    def _answer(self, station, now_ms):
-        with self._guard:
-            self._send_waiting(station.waiting)
-        self._note(now_ms)
 
     def _send_waiting(self, waiting):
         while waiting:
@@ -225,12 +290,13 @@ class Connection:
                 waiting.insert(0, reply)
                 return
 
-    def _note(self, now_ms):
-        if self._quiet_from_ms is not None and time.ticks_diff(now_ms, self._quiet_from_ms) >= _QUIET_MS:
-            self._quiet_from_ms = None
-        if self._guard.error is None:
-            return
+    def _note(self, error, now_ms):
         self.faults += 1
-        if self._quiet_from_ms is None:
+        if self._quiet_from_ms is None or ticks_diff(now_ms, self._quiet_from_ms) >= _QUIET_MS:
             self._quiet_from_ms = now_ms
-            self._log("error:", self.port.name, "fault", repr(self._guard.error))
+            self._log("error:", self.port.name, "fault", repr(error))
+
+
+def _perhaps(_wait_ms):
+    """Stand in for look() of a port that cannot tell."""
+    return (True,)

@@ -1,8 +1,8 @@
 # Generated from templates/firmware/program/inbox.py: do not edit.
-# Inputs: b04b20689719a900
+# Inputs: 0b2755ba9280d202
 """Taking in what arrives at a port, a limited share in each pass of the main loop: a flood must not hold it up."""
 
-import time
+from time import ticks_diff
 
 from micropython import const
 
@@ -10,9 +10,18 @@ _SIZE = const(256)  # bytes that one readinto() takes
 _WORK = const(256)  # bytes that are searched for frames in a pass; to check a frame counts as much as its length
 _PATIENCE_MS = const(500)  # for the end of a frame, where a port does not know better
 
+# Where the state of a link has what: frames_plain says more.
+_FIRST = const(0)  # byte in the buffer that was not looked at
+_END = const(1)  # of the buffer
+_WORKED = const(15)
+_SHARE = const(16)
+
 
 class Inbox:
     """Messages that arrive at a port.
+
+    begin() begins a pass; next(now_ms), at time.ticks_ms(), returns the next message, or None: nothing more arrived, or
+    the pass has had its share.
 
     A datagram, which ports with `ends` read(), has whole frames: what is not whole at its end is given up at once, so
     that nobody's bytes become part of another one's frame. Other ports readinto() a buffer and may bring a frame in
@@ -22,59 +31,75 @@ class Inbox:
     def __init__(self, port, link):
         self._port = port
         self._link = link
-        self._state = link._state  # frames_plain says what it holds
-        self._state[16] = _WORK
-        self._has_datagrams = getattr(port, "ends", None) is not None
-        self._buffer = None if self._has_datagrams else bytearray(_SIZE)
+        self._state = link._state
+        self._state[_SHARE] = _WORK
         self._patience_ms = getattr(port, "patience_ms", _PATIENCE_MS)
         self._total = 0  # bytes that arrived
         self._start = -1  # at which of them the frame begins that is not whole
         self._since_ms = 0  # when that was noticed
         self._read_ms = 0
-        self._is_open = False  # whether the link may find more in what it has
+        self._resume()
 
     def begin(self):
         """Begin a pass."""
-        self._state[15] = 0
+        self._state[_WORKED] = 0
 
-    def next(self):
-        """Return the next message; None: nothing more arrived, or this pass has had its share."""
-        while True:
-            if self._is_open:
-                message = self._link.receive()
-                if message is not None:
-                    return message
-                if self._state[15] >= _WORK:
-                    return None
-                if self._has_datagrams and self._state[0] < self._state[1]:
-                    self._link.give_up()
-                    continue
-                self._is_open = False
-            if not self._read() and (self._state[0] == self._state[1] or not self._is_given_up()):
-                return None
-            self._is_open = True
+    def _resume(self):
+        is_whole = getattr(self._port, "ends", None) is not None
+        turn = self._messages(None if is_whole else bytearray(_SIZE))
+        next(turn)
+        self.next = turn.send
 
-    def _read(self):
-        if self._has_datagrams:
-            data = self._port.read()
-            if data:
-                self._link.put(data)
-            return data
-        count = self._port.readinto(self._buffer)
-        if not count:
-            return count
-        self._total = (self._total + count) & 0x3FFFFFFF
-        self._read_ms = time.ticks_ms()
-        self._link.put_part(self._buffer, count)
-        return count
+    def _messages(self, buffer):  # noqa: C901, PLR0912  calls are dear
+        """Yield messages, and None where there is none in this pass, for ever; connection.py says why as a generator.
 
-    def _is_given_up(self):
+        Without a buffer what arrives are datagrams.
+        """
+        port, link, state = self._port, self._link, self._state
+        receive = link.receive
+        is_open = False  # whether the link may find more in what it has
+        try:
+            now_ms = yield
+            while True:
+                message = None
+                if is_open:
+                    message = receive()
+                    if message is None and state[_WORKED] < _WORK:
+                        if buffer is None and state[_FIRST] < state[_END]:
+                            link.give_up()
+                            continue
+                        is_open = False
+                if is_open:
+                    now_ms = yield message
+                elif buffer is None:
+                    data = port.read()
+                    if data:
+                        link.put(data)
+                        is_open = True
+                    else:
+                        now_ms = yield
+                else:
+                    count = port.readinto(buffer)
+                    if count:
+                        self._total = (self._total + count) & 0x3FFFFFFF
+                        self._read_ms = now_ms
+                        link.put_part(buffer, count)
+                        is_open = True
+                    elif state[_FIRST] != state[_END] and self._is_given_up(now_ms):
+                        is_open = True
+                    else:
+                        now_ms = yield
+        except BaseException:  # what is wrong with a port ends this pass, and nothing else
+            self._resume()
+            raise
+
+    def _is_given_up(self, now_ms):
         """Give up the frame that is not whole, if its end does not come; return whether that was done."""
-        start = (self._total - self._state[1] + self._state[0]) & 0x3FFFFFFF
+        start = (self._total - self._state[_END] + self._state[_FIRST]) & 0x3FFFFFFF
         if start != self._start:
             self._start = start
             self._since_ms = self._read_ms
-        if time.ticks_diff(time.ticks_ms(), self._since_ms) < self._patience_ms:
+        if ticks_diff(now_ms, self._since_ms) < self._patience_ms:
             return False
         self._link.give_up()
         return True

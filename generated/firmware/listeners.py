@@ -1,9 +1,9 @@
 # Generated from templates/firmware/program/listeners.py: do not edit.
-# Inputs: e3b733937dacb465
+# Inputs: 7f9a2e3f9a14360e
 """Who listens at the other end of a link: the ground stations, and all components, whose HEARTBEAT arrives."""
 
-import time
 from array import array
+from time import ticks_diff
 
 from micropython import const
 
@@ -27,11 +27,13 @@ class Listeners:
         Who takes the place of another is not called new: of more senders than places each would be, again and again.
         """
         name = system << 8 | component
-        for place in range(len(self.names)):
-            if self.names[place] == name:
-                is_new = self._age_ms(place, now_ms) >= self._silence_ms
+        place = 0
+        for known in self.names:
+            if known == name:
+                age_ms = ticks_diff(now_ms, self._heard_ms[place])
                 self._heard_ms[place] = now_ms
-                return is_new
+                return age_ms >= self._silence_ms
+            place += 1  # noqa: SIM113  enumerate() takes heap
         self.forget_silent(now_ms)
         oldest = 0
         for place in range(len(self.names)):
@@ -49,4 +51,4 @@ class Listeners:
                 self.names[place] = 0
 
     def _age_ms(self, place, now_ms):
-        return time.ticks_diff(now_ms, self._heard_ms[place]) if self.names[place] else 0x3FFFFFFF
+        return ticks_diff(now_ms, self._heard_ms[place]) if self.names[place] else 0x3FFFFFFF

@@ -1,19 +1,31 @@
 # Generated from templates/firmware/program/readiness.py: do not edit.
-# Inputs: fe9a12375d1934ca
-"""Looking whether a stream has something to read, or room to write, without waiting for it."""
+# Inputs: 9801352dc1f1c0a8
+"""Looking whether streams have something to read, or room to write, without waiting for it."""
 
 import select
 
 
 class Readiness:
-    """Whether a stream or a socket is ready, without waiting and without the heap."""
+    """Whether a stream or a socket is ready, without waiting and without the heap.
 
-    def __init__(self, stream, events):
-        poller = select.poll()
-        poller.register(stream, events)
-        self._poll = poller.ipoll if hasattr(poller, "ipoll") else poller.poll
+    look(0) returns something for each one that is watched and ready: it is the poll() of select that takes no heap.
+    """
+
+    def __init__(self, events):
+        self._events = events
+        self._poller = select.poll()
+        self.look = self._poller.ipoll if hasattr(self._poller, "ipoll") else self._poller.poll
+
+    def watch(self, stream):
+        """Look at a stream from now on. OSError: it cannot be asked."""
+        self._poller.register(stream, self._events)
+
+    def forget(self, stream):
+        """Look at a stream no more; before it is closed."""
+        self._poller.unregister(stream)
 
     def check(self):
-        for _ in self._poll(0):
+        """Return whether one of the streams is ready."""
+        for _ in self.look(0):
             return True
         return False

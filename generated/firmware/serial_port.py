@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/serial_port.py: do not edit.
-# Inputs: 3e145d414acdd428
+# Inputs: 09d3b692ebe7eee2
 """Ports on a UART or on USB, where bytes may go and come in parts.
 
 A port takes whole frames only, and never blocks or raises, whatever happens. Its counters `sent` and `received`, in
@@ -66,10 +66,11 @@ class StreamPort:
         return length
 
     def poll(self, _now_ms):
-        """Send what waits, as far as the stream takes it."""
+        """Send what waits, as far as the stream takes it; return whether something still waits."""
         for _ in range(_PIECES):
             if not self._waiting or not self._send_piece():
-                return
+                break
+        return self._waiting > 0
 
     def _keep(self, frame, start):
         ring = self._ring
@@ -173,8 +174,10 @@ class _Usb:
     def __init__(self, source, sink):
         self._source = _unbuffered(source)
         self._sink = _unbuffered(sink)
-        self._source_ready = Readiness(source, select.POLLIN)
-        self._sink_ready = Readiness(sink, select.POLLOUT)
+        self._source_ready = Readiness(select.POLLIN)
+        self._source_ready.watch(source)
+        self._sink_ready = Readiness(select.POLLOUT)
+        self._sink_ready.watch(sink)
         self._byte_in = bytearray(1)
         self._byte_out = bytearray(1)
 

@@ -7,8 +7,8 @@
 # Inputs: eefe9b0a84f393cf
 """Sends each message at the rate of its stream, or at the one that a ground station asks for."""
 
-import time
 from array import array
+from time import ticks_add, ticks_diff, ticks_ms
 
 import messages
 import telemetry
@@ -146,7 +146,7 @@ class Streams:
         # How many messages may go out in this pass, which all stations of the link share, and how many were left out.
         self._budget = [0x3FFFFFFF, 0] if budget is None else budget
         self._has_waited = False  # whether something is late for that reason
-        now_ms = time.ticks_ms()
+        now_ms = ticks_ms()
         self._next_ms = now_ms  # when something is due, or is looked at again
         self._due_ms = [now_ms] * len(_IDS)
         self._rest = array("i", [0] * len(_IDS))  # what due times are late by, in parts of a millisecond; -1: it is off
@@ -155,40 +155,41 @@ class Streams:
         self._parameters = state.parameters
         self._changes = state.parameters.changes
         self._steps = self._parameter_steps()
-        # The period that _find_period() found, in milliseconds.
-        self._numerator = 0
-        self._denominator = 1
+        # Their periods in milliseconds, as _settle() found them: numerators and denominators, 0 for what is off.
+        self._numerators = array("i", [0] * len(_IDS))
+        self._denominators = array("i", [0] * len(_IDS))
+        self._settle_all()
         self._waits = bytearray(len(_ANNOUNCED))  # 1: to be sent in one of the next passes
         self._is_waiting = False  # whether any of them is
         self._seen = [state.words[_BATTERY_SWAPS_NUMBER[0]], state.words[_BATTERY_SWAPS_NUMBER[1]]]
         self.connect()
 
-    def is_idle(self, now_ms):
-        """Return whether run() and announce() have nothing to do in a pass of the main loop."""
-        return (
-            0 < time.ticks_diff(self._next_ms, now_ms) <= _LOOK_MS
-            and self._parameters.changes == self._changes
-            and not self._is_waiting
-        )
+    def wait_ms(self, now_ms):
+        """Return for how long run() and announce() have nothing to do, at most _LOOK_MS."""
+        ahead_ms = ticks_diff(self._next_ms, now_ms)
+        if ahead_ms > _LOOK_MS or self._parameters.changes != self._changes or self._is_waiting:
+            return 0
+        return ahead_ms if ahead_ms > 0 else 0
 
     def run(self, now_ms):
-        """Send what is due; call it in every pass of the main loop with time.ticks_ms() that is not idle."""
+        """Send what is due; call it in every pass of the main loop with ticks_ms(), unless wait_ms() is not 0."""
         if self._parameters.changes != self._changes:
             self._follow_parameters(now_ms)
         self._look_for_changes()
+        due_ms = self._due_ms
         wait_ms = _LOOK_MS
         self._next_ms = now_ms  # also if something raises, or has to wait
         for index in range(9):
-            ahead_ms = time.ticks_diff(self._due_ms[index], now_ms)
+            ahead_ms = ticks_diff(due_ms[index], now_ms)
             if ahead_ms <= 0 or ahead_ms > _FURTHEST_MS:
                 if self._budget[0] <= 0:  # what comes first in this order goes first
                     self._has_waited = True
                     return
                 self._send_due(index, now_ms)
-                ahead_ms = time.ticks_diff(self._due_ms[index], now_ms)
+                ahead_ms = ticks_diff(due_ms[index], now_ms)
             if ahead_ms < wait_ms:  # noqa: PLR1730  min() takes longer
                 wait_ms = ahead_ms
-        self._next_ms = time.ticks_add(now_ms, wait_ms)
+        self._next_ms = ticks_add(now_ms, wait_ms)
         self._has_waited = False
 
     def connect(self):
@@ -306,7 +307,7 @@ class Streams:
         self._interval_us[index] = interval_us
         if interval_us == 0 and _STREAMS[index] is not None:
             self._asked_hz[_STREAMS[index]] = OFF
-        self._restart(index, time.ticks_ms())
+        self._restart(index, ticks_ms())
 
     def interval_us(self, message_id):
         """Return the interval of a message in microseconds, -1 while it is off, 0 if this vehicle does not have it.
@@ -316,7 +317,8 @@ class Streams:
         shortest_us = 0
         for index in range(len(_IDS)):
             if _IDS[index] == message_id:
-                interval_us = self._numerator * 1000 // self._denominator if self._find_period(index) else OFF
+                parts = self._denominators[index]
+                interval_us = self._numerators[index] * 1000 // parts if parts else OFF
                 if shortest_us <= 0 or 0 < interval_us < shortest_us:
                     shortest_us = interval_us
         return shortest_us
@@ -331,7 +333,7 @@ class Streams:
             number = _DATA_STREAMS[stream]
             if number is not None and data_stream in (0, number):
                 found = True
-                self._override(stream, min(rate_hz, _FASTEST_HZ[stream]), time.ticks_ms())
+                self._override(stream, min(rate_hz, _FASTEST_HZ[stream]), ticks_ms())
         return found
 
     def _override(self, stream, rate_hz, now_ms):
@@ -353,6 +355,7 @@ class Streams:
     def _follow_parameters(self, now_ms):
         """Drop what was asked for where the stream's parameter has changed."""
         self._changes = self._parameters.changes
+        self._settle_all()
         for index in range(len(_IDS)):
             if self._rest[index] == OFF:  # perhaps it is not any more
                 self._restart(index, now_ms)
@@ -374,43 +377,45 @@ class Streams:
                 self._restart(index, now_ms)
 
     def _restart(self, index, now_ms):
+        self._settle(index)
         self._due_ms[index] = self._next_ms = now_ms
         self._rest[index] = 0
 
     def _send_due(self, index, now_ms):
-        if not self._find_period(index):
-            self._due_ms[index] = time.ticks_add(now_ms, _OFF_MS)
+        denominator = self._denominators[index]
+        if denominator == 0:
+            self._due_ms[index] = ticks_add(now_ms, _OFF_MS)
             self._rest[index] = OFF
             return
-        parts = self._rest[index] + self._numerator
-        due_ms = time.ticks_add(self._due_ms[index], parts // self._denominator)
-        if not 0 < time.ticks_diff(due_ms, now_ms) <= _FURTHEST_MS:  # a pass came too late: no burst to catch up
-            due_ms = time.ticks_add(now_ms, parts // self._denominator)
+        parts = self._rest[index] + self._numerators[index]
+        due_ms = ticks_add(self._due_ms[index], parts // denominator)
+        if not 0 < ticks_diff(due_ms, now_ms) <= _FURTHEST_MS:  # a pass came too late: no burst to catch up
+            due_ms = ticks_add(now_ms, parts // denominator)
             if self._has_waited:
                 self._budget[1] += 1
         self._due_ms[index] = due_ms
-        self._rest[index] = parts % self._denominator
-        if not self._is_off(index) and self._is_announced_soon(index):
+        self._rest[index] = parts % denominator
+        if self._is_waiting and not self._is_off(index) and self._is_announced_soon(index):
             return
         self._budget[0] -= 1
         self._send(index)
 
-    def _find_period(self, index):
-        """Put the period of a message into _numerator and _denominator; return whether it is sent at all."""
-        interval_us = self._interval_us[index]
-        if interval_us != 0:
-            self._numerator = interval_us
-            self._denominator = 1000
-            return interval_us > 0
+    def _settle_all(self):
+        for index in range(len(_IDS)):
+            self._settle(index)
+
+    def _settle(self, index):
+        """Find out the period of a message: what was asked for, or that of its stream."""
+        numerator = self._interval_us[index]
+        denominator = 1000 if numerator > 0 else 0
         stream = _STREAMS[index]
-        if stream is None or not self._is_chosen(index):
-            return False
-        if self._asked_hz[stream] >= 0:
-            self._numerator = 1000
-            self._denominator = self._asked_hz[stream]
-        else:
-            self._find_own_period(stream)
-        return self._denominator > 0
+        if not (numerator or stream is None or not self._is_chosen(index)):
+            numerator = 1000
+            denominator = self._asked_hz[stream]
+            if denominator < 0:
+                numerator, denominator = self._own_period(stream)
+        self._numerators[index] = numerator
+        self._denominators[index] = denominator
 
     def _is_chosen(self, index):
         """Return whether the generation of a message is sent without being asked for."""
@@ -418,22 +423,19 @@ class Streams:
         # BATT_REPORT is 0 for the old ones, 1 for the new ones, 2 for both (FR-00072.2)
         return _GENERATIONS[index] & (parameters.batt_report + 1) != 0
 
-    def _find_own_period(self, stream):
+    def _own_period(self, stream):
+        """Return the period of a stream in milliseconds, as numerator and denominator; a denominator of 0: it is off."""
         if stream == 0:  # HEARTBEAT: 1 Hz (FR-00068.8)
-            self._numerator = 1000
-            self._denominator = 1
-        elif stream == 1:  # EXTENDED_STATUS: SR0_EXT_STAT sets the rate (FR-00068.9)
-            self._numerator = 1000
-            self._denominator = self._state.parameters.sr0_ext_stat
-        elif stream == 2:  # EXTRA1: SR0_EXTRA1 sets the rate (FR-00068.2)
-            self._numerator = 1000
-            self._denominator = self._state.parameters.sr0_extra1
-        elif stream == 3:  # EXTRA3: SR0_EXTRA3 sets the rate (FR-00072)
-            self._numerator = 1000
-            self._denominator = self._state.parameters.sr0_extra3
-        elif stream == 4:  # INFO: 0.05 Hz (FR-00076.6)
-            self._numerator = 20000
-            self._denominator = 1
+            return 1000, 1
+        if stream == 1:  # EXTENDED_STATUS: SR0_EXT_STAT sets the rate (FR-00068.9)
+            return 1000, self._state.parameters.sr0_ext_stat
+        if stream == 2:  # EXTRA1: SR0_EXTRA1 sets the rate (FR-00068.2)
+            return 1000, self._state.parameters.sr0_extra1
+        if stream == 3:  # EXTRA3: SR0_EXTRA3 sets the rate (FR-00072)
+            return 1000, self._state.parameters.sr0_extra3
+        if stream == 4:  # INFO: 0.05 Hz (FR-00076.6)
+            return 20000, 1
+        return 0, 0
 
     def _send(self, index):
         _SENDERS[index](_ENCODERS[index], self._state, self._link)

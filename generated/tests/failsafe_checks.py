@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/failsafe_checks.py: do not edit.
-# Inputs: 65b366c8ee8bc466
+# Inputs: ecd75effd153bc60
 """The failsafe of a measured quantity: two levels, one time, latched."""
 
 from failsafe_bench import CRITICAL, LOW, TIMER, armed_watch, new_watch, parameter_of
@@ -201,9 +201,9 @@ def action_that_raises_does_no_harm():
         assert watch.failsafe.level == LOW
         assert watch.craft.is_armed != disarms, call
         assert len(watch.craft.said(watch.facts["component"] + " failed")) == 1
-        passes = watch.craft.port.polls
+        passes = watch.craft.port.looks
         watch.readings(watch.deep, 3 * watch.per_second)
-        assert watch.craft.port.polls == passes + 3 * watch.per_second
+        assert watch.craft.port.looks == passes + 3 * watch.per_second
         assert watch.failsafe.level == (LOW if disarms else CRITICAL)
 
 

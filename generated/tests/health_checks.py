@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/health_checks.py: do not edit.
-# Inputs: 9593381439eb2322
+# Inputs: afd0f69e9ddf3994
 """Trend, health, remaining charge and readings of what is measured, as the program sees them."""
 
 from program_bench import (
@@ -272,7 +272,7 @@ def runs_without_a_converter():
         warnings = [text for severity, text in craft.said() if severity == dialect.MAV_SEVERITY_WARNING]
         assert "no ADC" in warnings[0], craft.said()
         assert getattr(_state_of(craft, measured), measured["attribute"]) is None
-        assert craft.port.polls >= 60 * SECOND_US // 100000
+        assert craft.port.looks >= 60 * SECOND_US // 100000
         assert not FAILSAFES or craft.arm() is not None
 
 

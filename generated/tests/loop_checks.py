@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/loop_checks.py: do not edit.
-# Inputs: a00a59bbbd0570e8
+# Inputs: 88f1ae9094f2a12e
 """The main loop: its grid, its order, and what is missed."""
 
 from program_bench import (
@@ -146,9 +146,9 @@ def faults_do_not_stop_the_loop():
     control = craft.scheduler._control.call
     for _ in range(2):
         craft.scheduler._control.call = fail
-        polls = craft.port.polls
+        looks = craft.port.looks
         run(craft, SECOND_US)
-        assert abs(craft.port.polls - polls - SECOND_US // LINKS_US) <= 1
+        assert abs(craft.port.looks - looks - SECOND_US // LINKS_US) <= 1
         craft.scheduler._control.call = control
         run(craft, SECOND_US)
     assert len(craft.said("control failed")) == 2, craft.said()

@@ -248,11 +248,14 @@ class Poller:
 
     POLLIN = POLLOUT = 1
 
-    def poll(self):
-        return self
+    def __init__(self):
+        self.streams = []
 
     def register(self, stream, _events):
-        self.ipoll = stream.ipoll
+        self.streams.append(stream)
+
+    def ipoll(self, timeout):
+        return [each for stream in self.streams for each in stream.ipoll(timeout)]
 
 
 def usb_never_blocks():
@@ -433,16 +436,9 @@ class BadSocket:
         raise OSError(9)
 
 
-class Always:
-    """Is ready."""
-
-    def check(self):
-        return True
-
-
 def udp_that_is_ready_for_nothing_does_not_block():
     port, log = udp(port=OTHER)
-    port._ready = Always()
+    port._ready.check = lambda: True
     assert port.read() is None
     assert port.is_up
     assert log == []
@@ -452,7 +448,7 @@ def udp_busy_is_no_error():
     for number in (11, 105, 12):
         port, log = udp()
         port._socket = BadSocket(OSError(number, "busy"))
-        port._ready = Always()
+        port._ready.check = lambda: True
         assert port.write(b"frame") == 0
         assert port.read() is None
         assert port.dropped == 1
@@ -467,7 +463,7 @@ def udp_error_closes_and_reopens():
             port, log = udp()
             port._socket.close()
             port._socket = bad = BadSocket(error)
-            port._ready = Always()
+            port._ready.check = lambda: True
             assert not call(port)
             assert bad.is_closed
             assert not port.is_up

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/services.py, dialect common: do not edit.
-# Inputs: 3a1ba6ef0adbafcc
+# Inputs: 8614f14209b157ea
 """Answers to what ground stations send: what is addressed to this vehicle goes to the service that it is for."""
 
 import struct
@@ -152,7 +152,8 @@ class Services:
         return absences.Bare(number)
 
     def _hear(self, message):
-        system, component = message.source_system, message.source_component
+        sent = message._image
+        system, component = sent[7], sent[8]
         now_ms = time.ticks_ms()
         if message.wire[_HEARTBEAT_TYPE_AT] == _MAV_TYPE_GCS:
             self.ground_station = (system, component)

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/twins.py: do not edit.
-# Inputs: 2658b6ace09a7f8f
+# Inputs: d0c7cf49ac0d5788
 """Whether somebody else uses the ids of this board: people are told, who have to give one of the two another id."""
 
 import time
@@ -27,7 +27,7 @@ class TwinWatch:
 
     def __init__(self, connection, log, component, kinds, number=None, numbers=()):
         self.begin = connection.inbox.begin
-        self._next = connection.inbox.next
+        self._inbox = connection.inbox
         self._connection = connection
         self._log = log
         self._names = (component, number)
@@ -37,9 +37,9 @@ class TwinWatch:
         self._strange = 0
         self._told_ms = [None, None]
 
-    def next(self):
+    def next(self, now_ms):
         """Return the next message, or None."""
-        message = self._next()
+        message = self._inbox.next(now_ms)
         if message is not None:
             sent = message._image  # frames_plain says what it holds
             if sent[7] == self._connection.system_id:

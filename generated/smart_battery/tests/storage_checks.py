@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/storage_checks.py: do not edit.
-# Inputs: 5aa66fd8f7515234
+# Inputs: 83203d2da5677e73
 """Saved parameters through the whole vehicle: restarts, damage, power cuts at every byte, and what a save costs."""
 
 import asyncio
@@ -207,7 +207,7 @@ def save_is_done_in_steps():
     assert _values(new_craft(flash=craft.flash)) == _values(craft)
     assert (craft.scheduler.overruns > 0) == (STEP_LIMIT_US >= 2 * CONTROL_US), craft.scheduler.overruns
     assert craft.scheduler.overruns <= writes * -(-craft.flash.delay_us // CONTROL_US), craft.scheduler.overruns
-    assert craft.port.polls > 2900000 // LINKS_US - writes * -(-craft.flash.delay_us // LINKS_US)
+    assert craft.port.looks > 2900000 // LINKS_US - writes * -(-craft.flash.delay_us // LINKS_US)
 
 
 def failed_write_keeps_the_old_values():
@@ -322,9 +322,9 @@ def lack_of_memory_does_not_end_the_program():
     _set_all(craft)
     live(craft, _wait(1000))
     assert len(craft.said("parameters are not saved")) == 1, craft.said()
-    polls = craft.port.polls
+    looks = craft.port.looks
     run(craft, 1000000)
-    assert craft.port.polls > polls
+    assert craft.port.looks > looks
 
 
 def no_arming_before_a_restart():

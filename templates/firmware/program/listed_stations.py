@@ -7,14 +7,14 @@ class ListedStations:
     def __init__(self, inbox, systems):
         self.begin = inbox.begin
         self.refused = 0
-        self._next = inbox.next
+        self._inbox = inbox
         self._systems = systems
 
-    def next(self):
+    def next(self, now_ms):
         """Return the next message of a system that is listed, or None."""
         while True:  # the inbox ends it with the share of a pass
-            message = self._next()
-            if message is None or message.source_system in self._systems:
+            message = self._inbox.next(now_ms)
+            if message is None or message._image[7] in self._systems:  # frames_plain says what it holds
                 return message
             self.refused += 1
 

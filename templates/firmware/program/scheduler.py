@@ -46,7 +46,8 @@ class Scheduler:
     in a job is logged once until that call works again, and everything goes on.
 
     `overruns` counts the slots of control that were left out. `load` is the share of the last second that passes
-    took, in d%: 0 to 1000. ValueError: a period is not positive, or longer than LONGEST_PERIOD_US, nine minutes.
+    took, in d%: 0 to 1000; it is found where jobs run. ValueError: a period is not positive, or longer than
+    LONGEST_PERIOD_US, nine minutes.
     """
 
     def __init__(self, period_us, control, log=print):
@@ -56,11 +57,8 @@ class Scheduler:
         self._guard = Guard()
         self._control = _Slot(period_us, control, "control")
         self._jobs = []
-        self._shortest_us = LONGEST_PERIOD_US  # of their periods
         self._next_us = 0  # when the first of them is due
-        self._is_started = False
-        self._busy_us = 0
-        self._window_us = 0  # when the second began that `load` is measured over
+        self._begin()
 
     def every(self, period_us, job, name=None):
         """Run a job too, after control and the jobs before it; jobs of one period run in the same pass.
@@ -69,80 +67,94 @@ class Scheduler:
         """
         slot = _Slot(period_us, job, name or f"job {len(self._jobs) + 1}")
         slot.due_us = self._next_us = self._control.due_us
-        self._shortest_us = min(self._shortest_us, period_us)
         self._jobs.append(slot)
 
     def run_pass(self):
         """Do what is due now, and return the microseconds until the next pass: 0 if that is late already."""
-        now_us = ticks_us()
-        if not self._is_started:
-            self._start(now_us)
-        slot = self._control
-        if 0 <= ticks_diff(now_us, slot.due_us) < slot.period_us:
-            slot.due_us = ticks_add(slot.due_us, slot.period_us)
-        else:
-            missed = slot.take(now_us)
-            if missed < 0:
-                return self._wait_us()
-            self.overruns += missed
-        self._call(slot)
-        ahead_us = ticks_diff(self._next_us, now_us)
-        if ahead_us <= 0 or ahead_us > self._shortest_us:  # too far ahead: the ticks went half round meanwhile
-            self._run_jobs(now_us)
-        end_us = ticks_us()
-        self._busy_us += ticks_diff(end_us, now_us)
-        if not 0 <= ticks_diff(end_us, self._window_us) < _WINDOW_US:
-            self._measure(end_us)
-        end_us = ticks_diff(slot.due_us, end_us)
-        return end_us if end_us > 0 else 0
+        return self._turn(None)
 
     async def run(self):
         """Run passes for ever; other tasks have their turn after each, and all the time that is left."""
         while True:
-            wait_us = self.run_pass()
+            wait_us = self._turn(None)
             await asyncio.sleep_ms(wait_us // 1000)
-            wait_us = self._wait_us()
-            if wait_us < 1000:  # else it woke up early, and the next pass finds nothing to do
+            wait_us = ticks_diff(self._control.due_us, ticks_us())
+            if 0 < wait_us < 1000:  # else it woke up early, and the next pass finds nothing to do
                 sleep_us(wait_us)
 
-    def _run_jobs(self, now_us):
-        """Run the jobs that are due, and find out when the next one is."""
-        self._next_us = ticks_add(now_us, self._shortest_us)
-        for job in self._jobs:
-            self._serve(job, now_us)
+    def _begin(self):
+        self._turn = self._passes().send
 
-    def _serve(self, job, now_us):
-        if job.take(now_us) >= 0:
-            self._call(job)
-        if ticks_diff(job.due_us, self._next_us) < 0:
-            self._next_us = job.due_us
+    def _passes(self):  # noqa: C901, PLR0912, PLR0915  calls are dear
+        """Yield the microseconds until the next pass after each, for ever.
 
-    def _start(self, now_us):
-        self._is_started = True
-        self._window_us = self._control.due_us = self._next_us = now_us
+        What a generator keeps between passes are variables, which are found at once and need no heap; it catches an
+        exception without the heap, too, where a function would put all of its variables there.
+        """
+        control = self._control
+        period_us = control.period_us
+        ticks, diff = ticks_us, ticks_diff
+        is_failing = False
+        busy_us = 0
+        window_us = self._start()  # when the second began that `load` is measured over
+        try:
+            while True:
+                now_us = ticks()
+                due_us = control.due_us
+                if 0 <= diff(now_us, due_us) < period_us:
+                    control.due_us = due_us = ticks_add(due_us, period_us)
+                else:
+                    missed = control.take(now_us)
+                    due_us = control.due_us
+                    if missed < 0:
+                        yield diff(due_us, now_us)
+                        continue
+                    self.overruns += missed
+                    self._next_us = now_us  # perhaps it only seems to lie ahead, after half a round of the ticks
+                try:
+                    control.call()
+                    if is_failing:
+                        is_failing = control.is_failing = False
+                except Exception as error:
+                    is_failing = True
+                    self._report(control, error)
+                if diff(self._next_us, now_us) <= 0:
+                    self._next_us = ticks_add(now_us, LONGEST_PERIOD_US)
+                    for job in self._jobs:
+                        if not 0 < diff(job.due_us, now_us) <= job.period_us:
+                            job.take(now_us)
+                            try:
+                                job.call()
+                                job.is_failing = False
+                            except Exception as error:
+                                self._report(job, error)
+                        if diff(job.due_us, self._next_us) < 0:
+                            self._next_us = job.due_us
+                    end_us = ticks()
+                    if not 0 <= diff(end_us, window_us) < _WINDOW_US:
+                        self._measure(diff(end_us, window_us), busy_us + diff(end_us, now_us))
+                        window_us = end_us
+                        busy_us = diff(now_us, end_us)  # the pass up to here is counted
+                end_us = ticks()
+                busy_us += diff(end_us, now_us)
+                end_us = diff(due_us, end_us)
+                yield end_us if end_us > 0 else 0
+        except BaseException:  # an interrupt, or a restart: who goes on after it begins anew
+            self._begin()
+            raise
+
+    def _start(self):
+        now_us = self._control.due_us = self._next_us = ticks_us()
         for job in self._jobs:
             job.due_us = now_us
+        return now_us
 
-    def _wait_us(self):
-        wait_us = ticks_diff(self._control.due_us, ticks_us())
-        return wait_us if wait_us > 0 else 0
-
-    def _call(self, slot):
-        with self._guard:
-            slot.call()
-        if self._guard.error is None:
-            slot.is_failing = False
-        elif not slot.is_failing:
+    def _report(self, slot, error):
+        if not slot.is_failing:
             slot.is_failing = True
-            self._report(slot.name, self._guard.error)
+            with self._guard:
+                self._log(f"error: {slot.name} failed:", type(error).__name__, error)
 
-    def _report(self, name, error):
-        with self._guard:
-            self._log(f"error: {name} failed:", type(error).__name__, error)
-
-    def _measure(self, end_us):
-        window_us = ticks_diff(end_us, self._window_us)
+    def _measure(self, window_us, busy_us):
         if window_us > 0:  # otherwise the ticks went half round, and nobody knows how long that was
-            self.load = self._busy_us // (window_us // 1000)
-        self._busy_us = 0
-        self._window_us = end_us
+            self.load = busy_us // (window_us // 1000)

@@ -64,10 +64,11 @@ class StreamPort:
         return length
 
     def poll(self, _now_ms):
-        """Send what waits, as far as the stream takes it."""
+        """Send what waits, as far as the stream takes it; return whether something still waits."""
         for _ in range(_PIECES):
             if not self._waiting or not self._send_piece():
-                return
+                break
+        return self._waiting > 0
 
     def _keep(self, frame, start):
         ring = self._ring
@@ -171,8 +172,10 @@ class _Usb:
     def __init__(self, source, sink):
         self._source = _unbuffered(source)
         self._sink = _unbuffered(sink)
-        self._source_ready = Readiness(source, select.POLLIN)
-        self._sink_ready = Readiness(sink, select.POLLOUT)
+        self._source_ready = Readiness(select.POLLIN)
+        self._source_ready.watch(source)
+        self._sink_ready = Readiness(select.POLLOUT)
+        self._sink_ready.watch(sink)
         self._byte_in = bytearray(1)
         self._byte_out = bytearray(1)
 

@@ -136,7 +136,8 @@ class Services:
         return absences.Bare(number)
 
     def _hear(self, message):
-        system, component = message.source_system, message.source_component
+        sent = message._image
+        system, component = sent[7], sent[8]
         now_ms = time.ticks_ms()
         if message.wire[dialect.HEARTBEAT_TYPE_AT] == dialect.MAV_TYPE_GCS:
             self.ground_station = (system, component)

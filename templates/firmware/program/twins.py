@@ -25,7 +25,7 @@ class TwinWatch:
 
     def __init__(self, connection, log, component, kinds, number=None, numbers=()):
         self.begin = connection.inbox.begin
-        self._next = connection.inbox.next
+        self._inbox = connection.inbox
         self._connection = connection
         self._log = log
         self._names = (component, number)
@@ -35,9 +35,9 @@ class TwinWatch:
         self._strange = 0
         self._told_ms = [None, None]
 
-    def next(self):
+    def next(self, now_ms):
         """Return the next message, or None."""
-        message = self._next()
+        message = self._inbox.next(now_ms)
         if message is not None:
             sent = message._image  # frames_plain says what it holds
             if sent[7] == self._connection.system_id:

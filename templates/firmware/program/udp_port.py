@@ -18,6 +18,7 @@ from stations import Stations
 
 _WRAP = const(0x3FFFFFFF)
 _LONGEST = const(1472)  # bytes of a datagram that comes in one piece
+_len = len  # found here, it is found sooner than among the built-in names
 _BUSY = (errno.EAGAIN, errno.ENOBUFS, errno.ENOMEM)  # there is no room for a datagram now, and that is all
 
 
@@ -26,7 +27,8 @@ class UdpPort:
 
     Frames go to ends[0], and what was read last came from ends[1]. `host`, `port` is where they go at first, `home`,
     and None waits for somebody. `host` is an address, of a broadcast too: to look up a name would block. `local_port` 0
-    takes any. `stations` keeps those apart who are there.
+    takes any. `stations` keeps those apart who are there. `is_up` is whether there is a socket; not whether somebody
+    listens. What is asked in every pass are attributes: a property takes longer, and makes storing others slow.
     `credentials` names a JSON file {"ssid": ..., "password": ...} whose "host", "port" and "local_port" override the
     arguments; None is a network that is there without Wi-Fi. What is down is tried again every `retry_ms`.
     The Wi-Fi chip is started here, which takes a second: make the port before the scheduler runs.
@@ -36,6 +38,7 @@ class UdpPort:
 
     def __init__(self, name, host, port, local_port, credentials, retry_ms, log):
         self.name = name
+        self.is_up = False
         self.problem = None
         self.dropped = 0
         self.sent = 0
@@ -43,7 +46,8 @@ class UdpPort:
         self._log = log
         self._guard = Guard()
         self._socket = None
-        self._ready = None
+        self._ready = Readiness(select.POLLIN)
+        self.look = self._ready.look
         self.ends = [None, None]
         self.home = None
         self._address = (host, port, local_port)
@@ -52,11 +56,6 @@ class UdpPort:
         self._has_wifi = credentials is not None
         if self._has_wifi:
             self._start_wifi(credentials, retry_ms)
-
-    @property
-    def is_up(self):
-        """Whether there is a socket; not whether somebody listens."""
-        return self._socket is not None
 
     def read(self):
         """Return the next datagram, None for none."""
@@ -72,8 +71,9 @@ class UdpPort:
     def write(self, frame):
         """Send a frame as one datagram and return its length, or drop it and return 0."""
         if self._socket is not None and self.ends[0] is not None and self._is_sent(frame):
-            self.sent = (self.sent + len(frame)) & _WRAP
-            return len(frame)
+            length = _len(frame)
+            self.sent = (self.sent + length) & _WRAP
+            return length
         self.dropped = (self.dropped + 1) & _WRAP
         return 0
 
@@ -125,13 +125,16 @@ class UdpPort:
         if hasattr(socket, "SO_BROADCAST"):
             opened.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
         opened.bind(socket.getaddrinfo("0.0.0.0", local_port)[0][-1])  # noqa: S104 - a ground station may be anywhere
-        self._ready = Readiness(opened, select.POLLIN)
+        self._ready.watch(opened)
+        self.is_up = True
 
     def _close(self):
         with self._guard:
+            self._ready.forget(self._socket)
+        with self._guard:
             self._socket.close()
         self._socket = None
-        self._ready = None
+        self.is_up = False
 
     def _note(self, error):
         if not (isinstance(error, OSError) and error.errno in _BUSY):
@@ -149,7 +152,15 @@ class UdpPort:
         with self._guard:
             self._log(severity, self.name, text, detail)
 
-    def _is_sent(self, frame):
+    def _is_sent(self, frame):  # functions with few variables: those of larger ones would lie on the heap
+        try:
+            self._send(frame)
+            return True
+        except Exception:
+            return self._is_sent_now(frame)
+
+    def _is_sent_now(self, frame):
+        """Try once more, and keep what goes wrong: the guard takes as long as sending a frame does."""
         with self._guard:
             self._send(frame)
         if self._guard.error is None:
@@ -157,7 +168,7 @@ class UdpPort:
         self._note(self._guard.error)
         return False
 
-    def _send(self, frame):  # here, or the variables of the function with the `with` would lie on the heap
+    def _send(self, frame):
         self._socket.sendto(frame, self.ends[0])
 
     def _receive(self):

@@ -199,9 +199,9 @@ def action_that_raises_does_no_harm():
         assert watch.failsafe.level == LOW
         assert watch.craft.is_armed != disarms, call
         assert len(watch.craft.said(watch.facts["component"] + " failed")) == 1
-        passes = watch.craft.port.polls
+        passes = watch.craft.port.looks
         watch.readings(watch.deep, 3 * watch.per_second)
-        assert watch.craft.port.polls == passes + 3 * watch.per_second
+        assert watch.craft.port.looks == passes + 3 * watch.per_second
         assert watch.failsafe.level == (LOW if disarms else CRITICAL)
 
 

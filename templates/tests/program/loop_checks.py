@@ -144,9 +144,9 @@ def faults_do_not_stop_the_loop():
     control = craft.scheduler._control.call
     for _ in range(2):
         craft.scheduler._control.call = fail
-        polls = craft.port.polls
+        looks = craft.port.looks
         run(craft, SECOND_US)
-        assert abs(craft.port.polls - polls - SECOND_US // LINKS_US) <= 1
+        assert abs(craft.port.looks - looks - SECOND_US // LINKS_US) <= 1
         craft.scheduler._control.call = control
         run(craft, SECOND_US)
     assert len(craft.said("control failed")) == 2, craft.said()

@@ -147,6 +147,9 @@ class _File:
         pass
 
 
+HERE = (True,)  # what a port returns that has something
+
+
 class Port:
     """A port that gives what `arrives` got, and keeps the frames that it takes: `room` in each pass, None for all."""
 
@@ -156,13 +159,18 @@ class Port:
         self.is_up = True
         self.room = None
         self.frames = []
-        self.polls = 0
+        self.looks = 0
         self._taken = 0
         self._arrived = b""
 
     def arrives(self, data):
         """Let bytes arrive."""
         self._arrived += bytes(data)
+
+    def look(self, _wait_ms):
+        """Return something where something has arrived; the main loop asks in each pass of the links."""
+        self.looks += 1
+        return HERE if self._arrived else ()
 
     def readinto(self, buffer):
         """Give what fits."""
@@ -182,7 +190,6 @@ class Port:
 
     def poll(self, _now_ms):
         """Begin a new pass."""
-        self.polls += 1
         self._taken = 0
 
 

@@ -21,9 +21,9 @@ class Streams:
         self._due_ms = time.ticks_ms()
         self.is_broken = False
 
-    def is_idle(self, now_ms):
-        """Return whether nothing is due."""
-        return not self.is_broken and time.ticks_diff(now_ms, self._due_ms) < 0
+    def wait_ms(self, now_ms):
+        """Return for how long nothing is due, at most 100 ms."""
+        return 0 if self.is_broken else min(max(time.ticks_diff(self._due_ms, now_ms), 0), 100)
 
     def run(self, now_ms):
         """Send what is due."""
