@@ -10,8 +10,6 @@ from codegen.frozen import dataclass
 from codegen.source import Place
 
 AREAS = tuple(Area)
-_LONG = 70
-_AROUND = 30
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,28 +157,3 @@ def consequence(change: Change) -> str:
     if change.doubt:
         return f"needs a person: {change.doubt}"
     return f"breaks nobody who was told: {change.softened}" if change.softened else ""
-
-
-def difference(old: str | None, new: str | None) -> tuple[str | None, str | None]:
-    """Both texts, of long ones only where they differ and a little around it."""
-    if old is None or new is None or max(len(old), len(new)) <= _LONG:
-        return _shortened(old), _shortened(new)
-    start = 0
-    while start < min(len(old), len(new)) and old[start] == new[start]:
-        start += 1
-    end = 0
-    while end < min(len(old), len(new)) - start and old[-1 - end] == new[-1 - end]:
-        end += 1
-    return _around(old, start, end), _around(new, start, end)
-
-
-def _around(text: str, start: int, end: int) -> str:
-    first, last = max(0, start - _AROUND), min(len(text), len(text) - end + _AROUND)
-    middle = text[first:last]
-    if len(middle) > 4 * _LONG:
-        middle = f"{middle[: 2 * _LONG]} ... {middle[-_LONG:]}"
-    return f"{'...' if first else ''}{middle}{'...' if last < len(text) else ''}"
-
-
-def _shortened(text: str | None) -> str | None:
-    return text if text is None or len(text) <= 4 * _LONG else f"{text[: 4 * _LONG]}..."
