@@ -1,6 +1,5 @@
 """Two long texts, as far as they differ: a reviewer sees what changed and a few words around it."""
 
-import re
 from collections.abc import Sequence
 from difflib import SequenceMatcher
 
@@ -9,7 +8,6 @@ _LONG = 70
 _MOST = 240
 _AROUND = 4
 """Words on each side of what changed."""
-_TOKEN = re.compile(r"\s*\S+")
 
 
 def difference(old: str | None, new: str | None) -> tuple[str | None, str | None]:
@@ -21,7 +19,7 @@ def difference(old: str | None, new: str | None) -> tuple[str | None, str | None
         return old and _limited(old), new and _limited(new)
     if max(len(old), len(new)) <= _LONG:
         return old, new
-    olds, news = _TOKEN.findall(old), _TOKEN.findall(new)
+    olds, news = old.split(), new.split()
     runs = _runs(olds, news)
     if not runs:  # in spaces alone
         return _limited(old), _limited(new)
@@ -53,7 +51,7 @@ def _excerpt(words: Sequence[str], runs: Sequence[tuple[int, ...]]) -> str:
     last = 0
     for first, behind in runs:
         begin, last = max(0, first - _AROUND), min(len(words), behind + _AROUND)
-        parts.append(("" if begin == 0 else "... ") + "".join(words[begin:last]).strip())
+        parts.append(("" if begin == 0 else "... ") + " ".join(words[begin:last]))
     return _limited(" ".join([*parts, *([] if last == len(words) else ["..."])]))
 
 
