@@ -55,8 +55,13 @@ class Group:
 
     @property
     def reach(self) -> Reach:
-        """What any of them touches."""
-        return joined(change.reach for change in self.changes)
+        """What any of them touches, or what follows from them."""
+        return joined(change.reach for group in (self, *self.following) for change in group.changes)
+
+    @property
+    def count(self) -> int:
+        """How many changes they are: parameters of a family stand at one place and are one."""
+        return len({change.place for change in self.changes})
 
     @property
     def fingerprint(self) -> str:
@@ -106,15 +111,15 @@ class Numbers:
 def numbers_of(groups: Sequence[Group]) -> Numbers:
     """The numbers that the summaries show."""
     counting = [group for group in groups if group.waived is None]
-    changes = [change for group in counting if not group.is_lowered for change in group.changes]
+    graded = [group for group in counting if not group.is_lowered]
     return Numbers(
-        changes=sum(len(group.changes) for group in counting),
-        silent=sum(change.is_silent for change in changes),
-        noticed=sum(change.weight is Weight.BREAKING for change in changes),
-        doubtful=sum(change.weight is Weight.PERSON for change in changes),
-        lost=sum(change.is_lost for change in changes),
-        raised=sum(len(group.changes) for group in counting if group.is_raised),
-        waived=sum(len(group.changes) for group in groups if group.waived is not None),
+        changes=sum(group.count for group in counting),
+        silent=sum(group.count for group in graded if group.first.is_silent),
+        noticed=sum(group.count for group in graded if group.first.weight is Weight.BREAKING),
+        doubtful=sum(group.count for group in graded if group.first.weight is Weight.PERSON),
+        lost=sum(group.count for group in graded if group.first.is_lost),
+        raised=sum(group.count for group in counting if group.is_raised),
+        waived=sum(group.count for group in groups if group.waived is not None),
     )
 
 
@@ -130,7 +135,7 @@ def counted(groups: Sequence[Group]) -> str:
     ]
     words = [word for word in told if word]
     if not words:
-        otherwise = sum(change.rule in TOLD for group in groups if group.waived is None for change in group.changes)
+        otherwise = sum(group.count for group in groups if group.waived is None and group.first.rule in TOLD)
         alters = "alters" if otherwise == 1 else "alter"
         words = [f"{otherwise} {alters} what is told"] if otherwise else ["none of them breaks anybody"]
     if found.waived:
