@@ -136,7 +136,7 @@ COMPONENT_REMOVED = _inside(
     "component-removed", "The vehicle state has a component less: code that sets or reads it fails."
 )
 FACT = _inside(
-    "component-fact-changed", "A fact about the connected hardware is another one: a weight, a name, a number of cells."
+    "component-fact-changed", "A fact about the connected hardware is another one, such as a weight or a name."
 )
 INSTANCES = _inside(
     "component-instances-changed", "There are other instances of a component, or their parameters are called otherwise."
