@@ -7,6 +7,7 @@ from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined
 from jinja2.bccache import Bucket
 
 from codegen.cache import entry, keep, kept
+from codegen.line_breaks import with_line_breaks
 from codegen.template_files import templates_folder
 from codegen.tool import surroundings
 
@@ -21,8 +22,8 @@ def render_template(name: str, view: object) -> str:
 
 
 def render_page(name: str, view: object) -> str:
-    """The same for a page of HTML: whatever the view says is text of the page and never markup."""
-    return _environment(is_escaping=True).get_template(name).render(view=view)
+    """The same for a page of HTML: what the view says is text and never markup, and long names break between words."""
+    return with_line_breaks(_environment(is_escaping=True).get_template(name).render(view=view))
 
 
 @cache

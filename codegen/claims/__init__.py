@@ -4,11 +4,15 @@ A module with a function ``check`` that lies here is run; nothing lists it.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from codegen.checks import checks_in
 from codegen.claims.reading import Reading, merged
 from codegen.claims.worked.examples import EXAMPLE
 from codegen.diagnostics import Diagnostic
+
+LIKELY = "likely, not certain"
+"""What a finding says whose claim is read from the words around it; its rule is a warning and says why."""
 
 
 def check_claims(reading: Reading, is_judged: Callable[[int], bool] = lambda _: True) -> list[Diagnostic]:
@@ -23,4 +27,12 @@ def check_claims(reading: Reading, is_judged: Callable[[int], bool] = lambda _: 
         place for each in told if each.rule is not EXAMPLE for place in (each.place, *(at for at, _ in each.related))
     }
     told = [each for each in told if each.rule is not EXAMPLE or each.place not in others]
-    return list({(finding.place, finding.rule.id): finding for finding in reversed(told)}.values())[::-1]
+    once = list({(finding.place, finding.rule.id): finding for finding in reversed(told)}.values())[::-1]
+    return [_with_sureness(finding) for finding in once]
+
+
+def _with_sureness(finding: Diagnostic) -> Diagnostic:
+    """A finding that is not certain says so; only certain ones are errors."""
+    if finding.is_error or finding.waived is not None:
+        return finding
+    return replace(finding, message=f"{finding.message} ({LIKELY})")

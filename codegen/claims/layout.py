@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.diagnostics import Diagnostic, Report, Rule
+from codegen.diagnostics import Diagnostic, Report, Rule, Severity
 from codegen.model.dialect import FieldDefinition, WireField, WireMessage
 from codegen.resolve.sentinel import sentinel_of
 
@@ -21,7 +21,9 @@ TWICE = Rule(
 COUNT = Rule(
     "claim-count",
     "The texts of a message in a document give two numbers of the same things, such as cells, of which only one is the "
-    "length of the array. Correct the other.",
+    "length of the array. Correct the other. "
+    "It is likely, not certain: the text may be about something else than the array.",
+    Severity.WARNING,
 )
 
 _COUNTED = re.compile(r"\b(?:more than|up to|at most|every|of|for) (\d{1,3}) ([a-z]{3,20})\b")

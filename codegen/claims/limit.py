@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from codegen.claims.reading import Reading
-from codegen.diagnostics import Diagnostic, Rule
+from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.load.prose import Passage
 from codegen.model.dialect import WireField
 from codegen.model.literals import LIMITS
@@ -15,7 +15,9 @@ from codegen.model.wire_unit import wire_unit
 RULE = Rule(
     "claim-limit",
     "A document gives a field the limit of another integer type than it has, or calls a value impossible that the "
-    "elements of an array carry together, as its description says. Correct it: decisions have been made for less.",
+    "elements of an array carry together, as its description says. Correct it: decisions have been made for less. "
+    "It is likely, not certain: the sentence may be about another limit than that of the type.",
+    Severity.WARNING,
 )
 
 _AMOUNT = r"(?P<number>\d{1,12}(?:\.\d{1,6})?)[ \u00a0]?(?P<unit>[A-Za-z%][A-Za-z/]{0,5})\b"

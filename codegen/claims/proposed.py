@@ -26,7 +26,8 @@ SENTINEL = Rule(
 TAKEN = Rule(
     "claim-id-taken",
     "The XML of a document defines a message with an id, or a name, that a dialect uses for another message. Receivers "
-    "with that dialect take it for theirs. Choose a free id.",
+    "with that dialect take it for theirs. Choose a free id. "
+    "It is likely, not certain: both may never meet on one link.",
     Severity.WARNING,
 )
 

@@ -4,14 +4,16 @@ import re
 from collections.abc import Iterator
 
 from codegen.claims.reading import Reading
-from codegen.diagnostics import Diagnostic, Rule
+from codegen.diagnostics import Diagnostic, Rule, Severity
 from codegen.load.prose import Passage
 from codegen.model.dialect import WireField, WireMessage
 
 RULE = Rule(
     "claim-truncation",
     "A document says that a message is not truncated, but its last field on the wire is zero when there is nothing to "
-    "say, and MAVLink 2 cuts the zeros at the end of a payload. Only a last field that cannot be zero prevents it.",
+    "say, and MAVLink 2 cuts the zeros at the end of a payload. Only a last field that cannot be zero prevents it. "
+    "It is likely, not certain: what is sent may never be zero there.",
+    Severity.WARNING,
 )
 
 _NOT_CUT = re.compile(

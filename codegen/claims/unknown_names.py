@@ -9,7 +9,7 @@ from codegen.claims.about import Surroundings, surroundings
 from codegen.claims.field_notes import field_notes
 from codegen.claims.message_words import message_about
 from codegen.claims.reading import Reading, between
-from codegen.diagnostics import Diagnostic, Rule, did_you_mean
+from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.load.markdown_blocks import Line
 from codegen.load.prose import CodeBlock, Passage, PassageKind
@@ -18,16 +18,22 @@ from codegen.source import Place
 
 NO_FIELD = Rule(
     "claim-no-field",
-    "A document names a field that its message does not have, and that looks like one that it has. Correct the name.",
+    "A document names a field that its message does not have, and that looks like one that it has. Correct the name. "
+    "It is likely, not certain: another system may have a field of that name.",
+    Severity.WARNING,
 )
 NO_MESSAGE = Rule(
     "claim-no-message",
     "A document names a message that no dialect has, and that looks like one of them. Correct the name, or list the "
-    "dialect that has it under known in codegen.yaml.",
+    "dialect that has it under known in codegen.yaml. "
+    "It is likely, not certain: another dialect may have it.",
+    Severity.WARNING,
 )
 NO_ENTRY = Rule(
     "claim-no-entry",
-    "A document names an entry that its enum does not have, and that looks like one that it has. Correct the name.",
+    "A document names an entry that its enum does not have, and that looks like one that it has. Correct the name. "
+    "It is likely, not certain: another dialect may have it.",
+    Severity.WARNING,
 )
 
 _UPPER = re.compile(r"(?<![\w.\-/])[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+(?![\w\-/*]|\.[a-z]|\s*\()")

@@ -122,7 +122,9 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
         code = max(code, wrong)
         print_review(found, arguments.format)
         if found.faults and not arguments.allow_errors:
-            print(f"codegen diff: {found.fault_line} (--allow-errors compares all the same)", file=sys.stderr)
+            because = f"{found.fault_line} (--allow-errors compares all the same)"
+            whatever = ", whatever --fail-on says" if "never" in kinds else ""
+            print(f"codegen diff: the exit code is 1{whatever}: {because}", file=sys.stderr)
             return 1
         return 1 if fails(found, kinds) else code
 

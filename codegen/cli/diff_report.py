@@ -8,6 +8,7 @@ from codegen.diagnostics import Diagnostic
 from codegen.diff.review import Review, as_finding, elsewhere_text, fault_finding
 from codegen.findings.text import finding_text
 from codegen.load.trees import on_disk
+from codegen.source import Place
 
 
 def print_review(found: Review, form: str) -> None:
@@ -35,9 +36,11 @@ def print_review(found: Review, form: str) -> None:
 
 
 def _in_work_tree(finding: Diagnostic) -> Diagnostic:
-    """What is gone is shown at its line in the file as it was: services know only files of the repository."""
-    place = finding.place
-    return replace(finding, place=place._replace(file=on_disk(place.file)))
+    """What is gone is shown at the head of its file as it is: services know no other version, nor lines of one."""
+    file = on_disk(finding.place.file)
+    if file == finding.place.file:
+        return finding
+    return replace(finding, place=Place(file), related=((finding.place, "it stood here"), *finding.related))
 
 
 def _print_text(found: Review) -> None:

@@ -59,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     from codegen.importing.document import find_fields
     from codegen.importing.existing import sender
     from codegen.importing.of_system import sources_of
-    from codegen.importing.proposal import propose
+    from codegen.importing.proposal import check_declarations, propose
     from codegen.load.text import read_text
 
     report = Report()
@@ -85,6 +85,8 @@ def run(arguments: argparse.Namespace) -> int:
     system = sender(found.message.name, systems) or (systems[0] if systems else None)
     sources = sources_of(dialect, system, for_each)
     proposal = propose(found.lists, found.message, sources, report)
+    for fields in found.lists:
+        check_declarations(fields, found.message, report)
     heading = _heading(arguments, text, for_each, found.message, table, systems)
     return _deliver(arguments, proposal, heading, table, sources, report)
 

@@ -65,6 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
     if fault:
         print(f"codegen trace: {fault}", file=sys.stderr)
         return 2
+    from codegen.cli.findings import FORMATS as OF_FINDINGS
     from codegen.cli.findings import print_findings
     from codegen.cli.project import project_file, report_no_project
     from codegen.diagnostics import Report
@@ -79,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
     with working("reading the specification"):
         systems = pipeline.read_systems(project, reading)
     if not systems or reading.has_errors:
-        print_findings(reading)
+        print_findings(reading, arguments.format if arguments.format in OF_FINDINGS else "text")
         return reading.exit_code or 2
     if is_accept:
         from codegen.cli.trace_accept import accept

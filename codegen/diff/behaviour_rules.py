@@ -135,8 +135,11 @@ COMPONENT_ADDED = _inside("component-added", "The vehicle state has a component 
 COMPONENT_REMOVED = _inside(
     "component-removed", "The vehicle state has a component less: code that sets or reads it fails."
 )
+FACT = _inside(
+    "component-fact-changed", "A fact about the connected hardware is another one, such as a weight or a name."
+)
 INSTANCES = _inside(
-    "component-instances-changed", "There are other instances of a component, or other facts about them."
+    "component-instances-changed", "There are other instances of a component, or their parameters are called otherwise."
 )
 UPDATE_RATE = _inside("component-rate-changed", "A component is measured at another rate than before.")
 

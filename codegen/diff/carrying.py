@@ -1,7 +1,11 @@
 """What carries what to the wire: from parameters, ADC channels and quantities to the fields whose numbers they make."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
 
+from codegen.diff.state import fact_name
+from codegen.model.population_spec import FieldAnswer
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 
@@ -43,6 +47,63 @@ def scaling_parameters(system: System) -> Mapping[str, tuple[str, ...]]:
         if parameter.siblings and parameter.siblings[0] in found:
             found[parameter.name] = found[parameter.siblings[0]]
     return {name: tuple(paths) for name, paths in found.items()}
+
+
+def fed_by_facts(system: System) -> Mapping[str, tuple[str, ...]]:
+    """What may be otherwise where a fact of the board is, by what ``fact_name`` calls the fact.
+
+    These are the fields that the fact goes into, and the quantities and parameters of its component.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for component in system.components.values():
+        names = [quantity.path for quantity in component.quantities.values()]
+        names += [name for name, parameter in system.parameters.items() if parameter.component == component.name]
+        for fact in dict.fromkeys(name for part in component.parts for name in part.facts):
+            found[fact_name(component.name, fact)] = (*names, *told_of_fact(system, component.name, fact))
+    return found
+
+
+def written_otherwise(old: System, new: System) -> Iterator[str]:
+    """The fields, quantities and parameters that two versions write otherwise: they follow from no other change."""
+    for before, after in (
+        (_fields_written(old), _fields_written(new)),
+        (_quantities_written(old), _quantities_written(new)),
+        (_parameters_written(old), _parameters_written(new)),
+    ):
+        yield from (name for name, written in after.items() if name in before and before[name] != written)
+
+
+def told_of_fact(system: System, component: str, fact: str) -> tuple[str, ...]:
+    """The fields that a fact of the board goes into, by itself or as the number that another one is multiplied with."""
+    return tuple(
+        field
+        for field, answer in _fields_written(system).items()
+        if answer.board == f"{component}.{fact}" or (answer.board is not None and answer.per == fact)
+    )
+
+
+def _fields_written(system: System) -> dict[str, FieldAnswer]:
+    return {
+        f"{message.name}.{answer.covers.field.name}": answer.covers.written
+        for message in system.messages
+        for answer in message.answers
+    }
+
+
+def _quantities_written(system: System) -> dict[str, object]:
+    return {
+        quantity.path: quantity.spec
+        for component in system.components.values()
+        for quantity in component.quantities.values()
+    }
+
+
+def _parameters_written(system: System) -> dict[str, object]:
+    """A default for each cell or the like was multiplied before, and is left out."""
+    return {
+        name: parameter.spec if parameter.spec.per is None else replace(parameter.spec, default=Fraction(0))
+        for name, parameter in system.parameters.items()
+    }
 
 
 def _in_state(system: System) -> Iterator[tuple[str, str]]:

@@ -10,7 +10,7 @@ from codegen.diff.change import Area, Change, ChangeRule, Notice
 from codegen.diff.grouping import Group
 
 Carried = Mapping[str, tuple[str, ...]]
-"""What takes numbers from parameters, ADC channels and quantities, by their names: quantities and fields."""
+"""What takes numbers from parameters, ADC channels, quantities and facts of the board, by their names."""
 
 _TABLE = frozenset(
     rule.id
@@ -27,6 +27,18 @@ _CONVERTED = frozenset(
 )
 _KEPT = frozenset(
     rule.id for rule in (behaviour_rules.QUANTITY_UNIT, behaviour_rules.QUANTITY_RANGE, behaviour_rules.CHANNEL)
+)
+_STATED = frozenset(
+    rule.id
+    for rule in (
+        behaviour_rules.QUANTITY_RANGE,
+        behaviour_rules.QUANTITY_AGE,
+        behaviour_rules.PARAMETER_DEFAULT,
+        behaviour_rules.LIMITS,
+        behaviour_rules.QUANTITY_SOURCE,
+        behaviour_rules.CONSTANT,
+        behaviour_rules.CONVERSION,
+    )
 )
 _HEARD = frozenset({wire_rules.MESSAGE_ID.id, wire_rules.CRC_EXTRA.id})
 _DROPPED = (Notice.NOTICED, Notice.UNKNOWN_ID)
@@ -126,6 +138,11 @@ _RELATIONS = (
     ),
     _Relation(lambda change: change.rule.id in _OF_DIALECT, lambda change: change.rule.id in _TABLE, _is_of_the_field),
     _Relation(lambda change: change.rule.id in _KEPT, lambda change: change.rule.id in _CONVERTED, _is_kept_otherwise),
+    _Relation(
+        lambda change: change.rule.id == behaviour_rules.FACT.id,
+        lambda change: change.rule.id in _STATED,
+        _is_kept_otherwise,
+    ),
     _Relation(
         lambda change: change.rule.id == behaviour_rules.STREAM_RATE.id,
         lambda change: change.rule.id == behaviour_rules.PARAMETER_DEFAULT.id,

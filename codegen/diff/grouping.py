@@ -10,8 +10,6 @@ from codegen.frozen import dataclass
 from codegen.source import Place
 
 AREAS = tuple(Area)
-_LONG = 70
-_AROUND = 30
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,8 +55,13 @@ class Group:
 
     @property
     def reach(self) -> Reach:
-        """What any of them touches."""
-        return joined(change.reach for change in self.changes)
+        """What any of them touches, or what follows from them."""
+        return joined(change.reach for group in (self, *self.following) for change in group.changes)
+
+    @property
+    def count(self) -> int:
+        """How many changes they are: parameters of a family stand at one place and are one."""
+        return len({change.place for change in self.changes})
 
     @property
     def fingerprint(self) -> str:
@@ -108,15 +111,15 @@ class Numbers:
 def numbers_of(groups: Sequence[Group]) -> Numbers:
     """The numbers that the summaries show."""
     counting = [group for group in groups if group.waived is None]
-    changes = [change for group in counting if not group.is_lowered for change in group.changes]
+    graded = [group for group in counting if not group.is_lowered]
     return Numbers(
-        changes=sum(len(group.changes) for group in counting),
-        silent=sum(change.is_silent for change in changes),
-        noticed=sum(change.weight is Weight.BREAKING for change in changes),
-        doubtful=sum(change.weight is Weight.PERSON for change in changes),
-        lost=sum(change.is_lost for change in changes),
-        raised=sum(len(group.changes) for group in counting if group.is_raised),
-        waived=sum(len(group.changes) for group in groups if group.waived is not None),
+        changes=sum(group.count for group in counting),
+        silent=sum(group.count for group in graded if group.first.is_silent),
+        noticed=sum(group.count for group in graded if group.first.weight is Weight.BREAKING),
+        doubtful=sum(group.count for group in graded if group.first.weight is Weight.PERSON),
+        lost=sum(group.count for group in graded if group.first.is_lost),
+        raised=sum(group.count for group in counting if group.is_raised),
+        waived=sum(group.count for group in groups if group.waived is not None),
     )
 
 
@@ -132,7 +135,7 @@ def counted(groups: Sequence[Group]) -> str:
     ]
     words = [word for word in told if word]
     if not words:
-        otherwise = sum(change.rule in TOLD for group in groups if group.waived is None for change in group.changes)
+        otherwise = sum(group.count for group in groups if group.waived is None and group.first.rule in TOLD)
         alters = "alters" if otherwise == 1 else "alter"
         words = [f"{otherwise} {alters} what is told"] if otherwise else ["none of them breaks anybody"]
     if found.waived:
@@ -159,28 +162,3 @@ def consequence(change: Change) -> str:
     if change.doubt:
         return f"needs a person: {change.doubt}"
     return f"breaks nobody who was told: {change.softened}" if change.softened else ""
-
-
-def difference(old: str | None, new: str | None) -> tuple[str | None, str | None]:
-    """Both texts, of long ones only where they differ and a little around it."""
-    if old is None or new is None or max(len(old), len(new)) <= _LONG:
-        return _shortened(old), _shortened(new)
-    start = 0
-    while start < min(len(old), len(new)) and old[start] == new[start]:
-        start += 1
-    end = 0
-    while end < min(len(old), len(new)) - start and old[-1 - end] == new[-1 - end]:
-        end += 1
-    return _around(old, start, end), _around(new, start, end)
-
-
-def _around(text: str, start: int, end: int) -> str:
-    first, last = max(0, start - _AROUND), min(len(text), len(text) - end + _AROUND)
-    middle = text[first:last]
-    if len(middle) > 4 * _LONG:
-        middle = f"{middle[: 2 * _LONG]} ... {middle[-_LONG:]}"
-    return f"{'...' if first else ''}{middle}{'...' if last < len(text) else ''}"
-
-
-def _shortened(text: str | None) -> str | None:
-    return text if text is None or len(text) <= 4 * _LONG else f"{text[: 4 * _LONG]}..."

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from codegen.diagnostics import shortened_list
 from codegen.diff import behaviour_rules as rules
-from codegen.diff.carrying import fields_by_source, scaling_parameters
+from codegen.diff.carrying import fields_by_source, scaling_parameters, told_of_fact
 from codegen.diff.change import Change, ChangeRule, Victim
 from codegen.frozen import dataclass
 from codegen.model.price import default_rate
@@ -139,6 +139,18 @@ def _instances(change: Change, sides: _Sides) -> Change:
     return _breaking(change, f"nothing is told of {len(old.parts) - len(new.parts)} of them")
 
 
+def _fact(change: Change, sides: _Sides) -> Change:
+    """A fact of the board that messages tell."""
+    _, component, fact = change.subject.split(".", 2)
+    fields = told_of_fact(sides.new, component, fact)
+    if not fields or change.old is None or change.new is None:
+        return change
+    shown = shortened_list(fields, 3)
+    return _doubtful(
+        change, f"whether {change.new.removeprefix(fact).strip()} is what receivers are to be told in {shown}"
+    )
+
+
 def _generations(change: Change, sides: _Sides) -> Change:
     sent = [{name for each in side.generations for name in each.names(each.default)} for side in (sides.old, sides.new)]
     gone = sorted(sent[0] - sent[1])
@@ -152,5 +164,6 @@ _JUDGES: Mapping[ChangeRule, Callable[[Change, _Sides], Change]] = {
     rules.CHANNEL: _channel,
     rules.LINK: _link,
     rules.INSTANCES: _instances,
+    rules.FACT: _fact,
     rules.GENERATIONS: _generations,
 }

@@ -7,7 +7,8 @@ from typing import NamedTuple
 from codegen.comment import MOST_CHARACTERS
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Change, Weight
-from codegen.diff.grouping import Group, consequence, difference, line_text, notice_text, numbers_of
+from codegen.diff.excerpt import difference
+from codegen.diff.grouping import Group, consequence, line_text, notice_text, numbers_of
 from codegen.diff.review import Review, elsewhere_text, tests_text
 
 _TAIL = 400

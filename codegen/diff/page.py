@@ -1,12 +1,12 @@
 """A review as a page that opens from disk, in the look of the project's other pages."""
 
-import re
 from collections.abc import Sequence
 
 from codegen.diagnostics import shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area, Reach, Weight
-from codegen.diff.grouping import Group, consequence, difference, line_text, notice_text, numbers_of
+from codegen.diff.excerpt import difference
+from codegen.diff.grouping import Group, consequence, line_text, notice_text, numbers_of
 from codegen.diff.markdown import TITLES
 from codegen.diff.review import Review, elsewhere_text
 from codegen.frozen import dataclass
@@ -34,14 +34,11 @@ class SymbolLine:
 
 @dataclass(frozen=True, slots=True)
 class ChangeRow:
-    """A line of the table: what changed, what comes of it, what it reaches, where it stands.
-
-    ``subject`` is in parts, between which a line may break.
-    """
+    """A line of the table: what changed, from what to what, what comes of it, what it reaches, where it stands."""
 
     tags: str
     mark: str
-    subject: tuple[str, ...]
+    subject: str
     rule: str
     explanation: str
     old: str
@@ -137,7 +134,7 @@ def _row(group: Group, head: Group) -> ChangeRow:
     return ChangeRow(
         tags=" ".join(tags),
         mark="waived" if group.waived is not None else mark,
-        subject=tuple(re.findall(r"[^._]+[._]*|[._]+", group.subject)),
+        subject=group.subject,
         rule=change.rule.id,
         explanation=change.rule.explanation,
         old=old or "",

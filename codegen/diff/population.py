@@ -10,6 +10,7 @@ from codegen.diff.subject import Fact, Subject, citations, cited, subject_change
 from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.account import Aspect
 from codegen.model.answer import Answer
+from codegen.model.dialect import Kind
 from codegen.model.known import Value
 from codegen.model.system import PopulatedMessage, Representation, System
 from codegen.model.unit import decimal
@@ -172,7 +173,9 @@ def _answers(message: PopulatedMessage) -> dict[tuple[str, int], tuple[Answer, V
     for answer in message.answers:
         covers, always = answer.covers, answer.always
         for position in range(covers.count):
-            value = None if always is None or position >= len(always) else always[position]
+            # A text is one value, whatever letters it has.
+            at = 0 if covers.field.type.kind is Kind.CHAR else position
+            value = None if always is None or at >= len(always) else always[at]
             found[covers.field.name, covers.first + position] = answer, value
     return found
 

@@ -8,8 +8,9 @@ from enum import StrEnum
 from codegen.diagnostics import Diagnostic, Severity, shortened_list
 from codegen.diff.bandwidth import Bandwidth
 from codegen.diff.change import Area
+from codegen.diff.excerpt import difference
 from codegen.diff.following import with_following
-from codegen.diff.grouping import Group, consequence, counted, difference, grouped, notice_text
+from codegen.diff.grouping import Group, consequence, counted, grouped, notice_text
 from codegen.diff.system import Comparison
 from codegen.frozen import dataclass
 from codegen.source import Place

@@ -66,8 +66,24 @@ def state_subjects(system: System) -> Iterator[Subject]:
     """The components of the state, each before its quantities."""
     for component in system.components.values():
         yield _component(component)
+        yield from _facts(component, system)
         for quantity in component.quantities.values():
             yield _quantity(quantity)
+
+
+def fact_name(component: str, fact: str) -> str:
+    """What a fact of the board is called among changes: ``board.battery.weight``."""
+    return f"board.{component}.{fact}"
+
+
+def _facts(component: Component, system: System) -> Iterator[Subject]:
+    """What the board states of a component, each fact by itself, with that of each instance where they differ."""
+    for name in dict.fromkeys(fact for part in component.parts for fact in part.facts):
+        values = [str(part.facts.get(name, "nothing")) for part in component.parts]
+        text = values[0] if len(set(values)) == 1 else ", ".join(values)
+        place = system.spec.board.fact_place(component.name, 0, name)
+        facts = (Fact(name, text, rules.FACT, place),)
+        yield Subject(fact_name(component.name, name), text, rules.FACT, rules.FACT, place, facts)
 
 
 def _component(component: Component) -> Subject:
@@ -75,9 +91,7 @@ def _component(component: Component) -> Subject:
     parts = [
         Fact(
             f"instance {part.number + 1}:",
-            ", ".join(
-                [f"parameters {part.prefix or 'without a prefix'}", *(f"{k} {v}" for k, v in part.facts.items())]
-            ),
+            f"parameters {part.prefix or 'without a prefix'}",
             rules.INSTANCES,
             spec.place,
         )

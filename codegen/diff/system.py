@@ -7,7 +7,7 @@ from fractions import Fraction
 from codegen.diff.bandwidth import Bandwidth, bandwidth_changes, compare_bandwidth
 from codegen.diff.behaviour_rules import PROGRAM
 from codegen.diff.board import board_subjects
-from codegen.diff.carrying import carried_on
+from codegen.diff.carrying import carried_on, fed_by_facts, written_otherwise
 from codegen.diff.change import Change, changed
 from codegen.diff.dialect import dialect_changes
 from codegen.diff.heard_otherwise import heard_otherwise
@@ -63,11 +63,13 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     said_after = {name: _subjects(system) for name, system in after.items()}
     notices = dropped(old[0].dialect.messages, new[0].dialect.messages)
     bandwidth = []
+    own_edits: set[str] = set()
     for name, system in after.items():
         known = before.get(name)
         if known is None:
             found.append(changed(PROGRAM, name, None, _program(system), (None, system.spec.project.place)))
             continue
+        own_edits.update(written_otherwise(known, system))
         compared = compare_bandwidth(known, system)
         bandwidth.append((name, compared))
         own = [
@@ -85,6 +87,9 @@ def compare_systems(old: Sequence[System], new: Sequence[System], threshold: Fra
     ids = renamed_ids(old[0], new[0])
     found = [change for change in found if not _is_only_renamed(change, ids)]
     carried = {name: reached for system in (*old, *new) for name, reached in carried_on(system).items()}
+    for system in new:
+        for fact, fed in fed_by_facts(system).items():
+            carried[fact] = (*carried.get(fact, ()), *(name for name in fed if name not in own_edits))
     return Comparison(_once(found), tuple(softened(elsewhere, old[0].dialect)), tuple(bandwidth), carried)
 
 

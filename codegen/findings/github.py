@@ -3,14 +3,15 @@
 from collections.abc import Iterable
 
 from codegen.diagnostics import Diagnostic, Severity
-from codegen.findings.text import WAIVED, forward_path, printable
+from codegen.findings.text import WAIVED, printable, repository_path
 
 
 def findings_github(findings: Iterable[Diagnostic], base: str | None = None) -> str:
     """One ``::error file=...,line=...,col=...,title=RULE::message`` for each finding; empty where there is none.
 
-    ``base`` is the root of the repository, to which GitHub's paths are relative. Hint and related places are further
-    lines of the message. A waived finding is a notice.
+    ``base`` is the root of the repository, to which GitHub's paths are relative; what is not in it is named by the
+    message and stands at no file. Hint and related places are further lines of the message. A waived finding is a
+    notice.
     """
     return "\n".join(_annotation(finding, base) for finding in findings)
 
@@ -18,19 +19,18 @@ def findings_github(findings: Iterable[Diagnostic], base: str | None = None) -> 
 def _annotation(finding: Diagnostic, base: str | None) -> str:
     place = finding.place
     is_waived = finding.waived is not None
-    lines = [printable(finding.message)]
+    file, is_shown = repository_path(place.file, base)
+    lines = [printable(finding.message if is_shown else f"{file}:{place.line}: {finding.message}")]
     if finding.hint is not None:
         lines.append(f"hint: {printable(finding.hint)}")
     if finding.waived is not None:
         lines.append(f"waived: {printable(finding.waived)}")
     for other, text in finding.related:
-        lines.append(f"{printable(forward_path(other.file, base))}:{other.line}:{other.column}: {printable(text)}")
-    properties = {
-        "file": forward_path(place.file, base),
-        "line": str(place.line),
-        "col": str(place.column),
-        "title": f"{finding.rule.id} ({WAIVED})" if is_waived else finding.rule.id,
-    }
+        lines.append(
+            f"{printable(repository_path(other.file, base)[0])}:{other.line}:{other.column}: {printable(text)}"
+        )
+    properties = {"file": file, "line": str(place.line), "col": str(place.column)} if is_shown else {}
+    properties["title"] = f"{finding.rule.id} ({WAIVED})" if is_waived else finding.rule.id
     stated = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
     is_quiet = is_waived or finding.rule.severity is Severity.INFO
     command = "notice" if is_quiet else str(finding.rule.severity)

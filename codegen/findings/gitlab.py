@@ -5,7 +5,7 @@ import json
 from collections.abc import Iterable
 
 from codegen.diagnostics import Diagnostic, Severity
-from codegen.findings.text import forward_path
+from codegen.findings.text import repository_path
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 
@@ -21,7 +21,7 @@ def findings_gitlab(findings: Iterable[Diagnostic], base: str | None = None) -> 
 
 
 def _issue(finding: Diagnostic, base: str | None, seen: dict[str, int]) -> dict[str, object]:
-    path = forward_path(finding.place.file, base)
+    path, _ = repository_path(finding.place.file, base)
     said = [finding.message]
     said += [f"hint: {finding.hint}"] if finding.hint is not None else []
     said += [f"waived: {finding.waived}"] if finding.waived is not None else []

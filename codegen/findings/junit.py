@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
 
 from codegen.diagnostics import Diagnostic
-from codegen.findings.text import counts, forward_path, printable
+from codegen.findings.text import counts, printable, repository_path
 
 
 def findings_junit(findings: Iterable[Diagnostic], base: str | None = None) -> str:
@@ -24,7 +24,7 @@ def findings_junit(findings: Iterable[Diagnostic], base: str | None = None) -> s
 
 def _case(finding: Diagnostic, base: str | None) -> str:
     place = finding.place
-    file = printable(forward_path(place.file, base))
+    file = printable(repository_path(place.file, base)[0])
     message = printable(finding.message)
     name = f"{finding.rule.id} {file}:{place.line}:{place.column} {message}"
     opening = f"<testcase classname={quoteattr(finding.rule.id)} name={quoteattr(name)} file={quoteattr(file)}"
@@ -32,7 +32,7 @@ def _case(finding: Diagnostic, base: str | None) -> str:
     lines = [f"{file}:{place.line}:{place.column}: {message}"]
     lines += [f"hint: {printable(finding.hint)}"] if finding.hint is not None else []
     lines += [
-        f"{printable(forward_path(other.file, base))}:{other.line}: {printable(said)}"
+        f"{printable(repository_path(other.file, base)[0])}:{other.line}: {printable(said)}"
         for other, said in finding.related
     ]
     text = escape("\n".join(lines))

@@ -8,12 +8,15 @@ from urllib.parse import quote
 
 from codegen import __version__
 from codegen.diagnostics import Diagnostic, Rule, Severity
-from codegen.findings.text import forward_path
+from codegen.findings.text import repository_path
 from codegen.source import Place
 
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 FINGERPRINT = "codegen/v1"
 """The name of our fingerprints among those that others may add."""
+
+PACKAGES = "%PACKAGES%"
+"""The base of paths of what is installed or lies in an archive, which no service has."""
 
 _LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
 
@@ -21,7 +24,8 @@ _Object = dict[str, Any]
 
 
 def findings_sarif(findings: Iterable[Diagnostic], base: str | None = None) -> str:
-    """The log of one run. Paths are relative to ``base``, the root of the repository; others are file URIs.
+    """The log of one run. Paths are relative to ``base``, the root of the repository, those of
+    installed packages to PACKAGES; others are file URIs.
 
     A waived finding is a result with a suppression, which services show as closed.
     """
@@ -70,8 +74,8 @@ def _result(finding: Diagnostic, index: int, base: str | None) -> _Object:
 
 
 def _location(place: Place, base: str | None) -> _Object:
-    path = forward_path(place.file, base)
-    artifact = {"uri": quote(path), "uriBaseId": "%SRCROOT%"}
+    path, is_shown = repository_path(place.file, base)
+    artifact = {"uri": quote(path), "uriBaseId": "%SRCROOT%" if is_shown else PACKAGES}
     if path.startswith("/") or path[1:2] == ":":
         artifact = {"uri": Path(place.file).as_uri()}
     return {

@@ -10,6 +10,7 @@ WAIVED = "waived"
 
 _COLOURS = {Severity.ERROR: "\x1b[1;31m", Severity.WARNING: "\x1b[1;33m", Severity.INFO: "\x1b[2m", WAIVED: "\x1b[2m"}
 _PLAIN = "\x1b[0m"
+_PACKAGES = ("site-packages/", "dist-packages/", ".whl:", ".whl/", ".tar.gz:", ".tar.gz/")
 
 
 def finding_text(finding: Diagnostic, *, is_coloured: bool = False) -> str:
@@ -49,3 +50,17 @@ def printable(text: str) -> str:
 def forward_path(path: str, base: str | None = None) -> str:
     """``path`` with forward slashes, relative to ``base`` (default: the working directory) if it lies below it."""
     return shown_path(path, base).replace("\\", "/")
+
+
+def repository_path(path: str, base: str | None = None) -> tuple[str, bool]:
+    """Return how a report of another service names a file, and whether it is one of the repository below ``base``.
+
+    What lies in an installed package or an archive is named as there: no service can show it, and where it is
+    installed is nobody's business.
+    """
+    shown = forward_path(path, base)
+    for mark in _PACKAGES:
+        inside = shown.rpartition(mark)[2]
+        if inside != shown:
+            return inside.lstrip("/"), False
+    return shown, not (shown.startswith("/") or shown[1:2] == ":")

@@ -42,12 +42,22 @@ _HEADINGS: Mapping[Role, tuple[str, ...]] = {
 """The headings by their meaning, in small letters; of two in one table the one that comes first here counts more."""
 
 
+_MESSAGE = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*(?: fields?)?")
+"""A message may stand for its fields: | HEARTBEAT | Value |."""
+
+
 def column_roles(header: Row) -> tuple[dict[Role, int], tuple[Diagnostic, ...]]:
     """The index of the column for each role, and the headings that cannot be told apart.
 
-    A more telling heading wins: "Value source" over "Value", "Field" over "Name".
+    A more telling heading wins: "Value source" over "Value", "Field" over "Name". The name of a
+    message is a heading of its fields.
     """
     named = [_plain(cell.text) for cell in header.cells]
+    known = {name for headings in _HEADINGS.values() for name in headings}
+    named = [
+        "field" if name not in known and _MESSAGE.fullmatch(cell.text.strip()) else name
+        for name, cell in zip(named, header.cells, strict=True)
+    ]
     roles: dict[Role, int] = {}
     findings = []
     for role, headings in _HEADINGS.items():
@@ -58,11 +68,13 @@ def column_roles(header: Row) -> tuple[dict[Role, int], tuple[Diagnostic, ...]]:
         roles[role] = index
         if others and others[0][0] == rank:
             first, second = header.cells[index], header.cells[others[0][1]]
-            message = f"two columns are called {second.text!r}"
+            message, hint = f"two columns are called {second.text!r}", "rename one of them"
+            if role is Role.FIELD:
+                hint = "make a table of each: only the first is read"
+            if second.text != first.text:
+                message = f"two columns, {first.text!r} and {second.text!r}, have the same meaning"
             findings.append(
-                Diagnostic(
-                    second.place, COLUMN_TWICE, message, "rename one of them", ((first.place, "the first is here"),)
-                )
+                Diagnostic(second.place, COLUMN_TWICE, message, hint, ((first.place, "the first is here"),))
             )
     return roles, tuple(findings)
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from codegen.diagnostics import Report, Rule, did_you_mean
 from codegen.frozen import dataclass
 from codegen.importing.columns import Role
-from codegen.importing.stated import FieldList, stated_fields
+from codegen.importing.stated import FieldList, StatedFields, stated_fields
 from codegen.importing.subject import is_about, is_example, lookalikes, subjects
 from codegen.load.markdown_blocks import BlockKind, parse_blocks
 from codegen.model.dialect import Dialect, WireMessage
@@ -28,7 +28,10 @@ _ID = re.compile(r"[A-Z]{2,}-[0-9a-z]+")
 
 @dataclass(frozen=True, slots=True)
 class FoundFields:
-    """The message that a document is about, and its lists of fields with their values, in the order of the text."""
+    """The message that a document is about, and its lists of fields, in the order of the text.
+
+    They have values, or else types, units and sentinels alone, if no list of the document has values.
+    """
 
     message: WireMessage
     lists: tuple[FieldList, ...]
@@ -41,8 +44,7 @@ def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, repo
     """
     stated = stated_fields(text, path)
     report.extend(stated.findings)
-    lists = [fields for fields in stated.lists if Role.VALUE in fields.roles and not is_example(fields)]
-    found = [(fields, subjects(fields, dialect)) for fields in lists]
+    found = _about(stated, dialect, wanted)
     if wanted is None:
         about = {message.name: message for _, messages in found for message in messages}
         if len(about) != 1:
@@ -60,6 +62,24 @@ def find_fields(text: str, path: str, wanted: str | None, dialect: Dialect, repo
         report.add(DOCUMENT_WITHOUT_FIELDS, Place(path), f"the document has no table or list of fields of {wanted}")
         return None
     return FoundFields(named, tuple(own))
+
+
+def _about(
+    stated: StatedFields, dialect: Dialect, wanted: str | None
+) -> list[tuple[FieldList, tuple[WireMessage, ...]]]:
+    """The lists with values, each with the messages that it may be about; without any, those that describe fields."""
+    lists = [fields for fields in stated.lists if not is_example(fields)]
+    found = [(fields, subjects(fields, dialect)) for fields in lists]
+    valued = [(fields, messages) for fields, messages in found if Role.VALUE in fields.roles]
+    named = dialect.messages.get(wanted or "")
+    if any(is_about(fields, named) if named else messages for fields, messages in valued):
+        return valued
+    described = [
+        (fields, messages)
+        for fields, messages in found
+        if fields.is_descriptive and (is_about(fields, named) if named else messages)
+    ]
+    return described or valued or [one for one in found if one[0].is_descriptive]
 
 
 def document_id(text: str, path: str) -> str | None:
@@ -88,6 +108,10 @@ def _ask(
             hint = f"they are fields of {' and '.join(alike[:8])}: --message NAME"
             report.add(DOCUMENT_MESSAGE, fields.place, "no text near these fields names a message", hint)
             return
+    if found:
+        text = f"no text near these fields names a message of {dialect.name} that has them"
+        report.add(DOCUMENT_WITHOUT_FIELDS, found[0][0].place, text, "name it above them, or give --message NAME")
+        return
     text = f"the document has no table or list of fields of a message of {dialect.name}"
     hint = "it has columns such as | Field | Value source |, or items of the form - `field`: value"
     report.add(DOCUMENT_WITHOUT_FIELDS, Place(path), text, hint)

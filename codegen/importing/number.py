@@ -28,6 +28,11 @@ DOCUMENT_STEPS = Rule(
     "A document gives a plain number for a field that the dialect has a multiplier for, so it may be the value, or "
     "what is on the wire for it. Write the answer of a table, which is in the units of the field, or the unit.",
 )
+DOCUMENT_PLACEHOLDER = Rule(
+    "document-placeholder",
+    "A document gives a number such as 9999, which people write for a value that there is not. Receivers take it for a "
+    "measurement, unless it is the sentinel of the field.",
+)
 DOCUMENT_RANGE = Rule("document-range", "A document states a number that the type of the field cannot carry.")
 
 _ENTRY = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+\b")
@@ -101,6 +106,11 @@ def has_entries(answer: FieldAnswer, cell: Cell, target: Target, sources: Source
     return not missing
 
 
+def _is_made_up(number: Fraction) -> bool:
+    """Whether a number is one that people write for "no value": nothing but nines, three or more."""
+    return number.denominator == 1 and re.fullmatch("-?9{3,}", str(number)) is not None
+
+
 def _constant(number: Fraction, head: str, place: Place, target: Target, sources: Sources, report: Report) -> Reading:
     wire_type, units = target.field.type, target.field.definition.units
     if target.field.multiplier != 1 and number:
@@ -113,6 +123,13 @@ def _constant(number: Fraction, head: str, place: Place, target: Target, sources
         message = f"{head} is nothing that {target.name} can carry ({wire_type.name})"
         hint = f"whole numbers from {wire_type.minimum} to {wire_type.maximum}"
         report.add(DOCUMENT_RANGE, place, message, hint, [_declared(target)])
+        return UNREAD
+    if _is_made_up(number):
+        stated = target.field.sentinel
+        sentinel = "no value for unknown" if stated is None else f"{stated.written} for unknown"
+        message = f"{head} leaves open whether {target.name} is {head} or unknown; it has {sentinel}"
+        choices = f"write {{constant: {decimal(number)}}}" + ("" if target.sentinel is None else ", or unknown")
+        report.add(DOCUMENT_PLACEHOLDER, place, message, choices, [_declared(target)])
         return UNREAD
     usual = {0, -1, wire_type.maximum, wire_type.minimum}
     if units and target.sentinel is not None and number in usual:

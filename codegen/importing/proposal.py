@@ -6,6 +6,7 @@ from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.frozen import dataclass
 from codegen.importing.answer import UNREAD, Reading, Sources, Target
 from codegen.importing.columns import Role
+from codegen.importing.declared import check_declared
 from codegen.importing.quantity import spills
 from codegen.importing.stated import FieldList, StatedField
 from codegen.importing.value import read_value
@@ -15,6 +16,15 @@ from codegen.source import Place
 DOCUMENT_FIELD = Rule(
     "document-field",
     "A document answers for a field, or for an element of one, that the message does not have.",
+)
+DOCUMENT_WITHOUT_VALUES = Rule(
+    "document-without-values",
+    "A table of a document describes the fields of a message, with type, unit and meaning, and does not say where "
+    "their values come from. What the dialect says of a field does not decide that.",
+)
+DOCUMENT_ELEMENT = Rule(
+    "document-element",
+    "A document gives one number for a field of several elements, so it may be that of the first one, or of each.",
 )
 DOCUMENT_TWICE = Rule("document-twice", "A document gives two different answers for one element of a field.")
 DOCUMENT_UNANSWERED = Rule(
@@ -58,6 +68,10 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
     """Read every row of lists that are about ``message``."""
     answers: list[ReadAnswer] = []
     mentioned: set[str] = set()
+    for fields in lists:
+        if fields.is_descriptive:
+            text = f"the table describes the fields of {message.name}, and does not say what goes into them"
+            report.add(DOCUMENT_WITHOUT_VALUES, fields.place, text, "add a column such as | Value source |")
     for row in (row for fields in lists for row in fields.rows):
         target = target_of(row, message, report)
         if target is None:
@@ -66,7 +80,14 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
         cell = row.cells.get(Role.VALUE)
         found = Report()
         reading = UNREAD if cell is None else read_value(cell, target, sources, found)
-        answer = ReadAnswer(target, reading, cell.text if cell else "", (cell or row).place, (row.place.line,))
+        if cell is not None and _leaves_element_open(row, target, reading):
+            text = f"{cell.text} leaves open whether one element of {target.name} is meant or all {target.count}"
+            found.add(
+                DOCUMENT_ELEMENT, cell.place, text, f"name them: {row.name}[0] or {row.name}[0..{target.count - 1}]"
+            )
+            reading = UNREAD
+        said = cell or row.cells.get(Role.NOTES)
+        answer = ReadAnswer(target, reading, said.text if said else "", (cell or row).place, (row.place.line,))
         if not _is_known(answer, answers, report):
             report.extend(found)
             answers.append(answer)
@@ -75,6 +96,26 @@ def propose(lists: Sequence[FieldList], message: WireMessage, sources: Sources, 
     return Proposal(
         message, lists[0].place, tuple(_joined(answers)), tuple(_unmentioned(message, answers, mentioned, sources))
     )
+
+
+def _leaves_element_open(row: StatedField, target: Target, reading: Reading) -> bool:
+    """Whether one number, other than 0, stands for a whole array of numbers."""
+    is_number = reading.answer is not None and reading.answer.startswith("{constant: ") and not reading.is_whole
+    return (
+        is_number
+        and row.first is None
+        and target.count > 1
+        and target.field.type.kind is not Kind.CHAR
+        and (reading.answer != "{constant: 0}")
+    )
+
+
+def check_declarations(fields: FieldList, message: WireMessage, report: Report) -> None:
+    """Report types, units and sentinels that a list states otherwise than the dialect."""
+    for row in fields.rows:
+        target = target_of(row, message, Report())
+        if target is not None:
+            check_declared(row, target, report)
 
 
 def not_answered_by(proposal: Proposal, targets: Iterable[Target]) -> tuple[Unmentioned, ...]:
@@ -114,7 +155,8 @@ def target_of(row: StatedField, message: WireMessage, report: Report) -> Target 
         return None
     if not row.first <= row.last < field.count:
         text = f"{message.name}.{field.name} has the elements 0 to {field.count - 1}, not {row.label[len(row.name) :]}"
-        report.add(DOCUMENT_FIELD, row.place, text, None, related)
+        hint = f"write {field.name} for all of them" if row.first == row.last == field.count else None
+        report.add(DOCUMENT_FIELD, row.place, text, hint, related)
         return None
     return Target(message, field, row.first, row.last - row.first + 1)
 

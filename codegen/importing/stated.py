@@ -51,12 +51,20 @@ _ITEM_ROLES = frozenset({Role.FIELD, Role.VALUE})
 
 @dataclass(frozen=True, slots=True)
 class FieldList:
-    """Rows that belong together. ``context`` is the text around them that may name the message, the nearest first."""
+    """Rows that belong together. ``context`` is the text around them that may name the message.
+
+    The nearest above comes first, what stands right below them last.
+    """
 
     rows: tuple[StatedField, ...]
     place: Place
     context: tuple[str, ...]
     roles: frozenset[Role]
+
+    @property
+    def is_descriptive(self) -> bool:
+        """Whether it tells what fields are, by type, unit or sentinel, and nothing of what goes into them."""
+        return Role.VALUE not in self.roles and bool(self.roles & {Role.TYPE, Role.UNIT, Role.UNKNOWN})
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,20 +83,20 @@ def stated_fields(text: str, path: str) -> StatedFields:
     blocks = parse_blocks(text, path)
     found = parse_tables(text, path)
     findings = list(found.findings)
-    lists: list[tuple[Place, tuple[StatedField, ...], frozenset[Role]]] = []
+    lists: list[tuple[Place, tuple[StatedField, ...], frozenset[Role], str]] = []
     for table in found.tables:
         roles, unclear = column_roles(table.header)
         rows = tuple(_table_rows(table, roles))
         if rows:
             findings.extend(unclear)
-            lists.append((table.place, rows, frozenset(roles)))
-    lists.extend((rows[0].place, rows, _ITEM_ROLES) for rows in _bullet_lists(blocks))
+            lists.append((table.place, rows, frozenset(roles), table.header.cells[roles[Role.FIELD]].text))
+    lists.extend((rows[0].place, rows, _ITEM_ROLES, "") for rows in _bullet_lists(blocks))
     lists.sort(key=lambda one: one[0])
-    contexts = _contexts(blocks, [place.line for place, _, _ in lists])
+    contexts = _contexts(blocks, [place.line for place, *_ in lists])
     return StatedFields(
         tuple(
-            FieldList(rows, place, context, roles)
-            for (place, rows, roles), context in zip(lists, contexts, strict=True)
+            FieldList(rows, place, (heading, *context) if heading.isupper() else context, roles)
+            for (place, rows, roles, heading), context in zip(lists, contexts, strict=True)
         ),
         tuple(findings),
     )
@@ -162,10 +170,22 @@ def _is_prose(text: str) -> bool:
     return not text.startswith("|")
 
 
+def _behind(blocks: Sequence[Block], line: int) -> Iterator[str]:
+    """The paragraph that follows a table or list in its own section."""
+    for block in blocks:
+        if block.place.line <= line or block.depth:
+            continue
+        if block.kind is BlockKind.PARAGRAPH and _is_prose(block.lines[0].text):
+            yield block.written
+        if block.kind is not BlockKind.PARAGRAPH or _is_prose(block.lines[0].text):
+            return
+
+
 def _contexts(blocks: Sequence[Block], lines: Sequence[int]) -> Iterator[tuple[str, ...]]:
     """For each of the lines, in rising order, the text above it, the nearest first.
 
-    That is the text of its own section, the headings around it from the innermost, and what stands further up.
+    That is the text of its own section, the headings around it from the innermost, what stands further up, and the
+    paragraph right below.
     """
     headings: list[str] = []
     further: deque[str] = deque(maxlen=_PARAGRAPHS)
@@ -182,5 +202,5 @@ def _contexts(blocks: Sequence[Block], lines: Sequence[int]) -> Iterator[tuple[s
                 # Of a paragraph with a table only what stands above the table tells what the table is about.
                 above.append("\n".join(takewhile(_is_prose, (one.text for one in block.lines))))
             block = next(rest, None)
-        written = (*reversed(above), *reversed(headings), *reversed(further))
+        written = (*reversed(above), *reversed(headings), *reversed(further), *_behind(blocks, line))
         yield tuple(text for one in written if (text := read_inline(one).text))

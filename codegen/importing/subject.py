@@ -1,7 +1,7 @@
 """Which message a list of fields is about: the nearest text that names one whose fields these are."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from codegen.importing.stated import FieldList
 from codegen.model.dialect import Dialect, WireMessage
@@ -16,10 +16,21 @@ _ENOUGH = 3
 def subjects(fields: FieldList, dialect: Dialect) -> tuple[WireMessage, ...]:
     """The message, or several where the nearest text names more than one that fits equally; none if nothing does.
 
-    A message fits if half of the rows, or more, are fields of it.
+    A message fits if half of the rows, or more, are fields of it. One that has all of them goes before one that is
+    mentioned nearer and lacks some.
     """
-    for text in fields.context:
-        fitting = [message for message in _mentioned(text, dialect) if is_about(fields, message)]
+    mentioned = [tuple(_mentioned(text, dialect)) for text in fields.context]
+    for needed in (len(fields.rows), -(-len(fields.rows) // 2)):
+        found = _nearest(fields, mentioned, needed)
+        if found:
+            return found
+    return ()
+
+
+def _nearest(fields: FieldList, mentioned: Sequence[Sequence[WireMessage]], needed: int) -> tuple[WireMessage, ...]:
+    """Of the nearest text with messages that have so many of the rows those that have most."""
+    for messages in mentioned:
+        fitting = [message for message in messages if coverage(fields, message) >= needed]
         if fitting:
             best = max(coverage(fields, message) for message in fitting)
             return tuple(message for message in fitting if coverage(fields, message) == best)

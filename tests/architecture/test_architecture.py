@@ -35,7 +35,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "rules": {"checks", "measure", "resolve", "model", *GROUND},
     "importing": {"load", "decode", "measure", "resolve", "model", *GROUND},
     "template_files": set(),
-    "render": {"cache", "tool", "template_files"},
+    "line_breaks": set(),
+    "render": {"cache", "line_breaks", "tool", "template_files"},
     "schemas": {"sources", "model", *GROUND},
     "key_reference": {"schemas"},
     "targets": {

@@ -34,7 +34,7 @@ ALLOWED = {
             *("codegen/claims/structure.py", "codegen/claims/worked/examples.py"),
             *("codegen/explain.py", "codegen/explained_receptions.py", "codegen/explained_text.py"),
             *("codegen/importing/answer.py", "codegen/importing/columns.py", "codegen/importing/comparison.py"),
-            *("codegen/importing/drift.py", "codegen/importing/number.py", "codegen/importing/proposal.py"),
+            *("codegen/importing/declared.py", "codegen/importing/number.py", "codegen/importing/proposal.py"),
             *("codegen/importing/quantity.py", "codegen/importing/stated.py", "codegen/importing/value.py"),
             *("codegen/load/markdown_table.py", "codegen/targets/pages/byte_map.py", "codegen/trace/view.py"),
             *("templates/trace/trace.md.j2",),

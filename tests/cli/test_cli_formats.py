@@ -61,7 +61,7 @@ def annotations(text: str) -> list[tuple[str, dict[str, str], str]]:
 
 def test_github_reads_back_what_was_found(findings: Report, tmp_path: Path) -> None:
     found = annotations(findings_github(findings, str(tmp_path)))
-    error, warning, waived = (next(one for one in found if one[2].startswith(text)) for text in ("no", "doubt", "kept"))
+    error, warning, waived = (next(one for one in found if one[2].startswith(text)) for text in ("no", "doubt", "/usr"))
     assert warning == (
         "warning",
         {"file": "specs/a b,1:x%.yaml", "line": "5", "col": "1", "title": "doubtful-table"},
@@ -77,9 +77,27 @@ def test_github_reads_back_what_was_found(findings: Report, tmp_path: Path) -> N
     ]
     assert waived == (
         "notice",
-        {"file": "/usr/share/common.xml", "line": "6", "col": "1", "title": "broken-table (waived)"},
-        f"kept\nwaived: {WAIVED}",
+        {"title": "broken-table (waived)"},
+        f"/usr/share/common.xml:6: kept\nwaived: {WAIVED}",
     )
+
+
+def test_no_annotation_points_into_a_package(tmp_path: Path) -> None:
+    """Where it is installed is nobody's business, and no service has its files."""
+    installed = tmp_path / ".venv/lib/python3.11/site-packages/pymavlink/dialects/v20/common.xml"
+    archived = tmp_path / "pymavlink-2.4.37-py3-none-any.whl:" / "pymavlink/dialects/v20/common.xml"
+    inside = "pymavlink/dialects/v20/common.xml"
+    for path in (installed, archived):
+        finding = [Diagnostic(Place(str(path), 6, 1), ERROR, "kept")]
+        root = str(tmp_path)
+        assert annotations(findings_github(finding, root)) == [
+            ("error", {"title": "broken-table"}, f"{inside}:6: kept")
+        ]
+        assert json.loads(findings_gitlab(finding, root))[0]["location"]["path"] == inside
+        (result,) = json.loads(findings_sarif(finding, root))["runs"][0]["results"]
+        artifact = result["locations"][0]["physicalLocation"]["artifactLocation"]
+        assert artifact == {"uri": inside, "uriBaseId": "%PACKAGES%"}
+        assert "site-packages" not in findings_junit(finding, root)
 
 
 # The parts of SARIF 2.1.0 (OASIS) that codegen writes: names, which are required, and types.

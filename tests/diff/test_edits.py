@@ -5,6 +5,7 @@ import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -384,13 +385,14 @@ def test_a_document_with_a_new_id_that_keeps_the_old_one_is_the_same(repository:
 
 
 def test_sarif_and_annotations_stand_at_files_of_the_repository(repository: Path, run: Run) -> None:
-    """What is gone is shown where it was, and a service that knows only files of the repository can show it."""
+    """A service knows no lines that are gone: they are named in the text, beside their file."""
     edit(repository, STATUS, "requirement: FR-1.1\n", "requirement: FR-1\n")
     (repository / "specs/messages/smart_battery_info.yaml").unlink()
     code, out, _ = run("HEAD", "--format", "github")
     assert code == 1
-    gone = "::error file=specs/messages/smart_battery_info.yaml,line=1,col=10,title=message-no-longer-sent::"
+    gone = "::error file=specs/messages/smart_battery_info.yaml,line=1,col=1,title=message-no-longer-sent::"
     assert gone in out
+    assert "HEAD:specs/messages/smart_battery_info.yaml:1:10: it stood here" in unquote(out)
     assert "HEAD:" not in out.split("::")[1]
     log = json.loads(run("HEAD", "--format", "sarif")[1])
     results = log["runs"][0]["results"]

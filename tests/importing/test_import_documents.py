@@ -159,7 +159,7 @@ def test_a_message_is_named_by_its_number_too(plain: Sources) -> None:
 def test_a_list_of_other_things_is_none_of_fields(plain: Sources) -> None:
     """Less than half of the rows are fields: a list that happens to use one of the names."""
     text = "# BATTERY_STATUS\n\n- Status: Draft\n- type: 1\n- Owner: me\n"
-    assert proposal(text, plain) == (None, [("document-without-fields", 1)])
+    assert proposal(text, plain) == (None, [("document-without-fields", 3)])
 
 
 def test_an_example_is_no_answer(plain: Sources) -> None:
@@ -174,7 +174,10 @@ def test_an_example_is_no_answer(plain: Sources) -> None:
 def test_the_reference_of_a_dialect_is_no_population(plain: Sources) -> None:
     """MAVLink's own pages have a column Values with the enum of a field."""
     text = "BATTERY_STATUS\n\n| Field Name | Type | Units | Values | Description |\n| - | - | - | - | - |\n| id | uint8_t | | | |\n"
-    assert proposal(text, plain) == (None, [("document-without-fields", 1)])
+    made, findings = proposal(text, plain)
+    assert made is not None
+    assert [answer.reading.answer for answer in made.answers] == [None]
+    assert ("document-without-values", 3) in findings
 
 
 def test_lists_end_where_their_item_ends(plain: Sources) -> None:

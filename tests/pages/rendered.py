@@ -1,5 +1,6 @@
 """The pages of the shipped programs and of the test projects, with the systems that they show."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -32,7 +33,12 @@ class Program:
 
     def page(self, name: str) -> html.HtmlElement:
         """A page as a tree, by its path below docs/."""
-        return html.document_fromstring(self.pages[str(PurePosixPath(self.folder) / "docs" / name)])
+        return html.document_fromstring(unbroken(self.pages[str(PurePosixPath(self.folder) / "docs" / name)]))
+
+
+def unbroken(page: str) -> str:
+    """A page without what says where its names may break and what stays whole: words as people read them."""
+    return re.sub('<wbr>|<span class="whole">(.*?)</span>', r"\1", page)
 
 
 def programs_of(folder: Path) -> list[Program]:

@@ -6,6 +6,7 @@ Chromium is what `make test` finds or installs. Without one these tests fail: a 
 import contextlib
 import io
 import shutil
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Literal
@@ -24,7 +25,8 @@ OPTIONS = [
 ]
 PAGES = sorted((ROOT / "generated").rglob("*.html"))
 SCHEMES: tuple[Literal["light", "dark"], ...] = ("light", "dark")
-WIDTHS = (320, 375, 768, 1280, 1920)
+WIDTHS = (320, 400, 768, 1024, 1280, 1920)
+NARROW_AND_WIDE = (320, 1024)
 FIRST = ROOT / "generated/docs"
 MESSAGE = FIRST / "messages/battery_status.html"
 OVERVIEW = FIRST / "index.html"
@@ -35,6 +37,30 @@ TOO_WIDE = """() => {
     .filter((element) => !inBox(element) && element.getBoundingClientRect().right > innerWidth + 1)
     .map((element) => element.outerHTML.slice(0, 80));
 }"""
+
+CLIPPED = """() => [...document.querySelectorAll(".scroll:not(.drawing), th, td, dd, p, h1, h2, summary, label")]
+  .filter((box) => box.getClientRects().length && box.scrollWidth > box.clientWidth + 1)
+  .map((box) => `${box.scrollWidth - box.clientWidth} px hidden of ${box.outerHTML.slice(0, 80)}`)"""
+"""What does not fit into its box; a drawing of the wiring may be moved in its own."""
+
+BROKEN = """() => {
+  const found = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const range = document.createRange();
+  const lines = () => new Set([...range.getClientRects()].map((box) => Math.round(box.top))).size;
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    if (!node.data.trim() || node.parentElement.closest("svg, pre, script, style, .hexdump")) continue;
+    range.selectNodeContents(node);
+    if (lines() < 2) continue;
+    for (const word of node.data.matchAll(/\\w+(-\\d[\\d.]*)?/g)) {
+      range.setStart(node, word.index);
+      range.setEnd(node, word.index + word[0].length);
+      if (lines() > 1) found.push(`${word[0]} is broken`);
+    }
+  }
+  return found;
+}"""
+"""Words, also those that names are made of, with letters on two lines."""
 
 OVERLAPS = """() => [...document.querySelectorAll("svg, .scale")].flatMap((svg) => {
   const boxes = [...svg.querySelectorAll("text, span")].map((text) => [text.textContent, text.getBoundingClientRect()]);
@@ -108,9 +134,11 @@ def page(browser: Browser) -> Iterator[Page]:
 
 @pytest.fixture(scope="module")
 def reports(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Pages that commands write in the same look: the report of a simulation, and that of a review."""
+    """Pages that commands write in the same look: a simulation, the trace, reviews of projects and of a dialect."""
     folder = tmp_path_factory.mktemp("reports")
-    simulated, compared = folder / "simulation.html", folder / "review.html"
+    names = ("simulation.html", "trace.html", "review.html", "dialect.html")
+    simulated, traced, compared, of_dialect = (folder / name for name in names)
+    (release,) = (Path(sys.prefix) / "releases").glob("pymavlink-*.whl")
     options = ["--speed", "max", "--duration", "20", "--quiet", "--out", "udp:127.0.0.1:9"]
     output = io.StringIO()
     with contextlib.chdir(ROOT), contextlib.redirect_stdout(output):
@@ -120,8 +148,13 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
         assert (
             main(["diff", "tests/projects/minimal/specs", "tests/projects/radio_rover/specs", "--format", "html"]) == 1
         )
-    compared.write_text(output.getvalue(), encoding="utf-8")
-    return [simulated, compared]
+        compared.write_text(output.getvalue(), encoding="utf-8")
+        output.truncate(0)
+        output.seek(0)
+        assert main(["diff", f"{release}:common", "--format", "html"]) == 1
+        assert main(["trace", "--format", "html", "--out", str(traced)]) == 0
+    of_dialect.write_text(output.getvalue(), encoding="utf-8")
+    return [simulated, traced, compared, of_dialect]
 
 
 def show(page: Page, path: Path) -> None:
@@ -133,18 +166,21 @@ def test_there_are_pages() -> None:
     assert {MESSAGE, OVERVIEW, FIRST / "bandwidth.html"} <= set(PAGES)
 
 
-def test_no_page_scrolls_sideways_or_has_text_on_text(page: Page, reports: list[Path]) -> None:
-    """In windows from the narrowest phone to a wide screen: what is wide scrolls in a box of its own.
+def test_no_page_scrolls_sideways_breaks_a_name_or_hides_anything(page: Page, reports: list[Path]) -> None:
+    """In windows from the narrowest phone to a wide screen: tables become cards, and names break between their words.
 
-    Pages of further programs are like those of the first one, and are only looked at on the phone.
+    Pages of further programs are like those of the first one, and are looked at in two of these, as are reviews.
     """
     found = []
     for path in (*PAGES, *reports):
         show(page, path)
-        for width in WIDTHS if path in reports or FIRST in path.parents else WIDTHS[:1]:
+        for width in WIDTHS if path in reports[:2] or FIRST in path.parents else NARROW_AND_WIDE:
             page.set_viewport_size({"width": width, "height": 900})
             wide = page.evaluate("document.documentElement.scrollWidth")
             found += [(path.name, width, page.evaluate(TOO_WIDE))] if wide > width else []
+            found += [(path.name, width, fault) for fault in page.evaluate(CLIPPED)]
+            if width in NARROW_AND_WIDE:
+                found += [(path.name, width, fault) for fault in page.evaluate(BROKEN)]
             if width in (WIDTHS[0], WIDTHS[-1]):
                 found += [(path.name, width, fault) for fault in page.evaluate(OVERLAPS)]
     assert found == []

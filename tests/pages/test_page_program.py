@@ -6,6 +6,7 @@ from html import unescape
 from pathlib import Path
 
 import pytest
+from rendered import unbroken
 
 from codegen.cli import main
 
@@ -23,7 +24,7 @@ def built(name: str, folder: Path) -> str:
     """The page of a project."""
     specs = Path(shutil.copytree(PROJECTS / name / "specs", folder / "specs"))
     assert main(["build", "--project", str(specs / "codegen.yaml")]) == 0
-    return (folder / "generated" / "docs" / "program.html").read_text()
+    return unbroken((folder / "generated" / "docs" / "program.html").read_text())
 
 
 def test_received_messages_are_shown_field_by_field(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from lxml import html
 from rendered import PROJECTS, ROOT, Program, programs_of
 
-VOID = {"meta", "input", "br"}
+VOID = {"meta", "input", "br", "wbr"}
 
 
 class Balance(HTMLParser):
@@ -104,8 +104,8 @@ def test_pages_say_nothing_of_the_machine(every: list[Program]) -> None:
 def test_pages_stay_small(shipped: list[Program]) -> None:
     """They are committed, and read on phones."""
     sizes = {path: len(text) for program in shipped for path, text in program.pages.items()}
-    assert max(sizes.values()) < 250_000
-    assert sum(sizes.values()) < 1_500_000
+    assert max(sizes.values()) < 280_000
+    assert sum(sizes.values()) < 1_600_000
 
 
 def test_what_a_specification_says_is_text_and_never_markup(tmp_path: Path) -> None:
