@@ -73,8 +73,9 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Pipeline]:
     """Stands in for codegen.pipeline; a catalogue of rules that was made meanwhile lacks those of the real one."""
     fake = Pipeline(project / "generated")
-    monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
-    monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
+    for stage in ("pipeline", "outputs"):
+        monkeypatch.setitem(sys.modules, f"codegen.{stage}", fake)
+        monkeypatch.setattr(codegen, stage, fake, raising=False)
     documents = SimpleNamespace(project_reference=lambda _systems: None)  # nothing is claimed
     monkeypatch.setitem(sys.modules, "codegen.documents", documents)
     monkeypatch.setattr(codegen, "documents", documents, raising=False)
