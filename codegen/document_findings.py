@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from codegen.cache import entry, pickled
-from codegen.decode.decoded import with_files_read
+from codegen.decode.decoded import decoded, with_files_read
 from codegen.diagnostics import Diagnostic, Report
 from codegen.frozen import dataclass
 from codegen.load.text import asked_once, read_text
@@ -96,7 +96,8 @@ def _finder(
         from codegen.importing.drift import drift  # noqa: PLC0415
         from codegen.importing.stated import stated_fields  # noqa: PLC0415
 
-        stated = stated_fields(text, path)
+        stated = decoded("stated fields", text, path, lambda _: stated_fields(text, path), Report())
+        assert stated is not None  # every text is Markdown
         return Found((*stated.findings, *drift(stated, systems)), tuple(found_claims(text, path, reference())))
 
     return find

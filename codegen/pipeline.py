@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect_version import is_stated_version
+from codegen.decode.marked_tests import read_tests_below
 from codegen.decode.programs import ListedProgram, list_programs
 from codegen.decode.reach import folders_of
 from codegen.decode.scenario import SCENARIOS, decode_scenarios
@@ -14,7 +15,6 @@ from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.confined import confined
-from codegen.load.marked_tests import files_of_tests, read_marked_tests
 from codegen.load.trees import exists
 from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
@@ -133,7 +133,7 @@ def read_trace(systems: Sequence[System], report: Report) -> "Trace":
     """
     from codegen.trace.graph import hand_written, linked  # noqa: PLC0415  what is only checked needs no trace
 
-    marked = [test for path in files_of_tests(folders_of_tests(systems)) for test in read_marked_tests(path, report)]
+    marked = read_tests_below(folders_of_tests(systems), report)
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents_of(systems), rows(systems), tests)
 
