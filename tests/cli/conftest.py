@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 import codegen
+from codegen import document_findings
 from codegen.catalogue import rule_catalogue
 from codegen.cli import main
 from codegen.diagnostics import Report, Rule
@@ -39,9 +40,6 @@ class Pipeline:
 
     def read_trace_lock(self, _project_file: str, _report: Report) -> None:
         """There is no lock file."""
-
-    def check_documents(self, _systems: object, _report: Report) -> None:
-        """There are no documents."""
 
     def render_systems(self, _systems: object) -> dict[str, str]:
         return self.files
@@ -76,9 +74,7 @@ def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Pipelin
     for stage in ("pipeline", "outputs"):
         monkeypatch.setitem(sys.modules, f"codegen.{stage}", fake)
         monkeypatch.setattr(codegen, stage, fake, raising=False)
-    documents = SimpleNamespace(project_reference=lambda _systems: None)  # nothing is claimed
-    monkeypatch.setitem(sys.modules, "codegen.documents", documents)
-    monkeypatch.setattr(codegen, "documents", documents, raising=False)
+    monkeypatch.setattr(document_findings, "check_project_documents", lambda *_: [])  # nothing is claimed
     monkeypatch.setattr("codegen.stamp.keep", lambda *_: None)  # what is rendered changes here without a file
     yield fake
     rule_catalogue.cache_clear()
