@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from codegen import cache
+from codegen import cache, catalogue
+from codegen.catalogue import rule_catalogue, rule_ids
 from codegen.decode import decoded, marked_tests
 from codegen.decode.decoded import with_files_read
 from codegen.decode.marked_tests import read_tests_below
@@ -164,3 +165,16 @@ def test_a_file_of_tests_is_read_again_where_it_differs(tmp_path: Path) -> None:
         file.write_text(MARKED.format(number))
         assert [test.shows for test in read_tests_below([str(file.parent)], Report())] == [f"FR-1.{number}"]
         later_run()
+
+
+def test_a_later_run_knows_the_ids_of_all_rules_and_of_those_about_documents(monkeypatch: pytest.MonkeyPatch) -> None:
+    parts = ("codegen.claims", "codegen")
+    for part in parts:
+        assert rule_ids(part) == tuple(rule_catalogue(part))
+    later_run()
+    known = [rule_ids(part) for part in parts]
+    assert known == [tuple(rule_catalogue(part)) for part in parts]
+    assert set(known[0]) < set(known[1])
+    monkeypatch.setattr(catalogue, "tool_digest", lambda: "another")
+    monkeypatch.setattr(catalogue, "rule_catalogue", lambda _: {"new-rule": None})
+    assert rule_ids() == ("new-rule",)
