@@ -50,7 +50,7 @@ lint: $(INSTALLED)
 	$(BIN)/mypy
 
 # About three minutes; benchmarks/results has what it found on this computer, and docs/benchmarks.md and .svg show that.
-benchmarks: $(INSTALLED) $(MICROPYTHON32) valgrind
+benchmarks: $(INSTALLED) $(RELEASES) $(MICROPYTHON32) valgrind
 	$(BIN)/python benchmarks/report.py
 
 # Some ten minutes; docs/conformance.md says what was compared with pymavlink. Then the drafts that specs/codegen.yaml can list

@@ -156,11 +156,15 @@ def without_machine_code(source: Path, folder: Path) -> Path:
 
 @dataclass(frozen=True)
 class Weighed:
-    """What one process took: seconds, and the most memory that it had at once, in the system's unit."""
+    """What one process took: seconds, the most memory that it had at once, in the system's unit, and processor time.
+
+    ``processor`` are the seconds of user and system, those of processes that it has started and waited for included.
+    """
 
     seconds: float
     memory: int
     said: str
+    processor: float
 
 
 def weighed(command: Iterable[str], folder: Path) -> Weighed:
@@ -178,7 +182,7 @@ def weighed(command: Iterable[str], folder: Path) -> Weighed:
         text = log.read().decode("utf-8", "replace")
     if process.returncode:
         raise SystemExit(f"{' '.join(map(str, command))} failed:\n{text}")
-    return Weighed(seconds, usage.ru_maxrss, text)
+    return Weighed(seconds, usage.ru_maxrss, text, usage.ru_utime + usage.ru_stime)
 
 
 IN_MEMORY = "/dev/shm"  # noqa: S108  where Linux keeps a file system in memory

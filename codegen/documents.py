@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 
 from codegen.claims import check_claims
 from codegen.claims.overlays import lines_about
@@ -14,7 +14,7 @@ from codegen.claims.worked.listing import Number, numbers
 from codegen.codec import read_codec_dialect
 from codegen.decode.known_dialects import taken_elsewhere
 from codegen.diagnostics import Diagnostic, Report
-from codegen.load.text import read_text
+from codegen.load.text import asked_once, read_text
 from codegen.model.price import Range, frame_size
 from codegen.model.spec import Spec
 from codegen.model.stated_parameter import StatedParameter
@@ -29,10 +29,8 @@ def dialect_reference(written: str, report: Report) -> Reference | None:
     return None if dialect is None else Reference(dialect)
 
 
-def project_reference(systems: Sequence[System]) -> Reference | None:
-    """What a project says, with all its programs; None where it could not be read."""
-    if not systems:
-        return None
+def project_reference(systems: Sequence[System]) -> Reference:
+    """What a project says, with all its programs, of which there is at least one."""
     sent: dict[str, Range] = {}
     for system in systems:
         protocol = system.spec.project.protocol
@@ -46,7 +44,7 @@ def project_reference(systems: Sequence[System]) -> Reference | None:
     reference = Reference(
         systems[0].dialect, sent, listed, _parameters(systems), _rates(systems), tuple(systems), spec.project.overlays
     )
-    others = {name: cache(partial(_with_overlay, reference, spec, name)) for name in spec.other_overlays}
+    others = {name: asked_once(partial(_with_overlay, reference, spec, name)) for name in spec.other_overlays}
     return replace(reference, others=others)
 
 
@@ -94,23 +92,13 @@ def _parameters(systems: Sequence[System]) -> dict[str, tuple[StatedParameter, .
     return found
 
 
-def project_documents(systems: Iterable[System]) -> list[str]:
-    """The absolute paths of the requirement documents of a project and its programs, each once."""
-    files = {requirement.place.file for system in systems for requirement in system.spec.requirements}
-    return sorted(files)
-
-
 def check_documents(paths: Iterable[str], reference: Reference, report: Report) -> list[str]:
-    """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read.
-
-    Of a place that has a finding already, such as a cell that differs from the population table, nothing is said again.
-    """
+    """Report what is wrong in the claims of documents; returns the absolute paths of those that could be read."""
     read = []
-    told = {finding.place for finding in report}
     for path in dict.fromkeys(os.path.abspath(path) for path in paths):
         text = read_text(path, report)
         if text is not None:
-            report.extend(finding for finding in found_claims(text, path, reference) if finding.place not in told)
+            report.extend(found_claims(text, path, reference))
             read.append(path)
     return read
 

@@ -3,6 +3,7 @@
 import os
 from dataclasses import replace
 
+from codegen.decode.decoded import decoded_with_includes
 from codegen.decode.dialect_files import decode_overlay
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
@@ -24,6 +25,14 @@ def other_dialect(spec: Spec, dialect: Dialect, overlay: str) -> OtherDialect | 
 
     ``dialect`` is that of the project. Corrections are those of the overlays that the dialect has.
     """
+    if not dialect.digest:
+        return _other_dialect(spec, dialect, overlay)
+    corrections = spec.corrections, spec.other_corrections, spec.refusals
+    inputs = dialect.digest, spec.folder, spec.project, corrections, overlay
+    return decoded_with_includes("overlay", inputs, lambda _: _other_dialect(spec, dialect, overlay), Report())[0]
+
+
+def _other_dialect(spec: Spec, dialect: Dialect, overlay: str) -> OtherDialect | None:
     project = spec.project
     files = decode_overlay(_path(spec, overlay), Report(), project.at("overlays"), ())
     added = {message.name for file in files for message in file.messages}

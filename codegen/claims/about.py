@@ -8,6 +8,7 @@ from codegen.claims.reading import Mention, Reading, between
 from codegen.frozen import dataclass
 from codegen.load.prose import CodeBlock, Passage, PassageKind
 from codegen.model.dialect import WireField, WireMessage
+from codegen.once import once
 
 _NAME = re.compile(r"(?<![\w./\-])[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*(?![\w(/-])(?:\[\d{0,3}\])?")
 _QUALIFIED = re.compile(r"(?<![\w.])(?P<message>[A-Z][A-Z0-9_]{2,60})\.(?P<field>[a-z]\w{0,60})(?:\[\d{0,3}\])?")
@@ -58,8 +59,13 @@ class Surroundings:
         return next(iter((*self.headings, *self.earlier)), None)
 
 
-def surroundings(reading: Reading) -> Iterator[tuple[Passage | CodeBlock, Surroundings]]:
+@once
+def surroundings(reading: Reading) -> tuple[tuple[Passage | CodeBlock, Surroundings], ...]:
     """Each part of a document with what stands around it."""
+    return tuple(_surroundings(reading))
+
+
+def _surroundings(reading: Reading) -> Iterator[tuple[Passage | CodeBlock, Surroundings]]:
     open_headings: list[tuple[int, tuple[WireMessage, ...]]] = []
     earlier: dict[str, WireMessage] = {}
     only = {name for _, name in reading.sightings}
@@ -76,6 +82,12 @@ def surroundings(reading: Reading) -> Iterator[tuple[Passage | CodeBlock, Surrou
         for message in reversed(reading.named(part)) if isinstance(part, Passage) else ():
             earlier.pop(message.name, None)
             earlier[message.name] = message
+
+
+@once
+def _field_names(reading: Reading) -> frozenset[str]:
+    """The names of the fields of all messages."""
+    return frozenset(field.name for message in reading.messages.values() for field in message.fields)
 
 
 def said_of_fields(reading: Reading) -> Iterator[Said]:
@@ -124,8 +136,11 @@ def _references(reading: Reading, passage: Passage, around: Surroundings) -> Ite
     leads = _LEADS.match(passage.text)
     first = leads.end() if leads else 0
     is_list = passage.kind in (PassageKind.ITEM, PassageKind.ROW)
+    names = _field_names(reading)
     for found in _NAME.finditer(passage.text):
         name = found[0].partition("[")[0]
+        if name not in names:
+            continue
         if _is_beside(passage, starts, found.start(), found.end()):
             continue  # who writes MESSAGE.field in a sentence means something else by a bare word
         code = bisect_right(passage.codes, (found.start(), len(passage.text))) - 1

@@ -1,5 +1,6 @@
 """One document beside the dialect that its claims are compared with."""
 
+import os
 import re
 from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -10,6 +11,7 @@ from operator import add
 from typing import Protocol, TypeVar
 
 from codegen.claims.quoted import Quoted, quoted_definitions
+from codegen.decode.decoded import decoded
 from codegen.diagnostics import Diagnostic, Report, Rule
 from codegen.fingerprint import fingerprint
 from codegen.frozen import dataclass
@@ -143,7 +145,9 @@ class Reading:
 
 def read_document(text: str, path: str, reference: Reference) -> Reading:
     """The document of a text; places name the absolute form of ``path``."""
-    prose = read_prose(text, path)
+    path = os.path.abspath(path)
+    prose = decoded("prose", text, path, lambda _: read_prose(text, path), Report())
+    assert prose is not None  # every text is Markdown
     quoted = reduce(add, (quoted_definitions(code) for code in prose.code), Quoted())
     enums = {**reference.dialect.enums, **{enum.name: enum for enum in quoted.enums}}
     proposed = tuple(wire_message(message, enums, {}, Report()) for message in quoted.messages if message.fields)

@@ -51,7 +51,7 @@ def run(arguments: argparse.Namespace) -> int:
     if kept is not None:
         print(up_to_date(kept), file=sys.stderr)
         return 0 if arguments.depfile is None else write_depfile(arguments, stamp.read_last_time(project))
-    from codegen import pipeline
+    from codegen import outputs, pipeline
     from codegen.cli.output import emit
     from codegen.cli.progress import working
     from codegen.diagnostics import Report
@@ -62,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
         system = systems[0] if systems else None
         pipeline.check_scenarios(project, systems, report)
         now("rendering what is generated")
-        rendered = {} if system is None or report.has_errors else pipeline.render_systems(systems)
+        rendered = {} if system is None or report.has_errors else outputs.render_systems(systems)
     if system is None or report.has_errors:
         return emit(None, "", arguments, report)
     folder = pipeline.output_folder(system)
@@ -73,10 +73,10 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.mpy is not None and not code:
         compiled = Report()
         with working(f"compiling the firmware for {arguments.mpy}"):
-            boards = pipeline.compile_systems(systems, arguments.mpy, compiled)
-        code = emit(boards, pipeline.board_folder(system, arguments.mpy), arguments, compiled)
+            boards = outputs.compile_systems(systems, arguments.mpy, compiled)
+        code = emit(boards, outputs.board_folder(system, arguments.mpy), arguments, compiled)
     if not code and not (arguments.check or arguments.diff or arguments.dry_run):
-        print("".join(f"{line}\n" for line in pipeline.what_is_made(systems)), end="", file=sys.stderr)
+        print("".join(f"{line}\n" for line in outputs.what_is_made(systems)), end="", file=sys.stderr)
     if arguments.depfile is None or code:
         return code
     return write_depfile(arguments, stamp.everything_read(project, read, beside))

@@ -81,22 +81,19 @@ def run(arguments: argparse.Namespace) -> int:
 def _check_project(project: str, report: "Report", listed: "list[Number] | None") -> list[str]:
     """Report on the specification and on its own documents, which are returned; their examples go to ``listed``."""
     from codegen import pipeline
+    from codegen.document_findings import check_project_documents, project_documents
 
     systems = pipeline.read_systems(project, report)
     pipeline.check_scenarios(project, systems, report)
     pipeline.read_trace_lock(project, report)
-    if report.has_errors:
+    if report.has_errors or not systems:
         return []  # what documents say could not be compared with what is meant
-    pipeline.check_documents(systems, report)
-    from codegen import documents
-
-    reference = documents.project_reference(systems)
-    if reference is None:
-        return []
-    own = documents.project_documents(systems)
     if listed is not None:
+        from codegen import documents
+
+        own, reference = project_documents(systems), documents.project_reference(systems)
         listed.extend(documents.example_numbers(own, reference))
-    return documents.check_documents(own, reference, report)
+    return check_project_documents(systems, report)
 
 
 def _check_documents(
@@ -138,14 +135,15 @@ def _reference(dialect: str | None, project: str | None, report: "Report") -> "R
     if dialect is not None or project is None:
         return documents.dialect_reference(dialect or "common", report)
     found = Report()
-    reference = documents.project_reference(pipeline.read_systems(project, found))
-    if reference is None:
+    systems = pipeline.read_systems(project, found)
+    if not systems:
         report.extend(found)
-    return reference
+        return None
+    return documents.project_reference(systems)
 
 
 def _claim_rules() -> list[str]:
     """The ids of the rules about claims."""
-    from codegen.catalogue import rule_catalogue
+    from codegen.catalogue import rule_ids
 
-    return [rule for rule in rule_catalogue() if rule.startswith("claim-")]
+    return [rule for rule in rule_ids("codegen.claims") if rule.startswith("claim-")]

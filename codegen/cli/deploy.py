@@ -201,11 +201,11 @@ def _board_files(system: "System", board: "Board", port: str, report: "Report") 
 
 def _compiled(system: "System", architecture: str, report: "Report") -> "dict[str, str | bytes]":
     """What belongs on a board, by path, compiled for it; empty after a finding."""
-    from codegen import pipeline
+    from codegen import outputs, pipeline
     from codegen.deploy.contents import own_modules
     from codegen.mpy import compiled
 
-    texts = pipeline.firmware_modules(system, architecture)
+    texts = outputs.firmware_modules(system, architecture)
     own = own_modules(system, pipeline.project_folder([system]), texts, report)
     return {} if report.has_errors else compiled(texts | own, architecture, report)
 

@@ -224,7 +224,7 @@ def _waived(found: "Review", waivers: str | None, head: "Side") -> "tuple[Review
     rules = _change_rules()
     files = [*head.dialect.files]
     files += [path for system in head.systems for path in (*system.spec.files, *system.dialect.files)]
-    # Whether the rules of other waivers exist is what codegen check says, which imports them all.
+    # Whether the rules of other waivers exist is what codegen check says, which knows them all.
     judged = list(with_waivers(report, waivers, rules, files, lambda _: True))
     code = 0
     for finding in judged:

@@ -3,7 +3,6 @@
 import os
 import sys
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TextIO
 
 from codegen.cli.progress import is_terminal
@@ -54,8 +53,13 @@ def findings_text(findings: Iterable[Diagnostic], form: str) -> str:
 
 def repository_root() -> str:
     """The absolute path of the folder that paths in a repository are relative to: the working directory outside one."""
-    folder = Path.cwd()
-    return str(next((above for above in (folder, *folder.parents) if (above / ".git").exists()), folder))
+    start = folder = os.getcwd()
+    while not os.path.exists(os.path.join(folder, ".git")):
+        above = os.path.dirname(folder)
+        if above == folder:
+            return start
+        folder = above
+    return folder
 
 
 def _print_text(report: Report, *, shows_waived: bool) -> None:

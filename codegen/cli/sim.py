@@ -111,7 +111,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
         raise UsageError("the simulation runs on Linux and macOS; under Windows, in its Linux (WSL)")
     speed = _speed(arguments.speed)
     duration_ms = None if arguments.duration in (None, FOREVER) else _duration_ms(arguments.duration)
-    from codegen import pipeline
+    from codegen import outputs, pipeline
     from codegen.cli.progress import working
 
     with working("reading the specification"):
@@ -146,7 +146,7 @@ def _prepare(arguments: argparse.Namespace, project: str, report: "Report") -> "
     _check_files(arguments)
     code = arguments.code or (_own_code(systems[0]) if scenario.has_code else None)
     with working("comparing the firmware with the specification"):
-        stale = [module for system in cast for module in pipeline.stale_firmware(system)]
+        stale = [module for system in cast for module in outputs.stale_firmware(system)]
     _warn_of_stale(stale)
     return Simulation(
         scenario=scenario,

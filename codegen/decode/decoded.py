@@ -43,21 +43,59 @@ def decoded_with_includes(
     Which files these are shows while it reads them; later they are compared before anything is decoded again. The
     second value is a hash of all that it depends on, which is empty where there was something to report.
     """
-    shipped = "\n".join(f"{name} {shipped_dialect_path(name)}" for name in shipped_dialect_names())
-    name = entry("files", tool_digest(), kind, pickled(inputs), shipped)
-    noted = kept(name)
-    if noted is not None and all(found_at(path) == found for path, found in json.loads(noted).items()):
-        known = kept_object(digest := entry(name, noted))
-        if known is not None:
-            return cast(_Stated, known), digest
+    name = _name(kind, inputs)
+    digest = _digest(name, {})
+    known = kept_object(digest) if digest else None
+    if known is not None:
+        return cast(_Stated, known), digest
     new = Report()
     with noting() as files:
         stated = decode(new)
     report.extend(new)
     if stated is None or list(new):
         return stated, ""
+    return stated, _keep(name, files, stated)
+
+
+def with_files_read(inputs: object, find: Callable[[], _Stated], seen: dict[str, str]) -> _Stated:
+    """What ``find`` returns, whether it is good or bad; it depends on the same things.
+
+    ``seen`` has by path what was found at files that were compared before, for whoever asks often.
+    """
+    name = _name("found", inputs)
+    digest = _digest(name, seen)
+    known = kept_object(digest) if digest else None
+    if known is not None:
+        return cast(_Stated, known)
+    with noting() as files:
+        found = find()
+    _keep(name, files, found)
+    return found
+
+
+def _name(kind: str, inputs: object) -> str:
+    """The name under which the files are noted that were read for something."""
+    shipped = "\n".join(f"{name} {shipped_dialect_path(name)}" for name in shipped_dialect_names())
+    return entry("files", tool_digest(), kind, pickled(inputs), shipped)
+
+
+def _digest(name: str, seen: dict[str, str]) -> str:
+    """The name of what was made of the noted files, if all of them are as they were; else nothing."""
+    noted = kept(name)
+    if noted is None:
+        return ""
+    for path, found in json.loads(noted).items():
+        if path not in seen:
+            seen[path] = found_at(path)
+        if seen[path] != found:
+            return ""
+    return entry(name, noted)
+
+
+def _keep(name: str, files: dict[str, str], made: object) -> str:
+    """Keep what was made of files; returns its name."""
     noted = json.dumps(files, sort_keys=True).encode()
-    digest = entry(name, noted)
     keep(name, noted)
-    keep_object(digest, stated)
-    return stated, digest
+    digest = entry(name, noted)
+    keep_object(digest, made)
+    return digest

@@ -45,7 +45,7 @@ def _messages(old: Mapping[str, WireMessage], new: Mapping[str, WireMessage], en
         before = old.get(message.name) or renamed.get(message.name)
         if before is None:
             yield _added(message, ids)
-        elif before is not message:
+        elif before is not message and before != message:
             yield from heard(_within(before, message, ids, taken_by, enums), between(before, message, ids, taken_by))
     kept = {message.name for message in renamed.values()}
     for message in old.values():

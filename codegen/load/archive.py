@@ -12,9 +12,6 @@ from contextlib import suppress
 
 from codegen.load.text import MAX_BYTES
 
-ENDINGS = (".whl", ".zip", ".tar.gz", ".tgz", ".tar")
-"""What names of archives end in."""
-
 _DAMAGE = (
     OSError,
     EOFError,
@@ -31,6 +28,7 @@ class ArchiveTree:
     """The files of an archive, each of at most MAX_BYTES."""
 
     folder = None
+    version = ""
 
     def __init__(self, contents: dict[str, bytes]) -> None:
         self._contents = contents

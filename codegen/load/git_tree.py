@@ -39,6 +39,11 @@ class GitTree:
         """The absolute path of the work tree."""
         return self.repository
 
+    @property
+    def version(self) -> str:
+        """The hash of the commit; of one that cannot be read as a whole nothing can be kept."""
+        return "" if self.fault else self.commit
+
     def __enter__(self) -> Self:
         """List what there is."""
         listed = git_says(self.repository, "ls-tree", "-r", "-z", "--full-tree", self.commit)

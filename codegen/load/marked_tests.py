@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterable, Iterator
 
 from codegen.diagnostics import Report, Rule, Severity
-from codegen.load.text import decode_text, read_bytes
+from codegen.load.text import decode_text
 from codegen.load.trees import file_names, is_folder
 from codegen.model.test_record import MarkedTest
 from codegen.source import Place
@@ -42,11 +42,13 @@ def files_of_tests(folders: Iterable[str]) -> list[str]:
     return sorted(found)
 
 
-def read_marked_tests(path: str, report: Report) -> list[MarkedTest]:
-    """The tests of a file that are marked; a file that cannot be read has none, after a finding."""
-    data = read_bytes(path, Report())
-    if data is None or f".{MARKER}(".encode() not in data:
-        return []
+def has_marks(data: bytes) -> bool:
+    """Whether a file with that content may have tests that are marked."""
+    return f".{MARKER}(".encode() in data
+
+
+def marked_tests(data: bytes, path: str, report: Report) -> list[MarkedTest]:
+    """The tests of a file that are marked; one that is no Python has none, after a finding."""
     text = decode_text(data, path, Report())
     if text is None:
         report.add(TEST_SYNTAX, Place(path), "what its tests show is not known: it is not UTF-8")

@@ -4,8 +4,9 @@ import hashlib
 import os
 import re
 import stat
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import TypeVar
 
 from codegen.diagnostics import Report, Rule
 from codegen.load.confined import is_outside
@@ -48,6 +49,7 @@ _LINE_END = re.compile(rb"\r\n?|\n")
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
+_Found = TypeVar("_Found")
 
 _noted: list[dict[str, str]] = []
 
@@ -60,7 +62,24 @@ def noting() -> Iterator[dict[str, str]]:
     try:
         yield found
     finally:
-        _noted.remove(found)
+        _noted[:] = [noted for noted in _noted if noted is not found]  # another one may be equal
+
+
+def asked_once(find: Callable[[], _Found]) -> Callable[[], _Found]:
+    """What asks ``find`` only once. Whoever notes files at a later question gets those that were read at the first."""
+    known: list[tuple[_Found, dict[str, str]]] = []
+
+    def found() -> _Found:
+        if not known:
+            with noting() as files:
+                made = find()
+            known.append((made, files))
+        made, files = known[0]
+        for noted in _noted:
+            noted.update(files)
+        return made
+
+    return found
 
 
 def found_at(path: str) -> str:

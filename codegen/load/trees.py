@@ -17,6 +17,10 @@ class Tree(Protocol):
     def folder(self) -> str | None:
         """The absolute path of the folder of the disk that the tree is a version of, if it is one."""
 
+    @property
+    def version(self) -> str:
+        """What tells its files from those of any other tree, such as the hash of a commit; empty where nothing does."""
+
     def holds(self, path: str) -> bool:
         """Whether there is such a file."""
 
@@ -93,6 +97,12 @@ def is_folder(path: str) -> bool:
     """Whether there is a folder, or a link to one."""
     found = _found(path)
     return os.path.isdir(path) if found is None else found[0].names(found[1]) is not None
+
+
+def version_of(path: str) -> str:
+    """The version of the tree that a path lies in; empty for the disk, whose files may change."""
+    found = _found(path)
+    return "" if found is None else found[0].version
 
 
 def on_disk(path: str) -> str:

@@ -5,17 +5,16 @@ import re
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 
-from codegen.load.archive import ENDINGS
 from codegen.load.shipped import shipped_dialect_names, shipped_in
 from codegen.project_files import PROJECT_FILES
-from codegen.sides.release import INSTALLED, installed_side, release_folder, release_side
+from codegen.sides.release import ARCHIVES, INSTALLED, installed_side, release_folder, release_side
 from codegen.sides.revision import is_revision, revision_side
 from codegen.sides.side import Around, Side, Unreadable, dialect_side, project_side
 
 WORK_TREE = "work tree"
 
 _DIALECT_NAME = re.compile(r"[\w-]*")
-_FILES = (".xml", ".yaml", ".yml", *ENDINGS)
+_FILES = (".xml", ".yaml", ".yml", *ARCHIVES)
 
 __all__ = ["Around", "Side", "Unreadable", "default_head", "opened"]
 

@@ -5,12 +5,13 @@ import re
 from contextlib import ExitStack
 
 from codegen.diagnostics import did_you_mean
-from codegen.load.archive import ENDINGS, read_archive
 from codegen.load.shipped import dialects_in, shipped_dialect_names, shipped_dialect_path
 from codegen.load.trees import file_names, is_file
 from codegen.sides.side import Side, Unreadable, dialect_side, hang
 
 INSTALLED = "pymavlink"
+ARCHIVES = (".whl", ".zip", ".tar.gz", ".tgz", ".tar")
+"""What names of archives end in."""
 
 _DIALECTS = re.compile(r"(?:^|/)(?:dialects/v20|message_definitions/v1\.0)/[^/]+\.xml$")
 _FOLDERS = ("", "pymavlink/dialects/v20", "dialects/v20", "v20", "message_definitions/v1.0")
@@ -43,8 +44,10 @@ def release_folder(path: str, stack: ExitStack, name: str = "common") -> str | U
     """
     root = os.path.abspath(path)
     if os.path.isfile(path):
-        if not path.endswith(ENDINGS):
-            return Unreadable(f"{path} is neither a dialect (.xml) nor an archive", f"archives: {', '.join(ENDINGS)}")
+        if not path.endswith(ARCHIVES):
+            return Unreadable(f"{path} is neither a dialect (.xml) nor an archive", f"archives: {', '.join(ARCHIVES)}")
+        from codegen.load.archive import read_archive  # noqa: PLC0415  only these need what reads archives
+
         archive = read_archive(path, _DIALECTS)
         if isinstance(archive, str):
             return Unreadable(archive)

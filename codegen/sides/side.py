@@ -4,13 +4,12 @@ import os
 from collections.abc import Callable
 from contextlib import ExitStack
 
-from codegen.decode.dialect_files import decode_dialect_files
+from codegen.decode.decoded import with_files_read
 from codegen.diagnostics import Diagnostic, Report
 from codegen.frozen import dataclass
 from codegen.load.trees import Tree, exists, hung
 from codegen.model.dialect import Dialect
 from codegen.model.system import System
-from codegen.resolve.dialect import resolve_dialect
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,16 +68,22 @@ def project_side(file: str, label: str, around: Around) -> Side | Unreadable:
 
 def dialect_side(path: str, label: str, *, is_release: bool = False) -> Side | Unreadable:
     """A dialect with what it includes, as far as it can be read."""
-    report = Report()
-    files = decode_dialect_files(path, report)
-    errors = tuple(finding for finding in report if finding.is_error)
-    if not files:
-        return Unreadable(f"{label} is no dialect that can be read", findings=errors)
-    dialect = resolve_dialect(os.path.splitext(os.path.basename(path))[0], files, (), report)
-    errors = tuple(finding for finding in report if finding.is_error)
-    if errors and not dialect.messages and not dialect.enums:
+    dialect, errors = with_files_read(("dialect", path), lambda: _read_dialect(path), {})
+    if dialect is None or (errors and not dialect.messages and not dialect.enums):
         return Unreadable(f"{label} is no dialect that can be read", findings=errors)
     return Side(label, (), dialect, errors, is_release)
+
+
+def _read_dialect(path: str) -> tuple[Dialect | None, tuple[Diagnostic, ...]]:
+    """The dialect of a file and of what it includes, None where there is nothing, and the errors in it."""
+    from codegen.decode.dialect_files import decode_dialect_files  # noqa: PLC0415  for a dialect that is not known yet
+    from codegen.resolve.dialect import resolve_dialect  # noqa: PLC0415
+
+    report = Report()
+    files = decode_dialect_files(path, report)
+    name = os.path.splitext(os.path.basename(path))[0]
+    dialect = resolve_dialect(name, files, (), report) if files else None
+    return dialect, tuple(finding for finding in report if finding.is_error)
 
 
 def hang(label: str, tree: Tree, stack: ExitStack) -> str:

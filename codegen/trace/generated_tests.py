@@ -17,13 +17,8 @@ from codegen.trace.graph import Test
 INTERPRETERS = ("cpython", "micropython")
 
 
-def generated_tests(systems: Iterable[System]) -> tuple[Test, ...]:
-    """The tests of a project's suite and of those of its further programs, one for each criterion that they show."""
-    return tuple(test for system in systems for test in tests_of(system))
-
-
 def tests_of(system: System) -> tuple[Test, ...]:
-    """The tests of the suite of one of these."""
+    """The tests of the suite of a project or a further program, one for each criterion that they show."""
     inputs = suite_origin(system).digest
     return tuple(replace(test, inputs=inputs) for test in _tests(system))
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from codegen import cache, pipeline, render
+from codegen import cache, outputs, pipeline, render
 from codegen.cache import write_new
 from codegen.diagnostics import Report
 from codegen.frozen import dataclass
@@ -117,7 +117,7 @@ def test_views_are_data_that_says_the_same_in_every_run(monkeypatch: pytest.Monk
         for name in {"rendered", "rendered_page"} & vars(module).keys():
             monkeypatch.setattr(module, name, noted)
     systems = pipeline.read_systems(str(ROOT / "specs" / "codegen.yaml"), Report())
-    pipeline.render_systems(systems)
+    outputs.render_systems(systems)
     assert len(views) > 15
     kinds = {(template, kind) for template, view in views.items() for kind in _kinds(view)}
     plain = (str, int, float, type(None), tuple, list, dict)

@@ -12,7 +12,8 @@ from codegen.claims.reading import Reference, read_document
 from codegen.claims.worked.amount import amounts
 from codegen.cli import main
 from codegen.diagnostics import Report
-from codegen.documents import example_numbers, project_documents, project_reference
+from codegen.document_findings import project_documents
+from codegen.documents import example_numbers, project_reference
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAD = "# Notes\n\n## Worked Examples\n\n"

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 import codegen
+from codegen import document_findings
 from codegen.catalogue import rule_catalogue
 from codegen.cli import main
 from codegen.diagnostics import Report, Rule
@@ -40,9 +41,6 @@ class Pipeline:
     def read_trace_lock(self, _project_file: str, _report: Report) -> None:
         """There is no lock file."""
 
-    def check_documents(self, _systems: object, _report: Report) -> None:
-        """There are no documents."""
-
     def render_systems(self, _systems: object) -> dict[str, str]:
         return self.files
 
@@ -73,11 +71,10 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def pipeline(project: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Pipeline]:
     """Stands in for codegen.pipeline; a catalogue of rules that was made meanwhile lacks those of the real one."""
     fake = Pipeline(project / "generated")
-    monkeypatch.setitem(sys.modules, "codegen.pipeline", fake)
-    monkeypatch.setattr(codegen, "pipeline", fake, raising=False)
-    documents = SimpleNamespace(project_reference=lambda _systems: None)  # nothing is claimed
-    monkeypatch.setitem(sys.modules, "codegen.documents", documents)
-    monkeypatch.setattr(codegen, "documents", documents, raising=False)
+    for stage in ("pipeline", "outputs"):
+        monkeypatch.setitem(sys.modules, f"codegen.{stage}", fake)
+        monkeypatch.setattr(codegen, stage, fake, raising=False)
+    monkeypatch.setattr(document_findings, "check_project_documents", lambda *_: [])  # nothing is claimed
     monkeypatch.setattr("codegen.stamp.keep", lambda *_: None)  # what is rendered changes here without a file
     yield fake
     rule_catalogue.cache_clear()

@@ -9,7 +9,8 @@ from lxml import html
 
 from codegen.diagnostics import Report
 from codegen.model.system import System
-from codegen.pipeline import read_systems, render_systems
+from codegen.outputs import render_systems
+from codegen.pipeline import read_systems
 
 ROOT = Path(__file__).parents[2]
 PROJECTS = {

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from codegen.decode.marked_tests import read_marked_tests
 from codegen.diagnostics import Report
-from codegen.load.marked_tests import files_of_tests, read_marked_tests
+from codegen.load.marked_tests import files_of_tests
 
 FORMS = """
 import pytest

@@ -11,7 +11,7 @@ import pytest
 from generated_suite import ALONE
 from trace_project import Project
 
-from codegen import pipeline
+from codegen import outputs, pipeline
 from codegen.cli import main
 from codegen.comment import MOST_CHARACTERS, fitting
 from codegen.diagnostics import Report
@@ -109,7 +109,7 @@ def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
     """It says what was reviewed, but knows of no test by hand, no result and no path of this machine."""
     project.run("accept", "--all", "--reason", "x")
     systems = pipeline.read_systems(project.file, Report())
-    first, second = (pipeline.render_systems(systems)["docs/trace.html"] for _ in range(2))
+    first, second = (outputs.render_systems(systems)["docs/trace.html"] for _ in range(2))
     assert first == second
     assert "test_seven" not in first
     assert "trace-uncovered" not in first
@@ -118,7 +118,7 @@ def test_the_page_of_a_build_is_the_same_every_time(project: Project) -> None:
     assert str(project.folder) not in first
     assert str(project.lock) in pipeline.files_read(systems)
     project.tests.unlink()
-    assert pipeline.render_systems(systems)["docs/trace.html"] == first
+    assert outputs.render_systems(systems)["docs/trace.html"] == first
 
 
 def test_markdown(project: Project, capsys: pytest.CaptureFixture[str]) -> None:

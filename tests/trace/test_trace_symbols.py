@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from generated_suite import ALONE
 
-from codegen import pipeline
+from codegen import outputs, pipeline
 from codegen.diagnostics import Report
 from codegen.trace.graph import Trace, reached
 
@@ -25,7 +25,7 @@ def project(folder: Path) -> tuple[Trace, dict[str, str]]:
     report = Report()
     systems = pipeline.read_systems(str(folder / "specs" / "codegen.yaml"), report)
     assert not report.has_errors
-    return pipeline.read_trace(systems, report), pipeline.render_systems(systems)
+    return pipeline.read_trace(systems, report), outputs.render_systems(systems)
 
 
 def names_of(text: str) -> set[str]:

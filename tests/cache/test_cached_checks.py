@@ -1,0 +1,213 @@
+"""A check that knows what an earlier one found says what a check that knows nothing says, whatever was changed."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from codegen import cache, catalogue, document_findings, documents, tool
+from codegen.cli import main
+from codegen.decode import decoded
+from codegen.diagnostics import Diagnostic, Rule
+from codegen.source import Place, shown_path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+DOCUMENT = "specs/requirements/FR-00068-battery-status-telemetry.md"
+OTHER_DOCUMENT = "specs/requirements/FR-00069-voltage-conversion.md"
+
+WRONG = """
+## What is wrong
+
+The message id of BATTERY_STATUS is 148. `BATT_VOLT_MULT` has the default 4.05. `BATT_ID` has the default 3.
+
+HEARTBEAT is sent at 3 Hz. The vehicle sends the message BATTERY_STATUSX, too.
+
+With `dialects/battery_rfc_0018.xml` the base payload of BATTERY_STATUS_V2 has 25 bytes.
+"""
+"""What makes a document wrong in several ways."""
+
+_ID, _WIDE_ID = 'type="uint8_t" name="id"', 'type="uint16_t" name="id"'
+EDITS = {
+    "a document": (DOCUMENT, "BATTERY_STATUS is 148", "BATTERY_STATUS is 149"),
+    "another document": (OTHER_DOCUMENT, "| 9549 |", "| 9548 |"),
+    "parameters": ("specs/parameters.yaml", "default: 3.95", "default: 4.05"),
+    "streams": ("specs/streams.yaml", "    rate: 1 Hz", "    rate: 3 Hz"),
+    "a table": ("specs/messages/battery_status.yaml", "MAV_BATTERY_FUNCTION_ALL", "MAV_BATTERY_FUNCTION_AVIONICS"),
+    "a draft that is listed": ("specs/dialects/battery_upstream.xml", _ID, _WIDE_ID),
+    "a draft that is not listed": ("specs/dialects/battery_rfc_0018.xml", _ID, _WIDE_ID),
+    "names that are known": ("specs/dialects/upstream.xml", "FUEL_STATUS", "BATTERY_STATUSX"),
+    "the project": ("specs/codegen.yaml", "protocol: 2", "protocol: 1"),
+    "a further program": ("specs/smart_battery/parameters.yaml", "default: 2\n", "default: 3\n"),
+    "a waiver": ("specs/waivers.yaml", "expires: 2028", "expires: 2021"),
+}
+"""One change for each kind of file; each is seen in what is found."""
+
+MOST_MODULES = 400
+"""How many modules a check may import that finds nothing new."""
+
+Check = Callable[..., list[dict[str, Any]]]
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The rover with documents that are wrong, as the working directory."""
+    folder = tmp_path / "project"
+    shutil.copytree(ROOT / "specs", folder / "specs")
+    file = folder / DOCUMENT
+    file.write_text(file.read_text() + WRONG)
+    monkeypatch.chdir(folder)
+    return folder
+
+
+@pytest.fixture
+def check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Iterator[Check]:
+    """What ``codegen check`` finds, with a cache of the test's own or with none."""
+
+    def found(*, knows: bool = True) -> list[dict[str, Any]]:
+        monkeypatch.setenv(cache.VARIABLE, str(tmp_path / "cache") if knows else "off")
+        _later_run()
+        main(["check", "--waived", "--format", "json"])
+        read: dict[str, list[dict[str, Any]]] = json.loads(capsys.readouterr().out)
+        return read["findings"]
+
+    yield found
+    _later_run()
+
+
+def _later_run() -> None:
+    """Forget what this process knows of the folder."""
+    cache.cache_folder.cache_clear()
+    cache._new.clear()
+
+
+@pytest.mark.usefixtures("project")
+def test_the_documents_are_wrong_in_many_ways(check: Check) -> None:
+    """The tests below compare what is found; where that is nothing they would show nothing."""
+    rules = {finding["rule"] for finding in check()}
+    assert {"claim-message-id", "claim-no-message", "claim-message-size", "claim-parameter", "claim-unit"} <= rules
+    assert check() == check(knows=False)
+
+
+@pytest.mark.parametrize("what", EDITS)
+def test_after_an_edit_the_findings_are_those_of_a_run_that_knows_nothing(
+    project: Path, check: Check, what: str
+) -> None:
+    path, old, new = EDITS[what]
+    before = check()
+    text = (project / path).read_text()
+    assert old in text
+    (project / path).write_text(text.replace(old, new, 1))
+    after = check()
+    assert after == check(knows=False)
+    assert after != before
+    (project / path).write_text(text)
+    assert check() == before
+
+
+def test_documents_that_come_and_go_are_noticed(project: Path, check: Check) -> None:
+    before = check()
+    own = project / DOCUMENT
+    further = own.with_name("FR-00099-further.md")
+    further.write_text(own.read_text().replace("# FR-00068", "# FR-00099", 1))
+    assert check() == check(knows=False) != before
+    further.unlink()
+    assert check() == before
+
+
+def test_a_file_that_a_draft_includes_counts_as_well(project: Path, check: Check) -> None:
+    """The project does not name it."""
+    draft = project / "specs" / "dialects" / "battery_upstream.xml"
+    included = draft.with_name("included.xml")
+    draft.rename(included)
+    draft.write_text("<mavlink><include>included.xml</include></mavlink>")
+    before = check()
+    text = included.read_text()
+    assert _ID in text
+    included.write_text(text.replace(_ID, _WIDE_ID, 1))
+    after = check()
+    assert after == check(knows=False)
+    assert after != before
+
+
+def test_a_document_is_read_again_only_where_something_changed(
+    project: Path, check: Check, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And an edit of one document leaves the others alone."""
+    read: list[str] = []
+    found_claims = documents.found_claims
+
+    def noted(text: str, path: str, reference: Any) -> Any:
+        read.append(Path(path).name)
+        return found_claims(text, path, reference)
+
+    monkeypatch.setattr(documents, "found_claims", noted)
+    check()
+    assert len(read) == len(set(read)) > 15
+    read.clear()
+    check()
+    assert read == []
+    file = project / DOCUMENT
+    file.write_text(file.read_text() + "\nMore.\n")
+    check()
+    assert read == [file.name]
+
+
+@pytest.mark.usefixtures("project")
+def test_another_codegen_looks_again(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
+    check()
+    for module in (catalogue, decoded, document_findings, tool):
+        monkeypatch.setattr(module, "tool_digest", lambda: "another")
+    monkeypatch.setattr(documents, "found_claims", lambda *_: [])
+    assert not [finding for finding in check() if finding["rule"].startswith("claim-")]
+
+
+def test_what_is_found_may_name_files_as_they_are_called_from_here(
+    project: Path, check: Check, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def found(_text: str, path: str, _reference: object) -> list[Diagnostic]:
+        return [Diagnostic(Place(path), Rule("claim-anything", ""), shown_path(path))]
+
+    monkeypatch.setattr(documents, "found_claims", found)
+    for folder in (project, project / "specs"):
+        monkeypatch.chdir(folder)
+        told = [finding for finding in check() if finding["rule"] == "claim-anything"]
+        assert told
+        assert [finding for finding in told if finding["message"] != finding["file"]] == []
+
+
+LEFT_OUT = ("lxml", "markdown_it", "jinja2", "pathlib", "codegen.claims", "codegen.importing", "codegen.targets")
+
+IMPORTS = f"""
+import sys
+from codegen.cli import main
+main(["check"])
+found = [name for name in sys.modules if name.startswith({LEFT_OUT!r})]
+print(len(sys.modules), *found)
+"""
+
+
+def test_a_run_that_knows_everything_imports_nothing_that_reads_or_judges_documents(
+    project: Path, tmp_path: Path
+) -> None:
+    """Counted, as times depend on the computer: some 370 modules in place of 794, and nothing new to keep."""
+    kept = tmp_path / "cache"
+    surroundings = {**os.environ, "CODEGEN_CACHE": str(kept), "PYTHONPATH": str(ROOT)}
+
+    def run() -> list[str]:
+        ran = subprocess.run(
+            [sys.executable, "-c", IMPORTS], capture_output=True, text=True, check=True, env=surroundings, cwd=project
+        )
+        return ran.stdout.splitlines()[-1].split()
+
+    first, files = run(), sorted(kept.iterdir())
+    count, *found = run()
+    assert found == []
+    assert int(count) <= MOST_MODULES < int(first[0])
+    assert sorted(kept.iterdir()) == files
