@@ -176,9 +176,7 @@ def test_tests_that_lie_outside(project: Path, capsys: pytest.CaptureFixture[str
     """Folders in which trace looks for marked tests are paths, too."""
     away = project.parents[1] / "away"
     away.mkdir()
-    (away / "test_hidden.py").write_text(
-        'import pytest\n\n@pytest.mark.requirement("FR-1.1")\ndef test_hidden(: pass\n'
-    )
+    (away / "test_hidden.py").write_text('@pytest.mark.requirement("FR-1.1")\ndef test_hidden(: pass\n')
     edit(project / "specs" / "codegen.yaml", "tests: [../../../away]\n")
     assert main(["trace"]) == 2
     printed = "".join(capsys.readouterr())
