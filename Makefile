@@ -18,7 +18,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test browser valgrind tools lint clean benchmarks conformance mutation soak reference docs
+.PHONY: build test browser valgrind tools lint clean benchmarks conformance mutation soak fuzz quality reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -71,6 +71,16 @@ mutation: $(INSTALLED)
 # Half an hour: a simulated week of the rover's program with stations that come and go, and hostile bytes.
 soak: $(INSTALLED) $(MICROPYTHON32)
 	$(BIN)/python benchmarks/soak.py $(SOAK)
+
+# An hour on an idle machine: ten thousand inputs with faults drawn by lot, and ten million hostile bytes for each receiver.
+# What fails is stored in build/fuzz, and tried again by `.venv/bin/python benchmarks/fuzz.py --again build/fuzz/SEED-NUMBER`.
+fuzz: $(INSTALLED)
+	$(BIN)/python benchmarks/fuzz.py $(FUZZ)
+	$(BIN)/python benchmarks/hostile.py $(HOSTILE)
+
+# docs/quality.md: tests, criteria and lines, which are counted, and what mutation and fuzz have stored (with --store).
+quality: $(INSTALLED)
+	$(BIN)/python benchmarks/quality.py
 
 # The site of docs/: build/site/pages/index.html opens from the disk. Every link and every anchor is checked.
 docs: $(INSTALLED)

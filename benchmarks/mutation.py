@@ -22,6 +22,7 @@ from queue import Queue
 import yaml
 from measure import ROOT
 from mutants import Mutant, mutants_of
+from quality_results import store
 
 PROGRAMS = {"rover": "generated", "smart_battery": "generated/smart_battery", "boat": "examples/boat/generated"}
 """By program the folder with its firmware and its tests; what they read of the project lies above."""
@@ -38,6 +39,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="modules whose name has this in it")
+    parser.add_argument("--store", action="store_true", help="keep the numbers for docs/quality.md")
     parser.add_argument("--least", type=float, default=0.0, metavar="PERCENT")
     arguments = parser.parse_args()
     firmware = ROOT / PROGRAMS[arguments.program] / "firmware"
@@ -59,6 +61,10 @@ def main() -> int:
         print(f"{name:28} {noticed[name]:3} of {all_[name]:3}")
     score = 100 * sum(noticed.values()) / max(1, len(tried))
     print(f"{arguments.program}: {sum(noticed.values())} of {len(tried)} are noticed, {score:.1f} %")
+    if arguments.store:
+        found = {"seed": arguments.seed, "drawn": len(drawn), "equivalent": len(drawn) - len(tried)}
+        modules = {name: [noticed[name], all_[name]] for name in sorted(all_)}
+        store("mutation", arguments.program, {**found, "modules": modules})
     return 1 if score < arguments.least else 0
 
 

@@ -15,11 +15,13 @@ from codegen.decode.spec import decode_program, decode_spec
 from codegen.decode.trace_lock import TRACE_LOCK, decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Diagnostic, Report
 from codegen.load.confined import confined
+from codegen.load.text import is_refused
 from codegen.load.trees import exists
 from codegen.model.dialect import Dialect
 from codegen.model.scenario import Scenario
 from codegen.model.spec import Requirement, Spec
 from codegen.model.system import System
+from codegen.model.test_record import MarkedTest
 from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.of_systems import of_systems
 from codegen.resolve.adc_sources import with_adc_channels
@@ -95,14 +97,19 @@ def read_scenarios(path: str, systems: Sequence[System], report: Report) -> dict
     return resolve_scenarios(written, programs.pop("", None), report, programs)
 
 
+def read_own_scenarios(project_file: str, systems: Sequence[System], report: Report) -> dict[str, Scenario] | None:
+    """The scenarios beside a project file, as ``read_scenarios`` has them; they reach no further than the project."""
+    with confined(folders_of(project_file)):
+        return read_scenarios(scenarios_path(project_file), systems, report)
+
+
 def check_scenarios(project_file: str, systems: Sequence[System], report: Report) -> None:
     """What is wrong with the scenarios beside a project file, which may have none.
 
     After an error in the specification they are checked by themselves: what they lack there may be what is broken.
     """
-    path = scenarios_path(project_file)
-    if exists(path):
-        read_scenarios(path, () if report.has_errors else systems, report)
+    if exists(scenarios_path(project_file)):
+        read_own_scenarios(project_file, () if report.has_errors else systems, report)
 
 
 def scenarios_path(project_file: str) -> str:
@@ -129,11 +136,11 @@ def _decode_dialect(spec: Spec, report: Report) -> Dialect | None:
 def read_trace(systems: Sequence[System], report: Report) -> "Trace":
     """What criteria, tables, symbols and tests of a project have to do with one another.
 
-    A finding is about a file of tests that says nothing.
+    A finding is about a file of tests that says nothing, or about a folder of tests that lies outside of the project.
     """
     from codegen.trace.graph import hand_written, linked  # noqa: PLC0415  what is only checked needs no trace
 
-    marked = read_tests_below(folders_of_tests(systems), report)
+    marked = _marked_tests(systems, report)
     tests = (*generated_tests(systems), *hand_written(marked, project_folder(systems)))
     return linked(documents_of(systems), rows(systems), tests)
 
@@ -161,6 +168,15 @@ def _tests_of(system: System) -> "tuple[Test, ...]":
     return tests_of(system)
 
 
+def _marked_tests(systems: Sequence[System], report: Report) -> list[MarkedTest]:
+    """The marked tests in the folders that the project file lists."""
+    if not systems:
+        return []
+    with confined(folders_of(systems[0].spec.project.place.file)):
+        folders = [path for path, place in _folders_of_tests(systems).items() if not is_refused(path, place, report)]
+        return read_tests_below(folders, report)
+
+
 def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
     """The requirement documents of all programs, each once."""
     return {each.place: each for system in systems for each in system.requirements.values()}.values()
@@ -169,7 +185,8 @@ def documents_of(systems: Iterable[System]) -> Iterable[Requirement]:
 def read_trace_lock(project_file: str, report: Report) -> TraceLockSpec | None:
     """Which texts of criteria were reviewed, as the lock file beside a project file says; None without one."""
     path = trace_lock_path(project_file)
-    text = read_trace_lock_text(path, report)
+    with confined(folders_of(project_file)):
+        text = read_trace_lock_text(path, report)
     return None if text is None else decode_trace_lock(text, path, report)
 
 
@@ -183,10 +200,15 @@ def project_folder(systems: Sequence[System]) -> str:
     return os.path.dirname(systems[0].spec.folder) if systems else os.getcwd()
 
 
-def folders_of_tests(systems: Iterable[System]) -> list[str]:
-    """The absolute paths of the folders with tests that are written by hand."""
-    specs = [system.spec for system in systems]
-    return sorted({os.path.normpath(os.path.join(spec.folder, name)) for spec in specs for name in spec.project.tests})
+def _folders_of_tests(systems: Iterable[System]) -> dict[str, Place]:
+    """The absolute paths of the folders with tests that are written by hand, and where they are listed."""
+    projects = [(system.spec.folder, system.spec.project) for system in systems]
+    listed = {
+        os.path.normpath(os.path.join(folder, name)): project.at("tests")
+        for folder, project in projects
+        for name in project.tests
+    }
+    return dict(sorted(listed.items()))
 
 
 def files_read(systems: Iterable[System]) -> set[str]:

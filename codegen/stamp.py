@@ -74,7 +74,7 @@ def keep(
     ``started`` is the time (Unix) before the first file was read: what was written later, or just before, may not be
     what was read, and then nothing is noted. A disk that does not take the stamp costs the next build its time.
     """
-    with suppress(OSError):
+    with suppress(OSError, ValueError):
         read = sorted(read)
         outputs = sorted({*rendered, MANIFEST})
         if _likely_output(project) != folder or not _are_older([project, *read], started - MARGIN_S):
@@ -105,11 +105,19 @@ def keep(
 
 
 def _likely_output(project: str) -> str:
-    """Where the project file seems to put its output; whether it does is settled by the hash of that file."""
+    """Where the project file seems to put its output; whether it does is settled by the hash of that file.
+
+    May raise OSError, and ValueError where that is out of the project: no stamp is kept there, and none looked for.
+    """
     with open(project, "rb") as file:
         found = _OUTPUT.search(file.read())
     written = os.fsdecode(found[1]) if found else "../generated"
-    return os.path.normpath(os.path.join(os.path.dirname(project), written))
+    specification = os.path.dirname(project)
+    folder = os.path.normpath(os.path.join(specification, written))
+    above = os.path.realpath(os.path.dirname(specification))
+    if os.path.commonpath([above, os.path.realpath(folder)]) != above:
+        raise ValueError(f"{folder} is not below {above}")
+    return folder
 
 
 def _inputs(project: str, read: Iterable[str], specifications: Iterable[str]) -> str:

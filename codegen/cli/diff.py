@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
     from codegen.diagnostics import Report
     from codegen.diff.review import Review
     from codegen.model.system import System
@@ -117,8 +119,9 @@ def _compared(arguments: argparse.Namespace, kinds: Sequence[str], threshold: An
         with working("comparing"):
             found = _review(base, head, threshold, is_all=arguments.all)
         waivers = _waivers(arguments.waivers, project, head)
-        found, code = _with_severities(found, waivers)
-        found, wrong = _waived(found, waivers, head)
+        with _within(project if arguments.waivers is None else None):
+            found, code = _with_severities(found, waivers)
+            found, wrong = _waived(found, waivers, head)
         code = max(code, wrong)
         print_review(found, arguments.format)
         if found.faults and not arguments.allow_errors:
@@ -192,6 +195,16 @@ def _waivers(given: str | None, project: str | None, head: "Side") -> str | None
     from codegen.cli.waived import waivers_of
 
     return waivers_of(project)
+
+
+def _within(project: str | None) -> "AbstractContextManager[None]":
+    """Let only files of a project be read; any where there is none, since the user has named the file."""
+    from contextlib import nullcontext
+
+    from codegen.decode.reach import folders_of
+    from codegen.load.confined import confined
+
+    return nullcontext() if project is None else confined(folders_of(project))
 
 
 def _with_severities(found: "Review", waivers: str | None) -> "tuple[Review, int]":

@@ -189,8 +189,12 @@ def _scenarios(
     from codegen import pipeline
 
     path, _ = _file_and_name(arguments.scenario)
-    path = path or pipeline.scenarios_path(systems[0].spec.project.place.file)
-    scenarios = pipeline.read_scenarios(path, systems, report)
+    project = systems[0].spec.project.place.file
+    scenarios = (
+        pipeline.read_own_scenarios(project, systems, report)
+        if path is None
+        else pipeline.read_scenarios(path, systems, report)
+    )
     return None if report.has_errors else scenarios
 
 

@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from codegen import pipeline
 from codegen.cli.findings import print_findings
 from codegen.cli.trace_report import chosen_names
+from codegen.decode.reach import folders_of
 from codegen.decode.trace_lock import decode_trace_lock, read_trace_lock_text
 from codegen.diagnostics import Report
 from codegen.emit.file import write_file
+from codegen.load.confined import confined
 from codegen.model.system import System
 from codegen.source import Place, shown_path
 from codegen.trace.graph import Trace
@@ -20,7 +22,8 @@ def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System
     """Write the lock file, all other entries as they are, and return the exit code."""
     report = Report()
     path = pipeline.trace_lock_path(project)
-    written = read_trace_lock_text(path, report)
+    with confined(folders_of(project)):
+        written = read_trace_lock_text(path, report)
     lock = None if written is None else decode_trace_lock(written, path, report)
     if report.has_errors:
         print_findings(report)

@@ -26,6 +26,9 @@ from codegen.model.shape import (
 from codegen.model.source_spec import OwnSourceSpec
 from codegen.source import Place, Written
 
+HINTED = 100
+"""Unknown keys of one record for which is looked what was meant."""
+
 UNKNOWN_KEY = Rule(
     "unknown-key",
     "The record has no such key, so what is written there would have no effect. Correct the spelling or remove it.",
@@ -129,12 +132,16 @@ class _RecordDecoder(Generic[Record]):
         """Report unknown, missing and contradicting keys; True if the record cannot be built because of them."""
         written = {key.text: key.place for key, _ in node.entries}
         unknown = [] if rest(self._cls) else [key for key, _ in node.entries if key.text not in self._keys]
+        absent_names = [name for name in self._keys if name not in written]
         meant: set[str] = set()
-        for key in unknown:
+        for index, key in enumerate(unknown):
+            if index >= HINTED:  # nobody is shown so many, and to look for what was meant takes long
+                self._report.add(UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}")
+                continue
             is_near = bool(get_close_matches(key.text, self._keys, n=1))
             hint = (None if is_near else instead(self._cls)) or did_you_mean(key.text, self._keys)
             self._report.add(UNKNOWN_KEY, key.place, f"unknown key {shortened(key.text)!r}", hint)
-            meant.update(get_close_matches(key.text, self._keys.keys() - written.keys(), n=1))
+            meant.update(get_close_matches(key.text, absent_names, n=1))
         missing = [key for key in self._keys.values() if key.is_required and key.name not in written]
         for absent in missing:
             # A misspelt key is one mistake, not an unknown key and a missing one.

@@ -17,7 +17,7 @@ from codegen.decode.requirement import check_unique, decode_requirement
 from codegen.decode.unread import DRIVERS, READ_BY_OTHERS, hint_for_unread
 from codegen.diagnostics import Report, Rule, Severity, did_you_mean
 from codegen.load.markdown import parse_markdown
-from codegen.load.text import FILE_NOT_READABLE, decode_text, read_bytes
+from codegen.load.text import FILE_NOT_READABLE, decode_text, is_refused, read_bytes
 from codegen.load.trees import exists, file_names, why_not_listed
 from codegen.load.yaml_tree import MappingNode, parse_yaml
 from codegen.model.board_model import BoardModelSpec
@@ -380,6 +380,8 @@ class _SpecReader:
     def _listed(self, folder: str, endings: tuple[str, ...], below: str | None = None) -> list[str]:
         """The files of a folder with one of the endings, by name; hidden files (of editors) are left out."""
         path = os.path.join(below or self._folder, folder).rstrip(os.sep)
+        if is_refused(path, Place(path), self._report):
+            return []
         why = why_not_listed(path)
         if why is not None:
             self._report.add(FILE_NOT_READABLE, Place(path), f"the folder {shown_path(path)} cannot be read: {why}")

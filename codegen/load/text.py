@@ -122,9 +122,7 @@ def _read_bytes(path: str, report: Report, asked_at: Place | None, most: int | N
         if content is None:
             report.add(FILE_NOT_FOUND, place, f"{shown} does not exist")
         return content
-    if is_outside(path):
-        hint = "if it is meant, list its folder in codegen.yaml: outside: [...]"
-        report.add(OUTSIDE_PROJECT, place, f"{shown} lies outside of the project", hint)
+    if is_refused(path, place, report):
         return None
     try:
         # Looking first keeps a pipe or a device from blocking the run.
@@ -149,6 +147,15 @@ def _read_bytes(path: str, report: Report, asked_at: Place | None, most: int | N
         report.add(FILE_TOO_LARGE, place, f"{shown} is larger than {most // 1_000_000} MB")
         return None
     return data
+
+
+def is_refused(path: str, place: Place, report: Report) -> bool:
+    """Return whether a file or a folder of the disk lies where nothing may be read; then a finding says so."""
+    if is_in_tree(path) or not is_outside(path):
+        return False
+    hint = "if it is meant, list its folder in codegen.yaml: outside: [...]"
+    report.add(OUTSIDE_PROJECT, place, f"{shown_path(path)} lies outside of the project", hint)
+    return True
 
 
 def decode_text(data: bytes, path: str, report: Report) -> str | None:

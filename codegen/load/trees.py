@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
+from codegen.load.confined import is_outside
+
 
 class Tree(Protocol):
     """Files by their path below the tree, with ``/`` between the parts."""
@@ -70,10 +72,12 @@ def is_file(path: str) -> bool:
 
 
 def file_names(folder: str) -> list[str]:
-    """The names in a folder, sorted; none where it cannot be read."""
+    """The names in a folder, sorted; none where it cannot be read, or may not be."""
     found = _found(folder)
     if found is not None:
         return list(found[0].names(found[1]) or ())
+    if is_outside(folder):
+        return []
     try:
         return sorted(os.listdir(folder))
     except OSError:

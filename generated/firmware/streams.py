@@ -424,7 +424,7 @@ class Streams:
         return _GENERATIONS[index] & (parameters.batt_report + 1) != 0
 
     def _own_period(self, stream):
-        """Return the period of a stream in milliseconds, as numerator and denominator; a denominator of 0: it is off."""
+        """Return the period of a stream in milliseconds, numerator and denominator, which is 0 for one that is off."""
         if stream == 0:  # HEARTBEAT: 1 Hz (FR-00068.8)
             return 1000, 1
         if stream == 1:  # EXTENDED_STATUS: SR0_EXT_STAT sets the rate (FR-00068.9)

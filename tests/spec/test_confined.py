@@ -136,3 +136,57 @@ def test_a_name_that_micropython_could_not_hold(file: str, project: Path, capsys
         edit(path, f"      {'n' * 65}: {{doc: d, initial: 0}}\n")
     assert main(["check"]) == 1
     assert "n" * 65 in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [("scenarios.yaml", "build"), ("scenarios.yaml", "sim"), ("trace.lock.yaml", "trace"), ("waivers.yaml", "diff")],
+)
+def test_other_commands_follow_no_link_either(
+    name: str, command: str, project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What check refuses, they refuse."""
+    path = project / "specs" / name
+    path.unlink(missing_ok=True)
+    path.symlink_to(project.parents[1] / "secret")
+    shutil.copytree(project / "specs", project.parent / "before" / "specs", ignore=shutil.ignore_patterns(name))
+    assert main([command, *(["../before", "."] if command == "diff" else [])]) in (1, 2)
+    printed = "".join(capsys.readouterr())
+    assert " error outside-project: " in printed
+    assert "quote this" not in printed
+
+
+@pytest.mark.parametrize("name", ["messages", "requirements", "receives", "dialects", "boards"])
+def test_a_folder_that_leads_outside(name: str, project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Not even the names of the files there are told."""
+    shutil.rmtree(project / "specs" / name, ignore_errors=True)
+    away = project.parents[1] / "away"
+    away.mkdir()
+    for ending in ("yaml", "md", "xml"):
+        (away / f"hidden.{ending}").write_text(HIDDEN)
+    (project / "specs" / name).symlink_to(away)
+    assert main(["check"]) == 2
+    printed = "".join(capsys.readouterr())
+    assert f"specs/{name}:1:1: error outside-project: specs/{name} lies outside of the project" in printed
+    assert "quote this" not in printed
+    assert "hidden" not in printed
+
+
+def test_tests_that_lie_outside(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Folders in which trace looks for marked tests are paths, too."""
+    away = project.parents[1] / "away"
+    away.mkdir()
+    (away / "test_hidden.py").write_text('@pytest.mark.requirement("FR-1.1")\ndef test_hidden(: pass\n')
+    edit(project / "specs" / "codegen.yaml", "tests: [../../../away]\n")
+    assert main(["trace"]) == 2
+    printed = "".join(capsys.readouterr())
+    assert " error outside-project: ../" not in printed
+    assert " error outside-project: " in printed
+    assert "test_hidden" not in printed
+
+
+def test_no_stamp_is_looked_for_outside(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Before the build says that the output may not lie there."""
+    edit(project / "specs" / "codegen.yaml", "output: ../../made\n")
+    monkeypatch.setattr("codegen.stamp._kept", lambda folder: pytest.fail(f"{folder} was looked into"))
+    assert main(["build"]) == 1

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from spec_examples import BROKEN, GOOD, field
 
 from codegen.decode.record import decode_record
+from codegen.decode.record_file import decode_record_text
 from codegen.diagnostics import Report
 from codegen.load.yaml_tree import MappingNode, ScalarNode, SequenceNode, YamlNode, parse_yaml
 from codegen.model.derivation_spec import MeasuredSpec, WhileKnownSpec
@@ -242,3 +243,12 @@ def test_no_text_raises(text: str, kind: str) -> None:
     if node is not None:
         decode_record(node, MODELS[kind], report)
     assert report.has_errors
+
+
+def test_what_was_meant_is_looked_for_a_hundred_times() -> None:
+    """For each of very many unknown keys that took minutes."""
+    report = Report()
+    text = "project: p\ndialect: common\n" + "".join(f"machine_code_{number}: 1\n" for number in range(1000))
+    decode_record_text(text, "/codegen.yaml", Project, report)
+    assert len(list(report)) == 1000
+    assert [finding.hint for finding in report].count("did you mean machine_code?") == 100

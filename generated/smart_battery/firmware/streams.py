@@ -415,7 +415,7 @@ class Streams:
         return _GENERATIONS[index] & (parameters.batt_report + 1) != 0
 
     def _own_period(self, stream):
-        """Return the period of a stream in milliseconds, as numerator and denominator; a denominator of 0: it is off."""
+        """Return the period of a stream in milliseconds, numerator and denominator, which is 0 for one that is off."""
         if stream == 0:  # HEARTBEAT: 1 Hz (FR-00074.1)
             return 1000, 1
         if stream == 1:  # EXTRA1: BATT_STATUS_RATE sets the rate (FR-00074.3)

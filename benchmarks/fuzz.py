@@ -1,0 +1,110 @@
+# ruff: noqa: T201  it says what it finds
+"""Gives codegen inputs with faults, thousands of them, in this process, and judges what it does with each.
+
+`make fuzz` draws them by lot: the same seed draws the same from the same sources. No input may end in anything but the
+exit codes 0, 1 and 2; findings have places in the project; nothing outside of it is read, quoted or written, and
+nothing at all is written after an error; what is built compiles; each input has a few seconds. An input for which that
+does not hold is stored below build/fuzz, and `benchmarks/fuzz.py --again build/fuzz/SEED-NUMBER` tries it again.
+"""
+
+import argparse
+import faulthandler
+import os
+import resource
+import sys
+import tempfile
+import time
+import warnings
+from collections import Counter
+from pathlib import Path
+
+import quality_results
+from results import ROOT
+
+FAILED = ROOT / "build" / "fuzz"
+MEMORY = 4 << 30
+"""Bytes that the process may have."""
+HANGS_S = 300
+"""Seconds after which an input in which no Python runs any more ends the process."""
+
+
+def main() -> int:
+    """Draw, judge, print; 1 where something was found."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=10_000, help="inputs")
+    parser.add_argument("--first", type=int, default=0, help="the number of the first")
+    parser.add_argument("--minutes", type=float, default=90, help="after which no further input is drawn")
+    parser.add_argument("--seconds", type=float, default=10, help="of the processor, for one input")
+    parser.add_argument("--small", action="store_true", help="only of small projects")
+    parser.add_argument("--out", type=Path, default=FAILED, help="the folder for inputs that fail")
+    parser.add_argument("--store", action="store_true", help="keep the numbers for docs/quality.md")
+    parser.add_argument("--again", type=Path, metavar="FOLDER", help="try one that was stored")
+    arguments = parser.parse_args()
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    warnings.simplefilter("error")
+    with tempfile.TemporaryDirectory(prefix="codegen-fuzz-") as folder:
+        os.environ["CODEGEN_CACHE"] = str(Path(folder, "cache"))
+        Path(folder, "inputs").mkdir()
+        return (
+            _again(arguments, Path(folder, "inputs")) if arguments.again else _drawn(arguments, Path(folder, "inputs"))
+        )
+
+
+def _again(arguments: argparse.Namespace, folder: Path) -> int:
+    from fuzzing.case import stored  # noqa: PLC0415  codegen asks for its cache when it is imported
+    from fuzzing.judge import judged  # noqa: PLC0415
+
+    from codegen.cli import main as codegen  # noqa: PLC0415
+
+    case = stored(arguments.again)
+    outcome = judged(case, folder, codegen, arguments.seconds)
+    print(f"codegen {' '.join(case.command)}: {outcome.code} after {outcome.seconds:.2f} s")
+    print(outcome.printed.strip())
+    for fault in outcome.faults:
+        print(f"fault: {fault}")
+    return 1 if outcome.faults else 0
+
+
+def _drawn(arguments: argparse.Namespace, folder: Path) -> int:
+    from fuzzing.case import drawn, store  # noqa: PLC0415  as above
+    from fuzzing.judge import judged  # noqa: PLC0415
+
+    from codegen.cli import main as codegen  # noqa: PLC0415
+
+    codes, failed, kinds = Counter[int](), Counter[str](), Counter[str]()
+    slowest, seconds = (0.0, ""), 0.0
+    started = time.monotonic()
+    count = 0
+    for number in range(arguments.first, arguments.first + arguments.count):
+        if time.monotonic() - started > 60 * arguments.minutes:
+            print(f"{arguments.minutes:g} minutes are over")
+            break
+        case = drawn(arguments.seed, number, is_small=arguments.small)
+        faulthandler.dump_traceback_later(HANGS_S, exit=True)
+        outcome = judged(case, folder, codegen, arguments.seconds)
+        count += 1
+        codes[outcome.code] += 1
+        kinds[case.kind] += 1
+        slowest = max(slowest, (outcome.seconds, case.name))
+        seconds += outcome.seconds
+        if outcome.faults:
+            failed[case.kind] += 1
+            target = arguments.out / case.name
+            if not target.exists():
+                store(case, target)
+            print(f"{case.name} ({case.kind}, codegen {' '.join(case.command)}): {outcome.faults[0]}", flush=True)
+    faulthandler.cancel_dump_traceback_later()
+    told = ", ".join(f"{number} with {code}" for code, number in sorted(codes.items()))
+    print(f"seed {arguments.seed}: {count} inputs in {(time.monotonic() - started) / 60:.1f} minutes: {told}")
+    print(
+        f"the longest took {slowest[0]:.1f} s ({slowest[1]}), all {seconds:.0f} s; {sum(failed.values())} have faults"
+    )
+    if arguments.store:
+        found = {"inputs": count, "codes": dict(sorted(codes.items())), "faults": sum(failed.values())}
+        quality_results.store("fuzz", str(arguments.seed), {**found, "kinds": dict(sorted(kinds.items()))})
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

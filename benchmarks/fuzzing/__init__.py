@@ -1,0 +1,1 @@
+"""Inputs with faults drawn by lot, and what codegen may do with such an input."""
