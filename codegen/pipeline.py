@@ -35,6 +35,7 @@ from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import trace_findings
 from codegen.trace.generated_tests import generated_tests, tests_of
 from codegen.trace.graph import Trace, hand_written, linked
+from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.page import render_trace
 from codegen.trace.rows import rows_of
@@ -237,7 +238,7 @@ def _trace_page(systems: Sequence[System]) -> dict[str, str]:
     tests = [test for system in systems for test in _once(tests_of, system)]
     trace = linked(_documents(systems), rows_of(systems), tests)
     lock = read_trace_lock(systems[0].spec.project.place.file, Report())
-    coverage = coverage_of(trace, reviews(trace, lock), None)
+    coverage = coverage_of(trace, reviews(trace, lock), suspects(trace, lock), None)
     findings = Report()
     findings.extend(trace_findings(trace, coverage, gone(trace, lock), only=("orphaned", "suspect")))
     name = systems[0].spec.project.project

@@ -5,7 +5,7 @@ import sys
 from typing import Any
 
 FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif", "junit", "gitlab")
-KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly")
+KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly", "dependency")
 COUNTED = ("uncovered", "orphaned", "suspect")
 ACCEPT = "accept"
 
@@ -16,7 +16,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "trace",
         parents=[common],
         usage="codegen trace [ID ...] [--results FILE] [--format FORMAT] [--out FILE] [--fail-on KINDS]\n"
-        "       codegen trace accept ID ... | --all  --reason TEXT [--by NAME]",
+        "       codegen trace accept ID ... | ID --link LINK ... | --all  --reason TEXT [--by NAME]",
         description="Follow each criterion of the requirement documents over the rows of the tables and the generated "
         "symbols to the tests and their last results. accept notes that the rows and tests of a criterion were "
         "reviewed with its text as it is now.",
@@ -43,6 +43,13 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         default=COUNTED,
         help=f"what makes the exit code 1, separated by commas, of {', '.join(KINDS)}; or none "
         f"(default: {','.join(COUNTED)})",
+    )
+    parser.add_argument(
+        "--link",
+        metavar="LINK",
+        action="append",
+        help="with accept and one criterion: this link alone, by the name that the finding gives it, such as "
+        "'parameter SR0_EXTRA1'; may be repeated",
     )
     parser.add_argument("--reason", metavar="TEXT", help="with accept: what was looked at, or why the links still hold")
     parser.add_argument("--by", metavar="NAME", help="with accept: who looked")
@@ -93,7 +100,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
     """What is wrong with how the options are used together, or nothing."""
     if not is_accept:
-        given = [name for name in ("reason", "by", "all") if getattr(arguments, name)]
+        given = [name for name in ("reason", "by", "all", "link") if getattr(arguments, name)]
         return f"--{given[0]} belongs to codegen trace accept" if given else ""
     if arguments.results or arguments.out or arguments.format != "text":
         return "accept takes neither --results nor --format nor --out"
@@ -101,4 +108,6 @@ def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
         return 'accept needs --reason "...": what was looked at, or why the links still hold'
     if arguments.all == bool(arguments.names[1:]):
         return "accept takes either ids or --all"
+    if arguments.link and len(arguments.names) != 2:
+        return "accept --link takes one criterion"
     return ""

@@ -19,6 +19,7 @@ from codegen.trace.bench import check_conditions, with_bench
 from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
 from codegen.trace.graph import Trace
+from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
 from codegen.trace.page import trace_markdown, trace_report
@@ -33,6 +34,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     with working("reading documents and tests"):
         trace = pipeline.read_trace(systems, report)
     lock = pipeline.read_trace_lock(project, report)
+    suspect = suspects(trace, lock)  # links that only results tell cannot be accepted, as accept knows no results
     trace, results = _results(arguments.results, trace, systems, report)
     if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
         print_findings(report)
@@ -42,7 +44,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     chosen = chosen_names(arguments.names, trace)
     if chosen is None:
         return 2
-    coverage = coverage_of(trace, reviews(trace, lock), results)
+    coverage = coverage_of(trace, reviews(trace, lock), suspect, results)
     about = chosen if arguments.names else None
     report.extend(trace_findings(trace, coverage, gone(trace, lock), arguments.fail_on, about))
     files = None if arguments.results is None else [shown_path(path) for path in arguments.results]

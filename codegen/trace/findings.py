@@ -44,6 +44,12 @@ PARTLY = Rule(
     "Some cases of a criterion's tests have passed, and others were skipped, have no result, or one that is stale.",
     Severity.WARNING,
 )
+DEPENDENCY = Rule(
+    "trace-dependency",
+    "A criterion depends on another one that nothing shows: no test is marked with that one, or, of the results that "
+    "were given, not all have passed. What its own tests show holds only where the other one is met.",
+    Severity.WARNING,
+)
 UNRELATED_RESULTS = Rule(
     "results-unrelated",
     "A file of results says nothing about this project: it knows none of its tests, and names none of its criteria.",
@@ -57,11 +63,25 @@ KINDS: Mapping[str, Rule] = {
     "unspecified": UNSPECIFIED,
     "uncited": UNCITED,
     "partly": PARTLY,
+    "dependency": DEPENDENCY,
 }
 """What can be asked to fail, by the name that the command line has for it."""
 
 COUNTED = ("uncovered", "orphaned", "suspect")
 """What fails unless something else is asked for."""
+
+TOLD = (*COUNTED, "dependency")
+"""What is told even where it does not count."""
+
+_UNMET: Mapping[Verdict, str] = {
+    Verdict.PARTLY: "which has passed only partly",
+    Verdict.FAILED: "which has failed",
+    Verdict.SKIPPED: "of which all tests were skipped",
+    Verdict.STALE: "of which all results are of another specification",
+    Verdict.NO_RESULT: "which has no result",
+    Verdict.BENCH: "which only the bench shows",
+    Verdict.NO_TEST: "which has no test",
+}
 
 
 def trace_findings(
@@ -72,12 +92,12 @@ def trace_findings(
     chosen: Collection[str] | None = None,
     only: Collection[str] = KINDS.keys(),
 ) -> Iterator[Diagnostic]:
-    """The findings: errors of the kinds ``counted``, warnings of others that ``COUNTED`` has, and no more.
+    """The findings: errors of the kinds ``counted``, warnings of others that ``TOLD`` has, and no more.
 
     ``only`` has the kinds that are told at all. ``gone`` are entries of the lock without a criterion. With ``chosen``
     nothing is told that is not about these criteria.
     """
-    kinds = [name for name in (*COUNTED, *counted) if name in only]
+    kinds = [name for name in (*TOLD, *counted) if name in only]
     told = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in kinds}
     for finding in _all(trace, coverage, gone, chosen):
         severity = told.get(finding.rule.id)
@@ -91,6 +111,8 @@ def _all(
     for each in coverage:
         if chosen is None or each.name in chosen:
             yield from _of(each)
+            if each.unmet:
+                yield _unmet(each, trace)
     if chosen is None:
         yield from _orphans(trace, gone)
         for row in trace.uncited:
@@ -104,13 +126,29 @@ def _of(each: Coverage) -> Iterator[Diagnostic]:
     elif each.verdict is Verdict.PARTLY and each.counts:
         yield Diagnostic(place, PARTLY, f"{each.name}: {counted_text(each.counts)}", related=_not_passed(each))
     if each.is_suspect:
-        hint = f'look at its rows and tests, then: codegen trace accept {each.name} --reason "..."'
         changed = each.review is Review.CHANGED
         message = "has another text than the one that was reviewed" if changed else "was never reviewed"
-        related = [(row.place, f"{row.label} cites it") for row in each.rows]
-        yield Diagnostic(place, SUSPECT, f"{each.name} {message}", hint, tuple(related))
+        hint = f'look at what answers to it, then: codegen trace accept {each.name} --reason "..."'
+        if changed and len(each.suspects) > 1:
+            hint += ", with --link for single ones"
+        related = tuple((link.place, f"{link.name} {link.says}") for link in each.suspects)
+        yield Diagnostic(place, SUSPECT, f"{each.name} {message}", hint, related)
     if each.is_unspecified:
         yield Diagnostic(place, UNSPECIFIED, f"{each.name} is cited by no row of the tables")
+
+
+def _unmet(each: Coverage, trace: Trace) -> Diagnostic:
+    """One finding of all that a criterion depends on and that is not shown, by detours too."""
+    (first, verdict), *others = each.unmet
+    direct = "" if first in each.depends_on else " by way of others"
+    message = f"{each.name} depends{direct} on {unmet_text(first, verdict)}"
+    related = tuple((trace.criteria[name][1].place, f"and on {unmet_text(name, other)}") for name, other in others)
+    return Diagnostic(each.criterion.place, DEPENDENCY, message, None, related)
+
+
+def unmet_text(name: str, verdict: Verdict) -> str:
+    """``FR-1.2, which has failed``."""
+    return f"{name}, {_UNMET[verdict]}"
 
 
 def _why(each: Coverage) -> str:

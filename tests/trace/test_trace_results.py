@@ -19,7 +19,9 @@ def verdicts(project: Project, *files: str) -> dict[str, tuple[Verdict, Counts |
     trace, _ = project.trace()
     found = [result for path in files for result in decode_junit(path, Report()) or ()]
     results = results_of(found, trace.tests)
-    return {each.name: (each.verdict, each.counts) for each in coverage_of(with_links_of(trace, results), {}, results)}
+    return {
+        each.name: (each.verdict, each.counts) for each in coverage_of(with_links_of(trace, results), {}, {}, results)
+    }
 
 
 def of_the_suite(project: Project, outcome: str = "passed", inputs: str | None = None) -> list[tuple[object, ...]]:
