@@ -17,7 +17,8 @@ from codegen.model.test_record import TestResult
 from codegen.source import Place, shown_path
 from codegen.trace.bench import check_conditions, with_bench
 from codegen.trace.coverage import coverage_of
-from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
+from codegen.trace.findings import UNRELATED_RESULTS, told_of_hand_written, trace_findings
+from codegen.trace.generated_tests import inputs_of
 from codegen.trace.graph import Trace
 from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
@@ -98,7 +99,7 @@ def _results(
     """The results of all files, and the trace with boards as tests; what cannot be read leaves a finding."""
     if files is None:
         return trace, None
-    found: list[TestResult] = []
+    by_file: dict[str, Sequence[TestResult]] = {}
     records = []
     for path in files:
         if path.endswith(".json"):
@@ -107,9 +108,13 @@ def _results(
         decoded = decode_junit(path, report)
         if decoded is not None and unrelated(decoded, trace):
             report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
-        found += decoded or ()
+        by_file[path] = decoded or ()
+    measured: Sequence[TestResult] = ()
     if records:
         check_conditions(trace.requirements, report)
-        trace, shown = with_bench(trace, [each for each in records if each], bench_inputs_of(systems), report)
-        found += shown
-    return trace, results_of(found, trace.tests)
+        trace, measured = with_bench(trace, [each for each in records if each], bench_inputs_of(systems), report)
+    found = [each for listed in by_file.values() for each in listed]
+    results = results_of([*found, *measured], trace.tests, inputs_of(systems))
+    for path, listed in by_file.items():
+        report.extend(told_of_hand_written(path, listed, results, trace))
+    return trace, results

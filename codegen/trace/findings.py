@@ -4,12 +4,13 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
+from codegen.model.test_record import TestResult
 from codegen.model.trace_lock_spec import ReviewedSpec
 from codegen.source import Place
 from codegen.trace.coverage import Coverage, Verdict
 from codegen.trace.graph import Trace
 from codegen.trace.lock import Review
-from codegen.trace.results import Counts
+from codegen.trace.results import Counts, Results, hand_written_results
 
 UNCOVERED = Rule(
     "trace-uncovered",
@@ -53,6 +54,19 @@ DEPENDENCY = Rule(
 UNRELATED_RESULTS = Rule(
     "results-unrelated",
     "A file of results says nothing about this project: it knows none of its tests, and names none of its criteria.",
+    Severity.WARNING,
+)
+OUTDATED_RESULTS = Rule(
+    "results-outdated",
+    "A file of results has some of tests written by hand that were run with another specification than the one that "
+    "there is now: they show nothing. Run the tests again, after a build.",
+    Severity.WARNING,
+)
+UNDATED_RESULTS = Rule(
+    "results-undated",
+    "A file of results has some of tests written by hand that do not say with which specification they were run, so "
+    "they are taken for results of this one. With pytest -p codegen.pytest_plugin --junit-xml=FILE they say it, once "
+    "the project is built; another tool can write the property codegen-specification.",
     Severity.WARNING,
 )
 
@@ -196,3 +210,19 @@ def _orphans(trace: Trace, gone: Mapping[str, ReviewedSpec]) -> Iterator[Diagnos
     for name, kept in gone.items():
         hint = f'codegen trace accept {name} --reason "..." removes the line'
         yield Diagnostic(kept.place, ORPHANED, f"the lock has {name}, which no document has", hint)
+
+
+def told_of_hand_written(
+    path: str, found: Iterable[TestResult], results: Results, trace: Trace
+) -> Iterator[Diagnostic]:
+    """What is wrong with the results of tests by hand in a file: of another specification, or not said of which."""
+    own = hand_written_results(found, trace)
+    outdated = sum(results.is_stale(each) for each in own)
+    undated = sum(each.specification is None for each in own)
+    of_hand = "results of tests written by hand" if outdated + undated != 1 else "result of a test written by hand"
+    if outdated:
+        message = f"{outdated} {of_hand}: made with another specification"
+        yield Diagnostic(Place(path), OUTDATED_RESULTS, message, "run these tests again")
+    if undated:
+        message = f"{undated} {of_hand}: no word of the specification"
+        yield Diagnostic(Place(path), UNDATED_RESULTS, message, "pytest -p codegen.pytest_plugin notes it")

@@ -95,7 +95,8 @@ MAY_IMPORT: dict[str, set[str]] = {
         *("project_files", "trace", "findings", "waivers", "start", "start_kinds", "schemas"),
         *("documents", "claims", "importing", "decode", "resolve", "load", "model", "diff", "sides", *GROUND),
     },
-    "pytest_plugin": set(),
+    "built_specification": {*READING, "model", *GROUND},
+    "pytest_plugin": {"project_files", "built_specification", "model"},
     "__main__": {"cli"},
 }
 """Part of the package (a folder or a module of its own) -> the other parts that it may import."""
