@@ -2,9 +2,10 @@
 
 import argparse
 import sys
+from datetime import datetime
 from typing import Any
 
-FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif", "junit", "gitlab")
+FORMATS = ("text", "markdown", "html", "needs", "reqif", "json", "github", "sarif", "junit", "gitlab")
 KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly", "dependency")
 COUNTED = ("uncovered", "orphaned", "suspect")
 ACCEPT = "accept"
@@ -33,7 +34,15 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--format",
         choices=FORMATS,
         default="text",
-        help="needs: needs.json of sphinx-needs; json, github, sarif, junit and gitlab have the findings alone",
+        help="needs: needs.json of sphinx-needs; reqif: ReqIF 1.2; json, github, sarif, junit and gitlab have the "
+        "findings alone",
+    )
+    parser.add_argument(
+        "--last-change",
+        metavar="TIME",
+        type=_time,
+        help="with reqif: when everything in it was last changed, such as 2026-11-25T12:00:00Z "
+        "(default: 1970-01-01T00:00:00Z, so that an unchanged specification gives the same file)",
     )
     parser.add_argument("--out", metavar="FILE", help="where the report goes (default: stdout)")
     parser.add_argument(
@@ -63,6 +72,17 @@ def _kinds(text: str) -> tuple[str, ...]:
     if unknown:
         raise argparse.ArgumentTypeError(f"{unknown[0]} is none of {', '.join(KINDS)}, none")
     return names
+
+
+def _time(text: str) -> str:
+    """An xsd:dateTime with its zone."""
+    try:
+        found = datetime.fromisoformat(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text} is no time such as 2026-11-25T12:00:00Z") from None
+    if found.tzinfo is None:
+        raise argparse.ArgumentTypeError(f"{text} has no zone; write {text}Z for UTC")
+    return found.isoformat()
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -99,6 +119,8 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
     """What is wrong with how the options are used together, or nothing."""
+    if arguments.last_change and (is_accept or arguments.format != "reqif"):
+        return "--last-change belongs to --format reqif"
     if not is_accept:
         given = [name for name in ("reason", "by", "all", "link") if getattr(arguments, name)]
         return f"--{given[0]} belongs to codegen trace accept" if given else ""

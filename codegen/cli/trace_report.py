@@ -17,6 +17,7 @@ from codegen.model.test_record import TestResult
 from codegen.source import Place, shown_path
 from codegen.trace.bench import check_conditions, with_bench
 from codegen.trace.coverage import coverage_of
+from codegen.trace.exchange import exchange_of
 from codegen.trace.findings import UNRELATED_RESULTS, told_of_hand_written, trace_findings
 from codegen.trace.generated_tests import inputs_of
 from codegen.trace.graph import Trace
@@ -24,6 +25,7 @@ from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
 from codegen.trace.page import trace_markdown, trace_report
+from codegen.trace.reqif import NEVER, reqif_xml
 from codegen.trace.results import Results, results_of, unrelated, with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
@@ -52,7 +54,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     folder = pipeline.project_folder(systems)
     view = trace_view(systems[0].spec.project.project, folder, trace, coverage, report, files)
     view = view if about is None else only(view, about)
-    text = _text(arguments.format, view, report, is_tree=about is not None)
+    text = _text(arguments.format, view, report, is_tree=about is not None, changed=arguments.last_change)
     if arguments.out is None:
         print(text, end="")
     else:
@@ -65,12 +67,14 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     return report.exit_code
 
 
-def _text(form: str, view: TraceView, report: Report, *, is_tree: bool) -> str:
+def _text(form: str, view: TraceView, report: Report, *, is_tree: bool, changed: str | None) -> str:
     if form in FORMATS and form != "text":
         found = findings_text(report, form)
         return f"{found}\n" if found else ""
     if form == "needs":
-        return needs_json(view)
+        return needs_json(exchange_of(view))
+    if form == "reqif":
+        return reqif_xml(exchange_of(view), changed or NEVER)
     if form == "html":
         return trace_report(view)
     if form == "markdown":

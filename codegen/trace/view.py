@@ -122,6 +122,7 @@ class DocumentView:
     title: str
     status: str
     aliases: str
+    links: tuple[str, ...]
     place: str
     is_decision: bool
     criteria: tuple[CriterionView, ...]
@@ -265,6 +266,7 @@ def _document(requirement: Requirement, views: dict[str, CriterionView], folder:
         title=requirement.title,
         status=requirement.status,
         aliases=", ".join(requirement.aliases),
+        links=requirement.links,
         place=_shown(requirement.place, folder),
         is_decision=any("decision" in view.tags for view in criteria),
         criteria=criteria,
