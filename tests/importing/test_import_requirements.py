@@ -13,9 +13,12 @@ import pytest
 from codegen.cli import main
 from codegen.decode.requirement import decode_requirement
 from codegen.diagnostics import Report
+from codegen.exchanged.arranged import Arranged, ArrangedCriterion
+from codegen.exchanged.document_text import document_text
 from codegen.exchanged.needs import read_needs
 from codegen.exchanged.reqif import Attributes, read_reqif
 from codegen.exchanged.restructured import formatted_content
+from codegen.exchanged.stated import Formatted
 from codegen.load.markdown import parse_markdown
 from codegen.source import Place
 
@@ -428,3 +431,20 @@ def test_ten_thousand_requirements(write: Write) -> None:
     assert stated is not None
     assert len(stated.objects) == 10_000
     assert stated.objects[-1].place.line > 50_000
+
+
+def test_numbers_that_names_have_are_kept(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    """In a file that is sorted by its ids, the tenth criterion comes before the second."""
+    names = ["FR-1.1", "FR-1.10", *(f"FR-1.{number}" for number in range(2, 10))]
+    below = [{"id": name, "title": name, "content": f"It is {name}.", "parent_needs": ["FR-1"]} for name in names]
+    assert main(["import", write("n.json", needs({"id": "FR-1", "title": "T"}, *below))]) == 0
+    assert criteria(capsys.readouterr().out) == {"FR-1": [f"It is FR-1.{number}." for number in range(1, 11)]}
+
+
+def test_a_document_that_reads_otherwise_is_not_written() -> None:
+    """Whatever made its Markdown: it says what was imported, or it is not there."""
+    place = Place("/a.reqif", 7, 1)
+    criterion = ArrangedCriterion(1, Formatted("It *beats*", "It sleeps"), (), "", "o1", place)
+    report = Report()
+    assert document_text(Arranged("A-1", "T", {}, (criterion,), "A-1", place), "Draft", "a.reqif", report) is None
+    assert [(found.rule.id, found.place) for found in report] == [("import-text", place)]

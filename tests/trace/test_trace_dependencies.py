@@ -168,3 +168,10 @@ def test_a_criterion_is_told_that_what_it_depends_on_has_not_passed(
     assert "FR-1.2  [passed;" in capsys.readouterr().out
     chained.run("--results", path, "--format", "html")
     assert '<span class="badge warn">passed</span>' in capsys.readouterr().out
+
+
+def test_however_long_the_way_is(chained: Project, capsys: pytest.CaptureFixture[str]) -> None:
+    chained.change("- Criteria 3 and 4: the radio", "- Criterion 3: the radio")
+    chained.change("It is heard at 10 m.", "It is heard at 10 m (depends on criterion 2).")
+    chained.run("--fail-on", "none")
+    assert "trace-dependency: FR-1.3 depends by way of others on FR-1.4, which has no test" in capsys.readouterr().out
