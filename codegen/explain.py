@@ -345,10 +345,29 @@ def _requirement(topic: str, system: System) -> str | None:
     if number and not criteria:
         return None
     lines = [f"{requirement.id} | {requirement.title} ({requirement.status})  ({requirement.place.shown()})"]
+    needed_by = _needed_by(system)
     for criterion in criteria:
-        lines += ["", f"{requirement.id}.{criterion.number}: {criterion.text}"]
-        lines += [f"  {field}" for field in _answering(f"{requirement.id}.{criterion.number}", system)]
+        named = f"{requirement.id}.{criterion.number}"
+        lines += ["", f"{named}: {criterion.text}"]
+        lines += [
+            f"  depends on {each}" for each in criterion.depends_on if each.partition(".")[0] in system.requirements
+        ]
+        lines += [f"  {name} depends on it" for name in needed_by.get(named, ())]
+        lines += [f"  {field}" for field in _answering(named, system)]
     return "\n".join(lines) + "\n"
+
+
+def _needed_by(system: System) -> dict[str, list[str]]:
+    """By criterion those that depend on it."""
+    found: dict[str, list[str]] = {}
+    for requirement in {each.id: each for each in system.requirements.values()}.values():
+        for criterion in requirement.criteria:
+            for written in criterion.depends_on:
+                document, dot, number = written.partition(".")
+                known = system.requirements.get(document)
+                name = f"{known.id if known else document}{dot}{number}"
+                found.setdefault(name, []).append(f"{requirement.id}.{criterion.number}")
+    return found
 
 
 def _answering(criterion: str, system: System) -> list[str]:

@@ -15,6 +15,7 @@ from codegen.targets.listed import PROJECT_TARGETS, TARGETS
 from codegen.trace.coverage import coverage_of
 from codegen.trace.findings import trace_findings
 from codegen.trace.graph import linked
+from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.page import render_trace
 from codegen.trace.view import trace_view
@@ -48,7 +49,7 @@ def _trace_page(systems: Sequence[System]) -> dict[str, str]:
     """
     trace = linked(documents_of(systems), rows(systems), generated_tests(systems))
     lock = read_trace_lock(systems[0].spec.project.place.file, Report())
-    coverage = coverage_of(trace, reviews(trace, lock), None)
+    coverage = coverage_of(trace, reviews(trace, lock), suspects(trace, lock), None)
     findings = Report()
     findings.extend(trace_findings(trace, coverage, gone(trace, lock), only=("orphaned", "suspect")))
     name = systems[0].spec.project.project

@@ -1,4 +1,4 @@
-"""``codegen import``: from a requirement document to a population table."""
+"""``codegen import``: from a requirement document to a population table, or from another tool to documents."""
 
 import argparse
 import os
@@ -6,6 +6,8 @@ import sys
 from collections.abc import Sequence
 from contextlib import redirect_stdout
 from typing import TYPE_CHECKING, Any
+
+from codegen.cli import importing_requirements
 
 if TYPE_CHECKING:
     from codegen.diagnostics import Report
@@ -25,7 +27,8 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         parents=[common],
         description="Read the tables and lists of a Markdown document that say what goes into the fields of a message, "
         "and print the population table. What is ambiguous is reported with a proposal and stands in a comment. Works "
-        "in a project, or without one on a dialect.",
+        "in a project, or without one on a dialect. Of a FILE.reqif or needs.json it makes requirement documents "
+        "instead.",
     )
     parser.add_argument("document", metavar="DOC", help="the document, of any ending")
     parser.add_argument("--message", metavar="NAME", help="the message (default: the one that the document names)")
@@ -47,11 +50,14 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         help="print how document and existing table differ, field by field (of several tables of the message: that of "
         "--out, or the one that cites the document)",
     )
+    importing_requirements.add_arguments(parser)
     parser.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Do what the options ask for, and return the exit code."""
+    if arguments.document.lower().endswith(importing_requirements.ENDINGS):
+        return importing_requirements.import_requirements(arguments)
     fault = _nonsense(arguments)
     if fault:
         return _usage(fault)
@@ -145,6 +151,9 @@ def _merge(
 
 def _nonsense(arguments: argparse.Namespace) -> str | None:
     """Why the options cannot go together, or None."""
+    foreign = next((name for name in importing_requirements.OPTIONS if getattr(arguments, name)), None)
+    if foreign is not None:
+        return f"--{foreign} belongs to the import of a FILE.reqif or needs.json"
     if arguments.merge and arguments.compare:
         return "--compare writes nothing; it does not go with --merge"
     if arguments.dialect is not None and getattr(arguments, "project", None) is not None:

@@ -4,7 +4,7 @@ import argparse
 import os
 import sys
 
-from codegen.project_files import PROJECT_FILES
+from codegen.project_files import PROJECT_FILES, nearest_project, project_in
 
 
 def project_file(arguments: argparse.Namespace) -> str | None:
@@ -16,13 +16,7 @@ def project_file(arguments: argparse.Namespace) -> str | None:
     if given is None:
         return nearest_project(os.getcwd())
     path = os.path.abspath(given)
-    return _in_folder(path) or path
-
-
-def _in_folder(folder: str) -> str | None:
-    """The project file of a folder; None where it has none."""
-    candidates = (os.path.join(folder, name) for name in PROJECT_FILES)
-    return next((path for path in candidates if os.path.isfile(path)), None)
+    return project_in(path) or path
 
 
 def report_no_project() -> int:
@@ -33,15 +27,3 @@ def report_no_project() -> int:
         file=sys.stderr,
     )
     return 2
-
-
-def nearest_project(folder: str) -> str | None:
-    """The project file that lies nearest, in ``folder`` (absolute) or one above it."""
-    while True:
-        path = _in_folder(folder)
-        if path is not None:
-            return path
-        above = os.path.dirname(folder)
-        if above == folder:
-            return None
-        folder = above

@@ -2,10 +2,11 @@
 
 import argparse
 import sys
+from datetime import datetime
 from typing import Any
 
-FORMATS = ("text", "markdown", "html", "needs", "json", "github", "sarif", "junit", "gitlab")
-KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly")
+FORMATS = ("text", "markdown", "html", "needs", "reqif", "json", "github", "sarif", "junit", "gitlab")
+KINDS = ("uncovered", "orphaned", "suspect", "unspecified", "uncited", "partly", "dependency")
 COUNTED = ("uncovered", "orphaned", "suspect")
 ACCEPT = "accept"
 
@@ -16,7 +17,7 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "trace",
         parents=[common],
         usage="codegen trace [ID ...] [--results FILE] [--format FORMAT] [--out FILE] [--fail-on KINDS]\n"
-        "       codegen trace accept ID ... | --all  --reason TEXT [--by NAME]",
+        "       codegen trace accept ID ... | ID --link LINK ... | --all  --reason TEXT [--by NAME]",
         description="Follow each criterion of the requirement documents over the rows of the tables and the generated "
         "symbols to the tests and their last results. accept notes that the rows and tests of a criterion were "
         "reviewed with its text as it is now.",
@@ -33,7 +34,15 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--format",
         choices=FORMATS,
         default="text",
-        help="needs: needs.json of sphinx-needs; json, github, sarif, junit and gitlab have the findings alone",
+        help="needs: needs.json of sphinx-needs; reqif: ReqIF 1.2; json, github, sarif, junit and gitlab have the "
+        "findings alone",
+    )
+    parser.add_argument(
+        "--last-change",
+        metavar="TIME",
+        type=_time,
+        help="with reqif: when everything in it was last changed, such as 2026-11-25T12:00:00Z "
+        "(default: 1970-01-01T00:00:00Z, so that an unchanged specification gives the same file)",
     )
     parser.add_argument("--out", metavar="FILE", help="where the report goes (default: stdout)")
     parser.add_argument(
@@ -43,6 +52,13 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         default=COUNTED,
         help=f"what makes the exit code 1, separated by commas, of {', '.join(KINDS)}; or none "
         f"(default: {','.join(COUNTED)})",
+    )
+    parser.add_argument(
+        "--link",
+        metavar="LINK",
+        action="append",
+        help="with accept and one criterion: this link alone, by the name that the finding gives it, such as "
+        "'parameter SR0_EXTRA1'; may be repeated",
     )
     parser.add_argument("--reason", metavar="TEXT", help="with accept: what was looked at, or why the links still hold")
     parser.add_argument("--by", metavar="NAME", help="with accept: who looked")
@@ -56,6 +72,17 @@ def _kinds(text: str) -> tuple[str, ...]:
     if unknown:
         raise argparse.ArgumentTypeError(f"{unknown[0]} is none of {', '.join(KINDS)}, none")
     return names
+
+
+def _time(text: str) -> str:
+    """An xsd:dateTime with its zone."""
+    try:
+        found = datetime.fromisoformat(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text} is no time such as 2026-11-25T12:00:00Z") from None
+    if found.tzinfo is None:
+        raise argparse.ArgumentTypeError(f"{text} has no zone; write {text}Z for UTC")
+    return found.isoformat()
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -93,8 +120,10 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
     """What is wrong with how the options are used together, or nothing."""
+    if arguments.last_change and (is_accept or arguments.format != "reqif"):
+        return "--last-change belongs to --format reqif"
     if not is_accept:
-        given = [name for name in ("reason", "by", "all") if getattr(arguments, name)]
+        given = [name for name in ("reason", "by", "all", "link") if getattr(arguments, name)]
         return f"--{given[0]} belongs to codegen trace accept" if given else ""
     if arguments.results or arguments.out or arguments.format != "text":
         return "accept takes neither --results nor --format nor --out"
@@ -102,4 +131,6 @@ def _nonsense(arguments: argparse.Namespace, is_accept: bool) -> str:
         return 'accept needs --reason "...": what was looked at, or why the links still hold'
     if arguments.all == bool(arguments.names[1:]):
         return "accept takes either ids or --all"
+    if arguments.link and len(arguments.names) != 2:
+        return "accept --link takes one criterion"
     return ""

@@ -13,9 +13,21 @@ from codegen.diagnostics import Report
 from codegen.emit.file import write_file
 from codegen.load.confined import confined
 from codegen.model.system import System
+from codegen.model.trace_lock_spec import TraceLockSpec
 from codegen.source import Place, shown_path
 from codegen.trace.graph import Trace
-from codegen.trace.lock import LOCK_FORM, Review, accepted, gone, holds, lock_line, required, reviews
+from codegen.trace.link import Link, chosen_link, suspects
+from codegen.trace.lock import (
+    LOCK_FORM,
+    Review,
+    accepted,
+    gone,
+    holds,
+    lock_line,
+    lock_line_by_link,
+    required,
+    reviews,
+)
 
 
 def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System]) -> int:
@@ -37,7 +49,13 @@ def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System
         names = [name for name, review in reviews(trace, lock).items() if review is not Review.REVIEWED]
     else:
         dropped = [name for name in dropped if name in arguments.names]
-    lines = {name: lock_line(name, trace.criteria[name][1].text, arguments.reason, arguments.by) for name in names}
+    if arguments.link:
+        line = _line_of_links(names, trace, lock, arguments)
+        if line is None:
+            return 2
+        lines = {names[0]: line}
+    else:
+        lines = {name: lock_line(name, trace.criteria[name][1].text, arguments.reason, arguments.by) for name in names}
     text = accepted(written, lines, dropped)
     faults, reading = Report(), Report()
     read_back = decode_trace_lock(text, path, reading)
@@ -48,9 +66,39 @@ def accept(arguments: argparse.Namespace, project: str, systems: Sequence[System
     if faults.has_errors:
         print_findings(faults)
         return faults.exit_code
-    said = f"{len(lines)} accepted" + (f", {len(dropped)} removed" if dropped else "")
+    accept = f"{len(arguments.link)} of the links from {names[0]}" if arguments.link else str(len(lines))
+    said = f"{accept} accepted" + (f", {len(dropped)} removed" if dropped else "")
     print(f"{shown_path(path)}: {said}", file=sys.stderr)
     return 0
+
+
+def _line_of_links(
+    names: Sequence[str], trace: Trace, lock: TraceLockSpec | None, arguments: argparse.Namespace
+) -> str | None:
+    """The line of the one criterion of which single links are accepted; None, after saying so, where it has none."""
+    links = _suspects_of(names, trace, lock)
+    chosen = links if isinstance(links, str) else [chosen_link(asked, links) for asked in arguments.link]
+    refused = [chosen] if isinstance(chosen, str) else [each for each in chosen if isinstance(each, str)]
+    if refused or lock is None or isinstance(links, str):
+        print(f"codegen trace: {refused[0]}", file=sys.stderr)
+        return None
+    looked_at = [each.name for each in chosen if isinstance(each, Link)]
+    is_partial = any(link.name not in looked_at for link in links)
+    name = names[0]
+    text = trace.criteria[name][1].text
+    kept = lock.criteria[name]
+    return lock_line_by_link(name, kept, text, arguments.reason, arguments.by, looked_at, is_partial=is_partial)
+
+
+def _suspects_of(names: Sequence[str], trace: Trace, lock: TraceLockSpec | None) -> Sequence[Link] | str:
+    """The suspect links from the one criterion that is meant; in words, why there are none."""
+    if len(names) != 1:
+        return "accept --link takes one criterion"
+    name = names[0]
+    if lock is None or name not in lock.criteria:
+        return f"{name} was never reviewed: accept it without --link, with all that answers to it"
+    links = suspects(trace, lock).get(name)
+    return f"the text of {name} is the one that was reviewed: none of its links is suspect" if links is None else links
 
 
 def _names(asked: Sequence[str], trace: Trace, dropped: Sequence[str]) -> list[str] | None:

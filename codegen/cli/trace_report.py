@@ -17,11 +17,15 @@ from codegen.model.test_record import TestResult
 from codegen.source import Place, shown_path
 from codegen.trace.bench import check_conditions, with_bench
 from codegen.trace.coverage import coverage_of
-from codegen.trace.findings import UNRELATED_RESULTS, trace_findings
+from codegen.trace.exchange import exchange_of
+from codegen.trace.findings import UNRELATED_RESULTS, told_of_hand_written, trace_findings
+from codegen.trace.generated_tests import inputs_of
 from codegen.trace.graph import Trace
+from codegen.trace.link import suspects
 from codegen.trace.lock import gone, reviews
 from codegen.trace.needs import needs_json
 from codegen.trace.page import trace_markdown, trace_report
+from codegen.trace.reqif import NEVER, reqif_xml
 from codegen.trace.results import Results, results_of, unrelated, with_links_of
 from codegen.trace.text import summary_text, tree_text
 from codegen.trace.view import TraceView, only, trace_view
@@ -33,6 +37,7 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     with working("reading documents and tests"):
         trace = pipeline.read_trace(systems, report)
     lock = pipeline.read_trace_lock(project, report)
+    suspect = suspects(trace, lock)  # links that only results tell cannot be accepted, as accept knows no results
     trace, results = _results(arguments.results, trace, systems, report)
     if report.exit_code == 2:  # nothing could be said of what is in a file that cannot be read
         print_findings(report)
@@ -42,14 +47,14 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     chosen = chosen_names(arguments.names, trace)
     if chosen is None:
         return 2
-    coverage = coverage_of(trace, reviews(trace, lock), results)
+    coverage = coverage_of(trace, reviews(trace, lock), suspect, results)
     about = chosen if arguments.names else None
     report.extend(trace_findings(trace, coverage, gone(trace, lock), arguments.fail_on, about))
     files = None if arguments.results is None else [shown_path(path) for path in arguments.results]
     folder = pipeline.project_folder(systems)
     view = trace_view(systems[0].spec.project.project, folder, trace, coverage, report, files)
     view = view if about is None else only(view, about)
-    text = _text(arguments.format, view, report, is_tree=about is not None)
+    text = _text(arguments.format, view, report, is_tree=about is not None, changed=arguments.last_change)
     if arguments.out is None:
         print(text, end="")
     else:
@@ -62,12 +67,14 @@ def report_trace(arguments: argparse.Namespace, project: str, systems: Sequence[
     return report.exit_code
 
 
-def _text(form: str, view: TraceView, report: Report, *, is_tree: bool) -> str:
+def _text(form: str, view: TraceView, report: Report, *, is_tree: bool, changed: str | None) -> str:
     if form in FORMATS and form != "text":
         found = findings_text(report, form)
         return f"{found}\n" if found else ""
     if form == "needs":
-        return needs_json(view)
+        return needs_json(exchange_of(view))
+    if form == "reqif":
+        return reqif_xml(exchange_of(view), changed or NEVER)
     if form == "html":
         return trace_report(view)
     if form == "markdown":
@@ -96,7 +103,7 @@ def _results(
     """The results of all files, and the trace with boards as tests; what cannot be read leaves a finding."""
     if files is None:
         return trace, None
-    found: list[TestResult] = []
+    by_file: dict[str, Sequence[TestResult]] = {}
     records = []
     for path in files:
         if path.endswith(".json"):
@@ -105,9 +112,13 @@ def _results(
         decoded = decode_junit(path, report)
         if decoded is not None and unrelated(decoded, trace):
             report.add(UNRELATED_RESULTS, Place(path), "none of its results is about this project")
-        found += decoded or ()
+        by_file[path] = decoded or ()
+    measured: Sequence[TestResult] = ()
     if records:
         check_conditions(trace.requirements, report)
-        trace, shown = with_bench(trace, [each for each in records if each], bench_inputs_of(systems), report)
-        found += shown
-    return trace, results_of(found, trace.tests)
+        trace, measured = with_bench(trace, [each for each in records if each], bench_inputs_of(systems), report)
+    found = [each for listed in by_file.values() for each in listed]
+    results = results_of([*found, *measured], trace.tests, inputs_of(systems))
+    for path, listed in by_file.items():
+        report.extend(told_of_hand_written(path, listed, results, trace))
+    return trace, results

@@ -45,7 +45,8 @@ commands:
                   rule
     trace         what answers to each requirement: rows, symbols, tests and
                   their results
-    import        make a population table from a requirement document
+    import        make a population table from a requirement document, or
+                  documents from ReqIF or needs.json
     codec         make MicroPython encoders and decoders for any dialect,
                   without a specification
     sim           run the generated firmware on this host against a scenario

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from codegen.diagnostics import Report, Rule
 from codegen.load.xml_tree import XmlElement, place_of, read_xml
-from codegen.model.test_record import Outcome, TestResult
+from codegen.model.test_record import SPECIFICATION_PROPERTY, Outcome, TestResult
 
 JUNIT_FORMAT = Rule(
     "junit-format",
@@ -58,4 +58,5 @@ def _result(case: XmlElement, path: str) -> TestResult:
         shows=tuple(dict.fromkeys(value for name, value in properties if name == "requirement")),
         inputs=next((value for name, value in properties if name == "codegen-inputs"), None),
         place=place_of(case, path),
+        specification=next((value for name, value in properties if name == SPECIFICATION_PROPERTY), None),
     )

@@ -3,7 +3,8 @@
 # FR-00068 | Title
 ## Metadata               - Status: Approved, - Aliases: FR-zxxlp
 ## Links                  the ids of other documents
-## Acceptance Criteria    1. ..., 2. ...; in an ADR the numbered items of "Decision", where it has no criteria
+## Acceptance Criteria    1. ..., 2. ... (depends on criterion 1); in an ADR the numbered items of "Decision", where it
+                          has no criteria
 ## What a host cannot show    - Criterion 1: ..., - Criteria 3, 4 and 6: ...
 """
 
@@ -11,6 +12,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
 
+from codegen.decode.criterion_dependency import dependencies_of
 from codegen.diagnostics import Report, Rule, Severity
 from codegen.frozen import dataclass
 from codegen.load.markdown import Document, Item, Section
@@ -196,6 +198,8 @@ def _criteria(document: Document, identifier: str, place: Place, report: Report)
         if item.number != expected:
             message = f"the criterion is numbered {item.number} where {expected} is expected"
             report.add(CRITERION_NUMBER, item.place, message)
-        criteria.setdefault(item.number, Criterion(place=item.place, number=item.number, text=item.text))
+        depends_on = dependencies_of(item.text, identifier, item.place, report)
+        criterion = Criterion(place=item.place, number=item.number, text=item.text, depends_on=depends_on)
+        criteria.setdefault(item.number, criterion)
         expected = item.number + 1
     return tuple(criteria.values())

@@ -1,13 +1,13 @@
 """XML as a tree whose elements know where they stand; whatever is wrong with a file becomes a diagnostic.
 
-A dialect comes from other people: nothing outside the file is ever fetched, and a file that declares a document
-type is refused before it is parsed, so that no entity is ever expanded.
+Dialects and requirements come from other people: nothing outside the file is ever fetched, and a file that declares a
+document type is refused before it is parsed, so that no entity is ever expanded.
 """
 
 import codecs
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 XML_DOCTYPE = Rule(
     "xml-doctype",
-    "A dialect needs no document type, and one can make a reader fetch other files or fill the memory. "
+    "What is read here needs no document type, and one can make a reader fetch other files or fill the memory. "
     "Remove the <!DOCTYPE> and write entities as plain text.",
     unreadable=True,
 )
@@ -59,7 +59,25 @@ class XmlElement(NamedTuple):
     column: int
 
 
-def place_of(element: XmlElement, path: str) -> Place:
+class MixedElement(NamedTuple):
+    """One element with its content in the order of the file: texts, and elements between them.
+
+    ``tag`` is without its namespace. ``line`` and ``column`` are those of its ``<``.
+    """
+
+    tag: str
+    attributes: Mapping[str, str]
+    content: "tuple[str | MixedElement, ...]"
+    line: int
+    column: int
+
+    @property
+    def children(self) -> "tuple[MixedElement, ...]":
+        """The elements of the content."""
+        return tuple(each for each in self.content if isinstance(each, MixedElement))
+
+
+def place_of(element: XmlElement | MixedElement, path: str) -> Place:
     """The place of the ``<`` that opens ``element`` of the file ``path`` (absolute)."""
     return Place(path, element.line, element.column)
 
@@ -83,9 +101,28 @@ def parse_xml_bytes(data: bytes, path: str, report: Report) -> XmlElement | None
 
 def parse_xml(text: str, path: str, report: Report) -> XmlElement | None:
     """The root element of XML ``text``, or None after a diagnostic placed in ``path``."""
+    text = _with_lf(text)
+    root = _parsed(text, path, report)
+    return None if root is None else _tree(root, text)
+
+
+def read_mixed_xml(path: str, report: Report, most: int | None = None) -> MixedElement | None:
+    """Like :func:`read_xml`, for files in which texts and elements stand among one another, as in XHTML."""
+    data = read_bytes(path, report, None, most)
+    text = None if data is None else _decoded(data, path, report)
+    if text is None:
+        return None
+    text = _with_lf(text)
+    root = _parsed(text, path, report)
+    return None if root is None else _mixed(root, iter(_start_tags(text)))
+
+
+def _with_lf(text: str) -> str:
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def _parsed(text: str, path: str, report: Report) -> "etree._Element | None":
     file = os.path.abspath(path)
-    if "\r" in text:
-        text = text.replace("\r\n", "\n").replace("\r", "\n")
     prologue = _PROLOGUE.match(text)
     end = prologue.end() if prologue else 0
     if text.startswith("<!DOCTYPE", end):
@@ -114,7 +151,7 @@ def parse_xml(text: str, path: str, report: Report) -> XmlElement | None:
         message = _PLACE_IN_MESSAGE.sub("", problem.msg or "not well-formed XML")
         report.add(XML_SYNTAX, Place(file, max(line or 1, 1), max(column, 1)), message)
         return None
-    return _tree(root, text)
+    return root
 
 
 def _decoded(data: bytes, path: str, report: Report) -> str | None:
@@ -162,6 +199,17 @@ def _tree(root: "etree._Element", text: str) -> XmlElement:
         return XmlElement(str(element.tag), dict(element.items()), own_text, tuple(children), line, column)  # type: ignore[arg-type]
 
     return located(root)
+
+
+def _mixed(element: "etree._Element", places: Iterator[tuple[int, int]]) -> MixedElement:
+    """An element as a located one; ``places`` are those of the start tags from its own on."""
+    line, column = next(places, (element.sourceline, 1))
+    content: list[str | MixedElement] = [element.text] if element.text else []
+    for child in element:
+        content.append(_mixed(child, places))
+        if child.tail:
+            content.append(child.tail)
+    return MixedElement(str(element.tag).rpartition("}")[2], dict(element.items()), tuple(content), line, column)  # type: ignore[arg-type]
 
 
 def _start_tags(text: str) -> list[tuple[int, int]]:

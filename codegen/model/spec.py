@@ -260,10 +260,14 @@ class ShippedCorrectionsSpec(Written):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Criterion(Written):
-    """One numbered acceptance criterion; ``number`` is the number in the list, ``text`` its plain text."""
+    """One numbered acceptance criterion; ``number`` is the number in the list, ``text`` its plain text.
+
+    ``depends_on`` names the criteria that have to be met for it, as ``ID.number``; the id may be an alias.
+    """
 
     number: int
     text: str
+    depends_on: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,10 +1,21 @@
 """What tests say about themselves: which criteria they show, and how their last run went."""
 
+import hashlib
+from collections.abc import Mapping
 from enum import StrEnum
 from typing import ClassVar, NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.source import Place
+
+SPECIFICATION_PROPERTY = "codegen-specification"
+"""Name of the property that says, in results of JUnit's format, with which specification a test was run."""
+
+
+def specification_hash(suites: Mapping[str, str]) -> str:
+    """One hash, 16 hex digits, of those of the generated suites by program; the project's own has no name."""
+    listed = "".join(f"{program} {digest}\n" for program, digest in sorted(suites.items()))
+    return hashlib.sha256(listed.encode()).hexdigest()[:16]
 
 
 class MarkedTest(NamedTuple):
@@ -29,7 +40,7 @@ class TestResult:
 
     ``module`` is the dotted name of the test's module, and of its class, as pytest writes it; ``name`` has the
     parameters in brackets. ``shows`` are the criteria that it was marked with, ``inputs`` the hash of the specification
-    that a generated test was made of.
+    that a generated test was made of, ``specification`` that of what a test written by hand was run with.
     """
 
     __test__: ClassVar[bool] = False  # pytest takes classes of such names for tests
@@ -40,3 +51,4 @@ class TestResult:
     shows: tuple[str, ...]
     inputs: str | None
     place: Place
+    specification: str | None = None

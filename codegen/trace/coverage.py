@@ -1,11 +1,13 @@
 """What became of each criterion: what answers to it, how its tests went, whether its text is the reviewed one."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from enum import StrEnum
 
 from codegen.frozen import dataclass
 from codegen.model.spec import Criterion, HostLimit, Requirement
 from codegen.trace.graph import Row, Test, Trace, is_decision
+from codegen.trace.link import Link
 from codegen.trace.lock import Review
 from codegen.trace.results import Counts, Results, counts_of
 
@@ -36,7 +38,9 @@ class Coverage:
     """One criterion; ``by_document`` are rows that cite its document as a whole, ``whole_tests`` the cases that do.
 
     ``host_limit`` is what its document says that tests on a host cannot show of it. A decision asks for nothing, and
-    its ``review`` is None.
+    its ``review`` is None. ``suspects`` are the links that were made for another text. ``depends_on`` and ``needed_by``
+    are the criteria that it depends on and those that depend on it, ``unmet`` those that it depends on, by detours
+    too, and that are not shown, with what is known of them.
     """
 
     name: str
@@ -50,6 +54,10 @@ class Coverage:
     review: Review | None
     host_limit: HostLimit | None
     is_decision: bool
+    suspects: tuple[Link, ...]
+    depends_on: tuple[str, ...]
+    needed_by: tuple[str, ...]
+    unmet: tuple[tuple[str, Verdict], ...] = ()
 
     @property
     def is_uncovered(self) -> bool:
@@ -77,12 +85,38 @@ class Coverage:
         return sum(counted, Counts()) if counted else None
 
 
-def coverage_of(trace: Trace, reviews: Mapping[str, Review], results: Results | None) -> tuple[Coverage, ...]:
+def coverage_of(
+    trace: Trace,
+    reviews: Mapping[str, Review],
+    suspects: Mapping[str, tuple[Link, ...]],
+    results: Results | None,
+) -> tuple[Coverage, ...]:
     """Every criterion and decision, in the order of the documents."""
-    return tuple(
-        _coverage(name, requirement, criterion, trace, reviews.get(name), results)
+    found = {
+        name: _coverage(name, requirement, criterion, trace, reviews.get(name), suspects.get(name, ()), results)
         for name, (requirement, criterion) in trace.criteria.items()
+    }
+    shown = {Verdict.PASSED} if results is not None else {*Verdict} - {Verdict.NO_TEST}
+    verdicts = {
+        name: each.verdict for name, each in found.items() if each.verdict not in shown and not each.is_decision
+    }
+    return tuple(
+        replace(each, unmet=tuple((other, verdicts[other]) for other in _needed(name, trace) if other in verdicts))
+        if each.depends_on
+        else each
+        for name, each in found.items()
     )
+
+
+def _needed(name: str, trace: Trace) -> list[str]:
+    """The criteria that one depends on, by detours too: the nearest first."""
+    needed: dict[str, None] = dict.fromkeys(trace.depends_on.get(name, ()))
+    waiting = list(needed)
+    for other in waiting:
+        further = [each for each in trace.depends_on.get(other, ()) if each not in needed and each != name]
+        needed.update(dict.fromkeys(further))
+        waiting += further
+    return list(needed)
 
 
 def _coverage(
@@ -91,6 +125,7 @@ def _coverage(
     criterion: Criterion,
     trace: Trace,
     review: Review | None,
+    suspects: tuple[Link, ...],
     results: Results | None,
 ) -> Coverage:
     tests = trace.tests_of.get(name, ())
@@ -108,6 +143,9 @@ def _coverage(
         review=review,
         host_limit=limits[0] if limits else None,
         is_decision=is_decision(requirement),
+        suspects=suspects,
+        depends_on=trace.depends_on.get(name, ()),
+        needed_by=trace.needed_by.get(name, ()),
     )
 
 

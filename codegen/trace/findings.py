@@ -4,12 +4,13 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from codegen.diagnostics import Diagnostic, Rule, Severity, did_you_mean
+from codegen.model.test_record import TestResult
 from codegen.model.trace_lock_spec import ReviewedSpec
 from codegen.source import Place
 from codegen.trace.coverage import Coverage, Verdict
 from codegen.trace.graph import Trace
 from codegen.trace.lock import Review
-from codegen.trace.results import Counts
+from codegen.trace.results import Counts, Results, hand_written_results
 
 UNCOVERED = Rule(
     "trace-uncovered",
@@ -44,9 +45,28 @@ PARTLY = Rule(
     "Some cases of a criterion's tests have passed, and others were skipped, have no result, or one that is stale.",
     Severity.WARNING,
 )
+DEPENDENCY = Rule(
+    "trace-dependency",
+    "A criterion depends on another one that nothing shows: no test is marked with that one, or, of the results that "
+    "were given, not all have passed. What its own tests show holds only where the other one is met.",
+    Severity.WARNING,
+)
 UNRELATED_RESULTS = Rule(
     "results-unrelated",
     "A file of results says nothing about this project: it knows none of its tests, and names none of its criteria.",
+    Severity.WARNING,
+)
+OUTDATED_RESULTS = Rule(
+    "results-outdated",
+    "A file of results has some of tests written by hand that were run with another specification than the one that "
+    "there is now: they show nothing. Run the tests again, after a build.",
+    Severity.WARNING,
+)
+UNDATED_RESULTS = Rule(
+    "results-undated",
+    "A file of results has some of tests written by hand that do not say with which specification they were run, so "
+    "they are taken for results of this one. With pytest -p codegen.pytest_plugin --junit-xml=FILE they say it, once "
+    "the project is built; another tool can write the property codegen-specification.",
     Severity.WARNING,
 )
 
@@ -57,11 +77,25 @@ KINDS: Mapping[str, Rule] = {
     "unspecified": UNSPECIFIED,
     "uncited": UNCITED,
     "partly": PARTLY,
+    "dependency": DEPENDENCY,
 }
 """What can be asked to fail, by the name that the command line has for it."""
 
 COUNTED = ("uncovered", "orphaned", "suspect")
 """What fails unless something else is asked for."""
+
+TOLD = (*COUNTED, "dependency")
+"""What is told even where it does not count."""
+
+_UNMET: Mapping[Verdict, str] = {
+    Verdict.PARTLY: "which has passed only partly",
+    Verdict.FAILED: "which has failed",
+    Verdict.SKIPPED: "of which all tests were skipped",
+    Verdict.STALE: "of which all results are of another specification",
+    Verdict.NO_RESULT: "which has no result",
+    Verdict.BENCH: "which only the bench shows",
+    Verdict.NO_TEST: "which has no test",
+}
 
 
 def trace_findings(
@@ -72,12 +106,12 @@ def trace_findings(
     chosen: Collection[str] | None = None,
     only: Collection[str] = KINDS.keys(),
 ) -> Iterator[Diagnostic]:
-    """The findings: errors of the kinds ``counted``, warnings of others that ``COUNTED`` has, and no more.
+    """The findings: errors of the kinds ``counted``, warnings of others that ``TOLD`` has, and no more.
 
     ``only`` has the kinds that are told at all. ``gone`` are entries of the lock without a criterion. With ``chosen``
     nothing is told that is not about these criteria.
     """
-    kinds = [name for name in (*COUNTED, *counted) if name in only]
+    kinds = [name for name in (*TOLD, *counted) if name in only]
     told = {KINDS[name].id: Severity.ERROR if name in counted else Severity.WARNING for name in kinds}
     for finding in _all(trace, coverage, gone, chosen):
         severity = told.get(finding.rule.id)
@@ -91,6 +125,8 @@ def _all(
     for each in coverage:
         if chosen is None or each.name in chosen:
             yield from _of(each)
+            if each.unmet:
+                yield _unmet(each, trace)
     if chosen is None:
         yield from _orphans(trace, gone)
         for row in trace.uncited:
@@ -104,13 +140,29 @@ def _of(each: Coverage) -> Iterator[Diagnostic]:
     elif each.verdict is Verdict.PARTLY and each.counts:
         yield Diagnostic(place, PARTLY, f"{each.name}: {counted_text(each.counts)}", related=_not_passed(each))
     if each.is_suspect:
-        hint = f'look at its rows and tests, then: codegen trace accept {each.name} --reason "..."'
         changed = each.review is Review.CHANGED
         message = "has another text than the one that was reviewed" if changed else "was never reviewed"
-        related = [(row.place, f"{row.label} cites it") for row in each.rows]
-        yield Diagnostic(place, SUSPECT, f"{each.name} {message}", hint, tuple(related))
+        hint = f'look at what answers to it, then: codegen trace accept {each.name} --reason "..."'
+        if changed and len(each.suspects) > 1:
+            hint += ", with --link for single ones"
+        related = tuple((link.place, f"{link.name} {link.says}") for link in each.suspects)
+        yield Diagnostic(place, SUSPECT, f"{each.name} {message}", hint, related)
     if each.is_unspecified:
         yield Diagnostic(place, UNSPECIFIED, f"{each.name} is cited by no row of the tables")
+
+
+def _unmet(each: Coverage, trace: Trace) -> Diagnostic:
+    """One finding of all that a criterion depends on and that is not shown, by detours too."""
+    (first, verdict), *others = each.unmet
+    direct = "" if first in each.depends_on else " by way of others"
+    message = f"{each.name} depends{direct} on {unmet_text(first, verdict)}"
+    related = tuple((trace.criteria[name][1].place, f"and on {unmet_text(name, other)}") for name, other in others)
+    return Diagnostic(each.criterion.place, DEPENDENCY, message, None, related)
+
+
+def unmet_text(name: str, verdict: Verdict) -> str:
+    """``FR-1.2, which has failed``."""
+    return f"{name}, {_UNMET[verdict]}"
 
 
 def _why(each: Coverage) -> str:
@@ -158,3 +210,19 @@ def _orphans(trace: Trace, gone: Mapping[str, ReviewedSpec]) -> Iterator[Diagnos
     for name, kept in gone.items():
         hint = f'codegen trace accept {name} --reason "..." removes the line'
         yield Diagnostic(kept.place, ORPHANED, f"the lock has {name}, which no document has", hint)
+
+
+def told_of_hand_written(
+    path: str, found: Iterable[TestResult], results: Results, trace: Trace
+) -> Iterator[Diagnostic]:
+    """What is wrong with the results of tests by hand in a file: of another specification, or not said of which."""
+    own = hand_written_results(found, trace)
+    outdated = sum(results.is_stale(each) for each in own)
+    undated = sum(each.specification is None for each in own)
+    of_hand = "results of tests written by hand" if outdated + undated != 1 else "result of a test written by hand"
+    if outdated:
+        message = f"{outdated} {of_hand}: made with another specification"
+        yield Diagnostic(Place(path), OUTDATED_RESULTS, message, "run these tests again")
+    if undated:
+        message = f"{undated} {of_hand}: no word of the specification"
+        yield Diagnostic(Place(path), UNDATED_RESULTS, message, "pytest -p codegen.pytest_plugin notes it")

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from codegen.model.system import System
+from codegen.model.test_record import specification_hash
 from codegen.targets.behaviour_checks import checks_of_behaviour
 from codegen.targets.cases import conversion_cases, message_cases
 from codegen.targets.program_checks import ONLY_MICROPYTHON, program_checks
@@ -21,6 +22,11 @@ def tests_of(system: System) -> tuple[Test, ...]:
     """The tests of the suite of a project or a further program, one for each criterion that they show."""
     inputs = suite_origin(system).digest
     return tuple(replace(test, inputs=inputs) for test in _tests(system))
+
+
+def inputs_of(systems: Iterable[System]) -> str:
+    """The hash of all suites of a project: what results of tests written by hand have to say."""
+    return specification_hash({system.spec.program: suite_origin(system).digest for system in systems})
 
 
 def suite_folder(system: System) -> str:

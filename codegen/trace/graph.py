@@ -4,7 +4,7 @@ Criteria are named as tables cite them: ``FR-00068.3``, or ``FR-00068`` for a do
 """
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from enum import StrEnum
 from typing import ClassVar, NamedTuple
@@ -109,7 +109,8 @@ class Trace:
 
     ``names`` has the id of each document by its id and each of its aliases, ``criteria`` every criterion by its name,
     in the order of the documents. ``rows_of`` and ``tests_of`` have, by name of a criterion or of a whole document, the
-    rows that cite it and the tests that show it.
+    rows that cite it and the tests that show it. ``depends_on`` has, of criteria that depend on others, the names of
+    these, and ``needed_by`` the other way round.
     """
 
     requirements: tuple[Requirement, ...]
@@ -120,6 +121,8 @@ class Trace:
     criteria: Mapping[str, tuple[Requirement, Criterion]]
     rows_of: Mapping[str, tuple[Row, ...]]
     tests_of: Mapping[str, tuple[Test, ...]]
+    depends_on: Mapping[str, tuple[str, ...]]
+    needed_by: Mapping[str, tuple[str, ...]]
 
     def called(self, name: str) -> str | None:
         """The criterion or document that a name means, which may be an alias; None if there is none."""
@@ -142,16 +145,40 @@ def linked(requirements: Iterable[Requirement], rows: Iterable[Row], tests: Iter
     tests_of: dict[str, list[Test]] = {}
     for test in tests:
         tests_of.setdefault(test.criterion, []).append(test)
+    criteria = {f"{each.id}.{one.number}": (each, one) for each in requirements for one in each.criteria}
+    depends_on = dict(_dependencies(criteria, names))
     return Trace(
         requirements=requirements,
         rows=rows,
         uncited=tuple(row for row in every if not row.criterion),
         tests=tests,
         names=names,
-        criteria={f"{each.id}.{one.number}": (each, one) for each in requirements for one in each.criteria},
+        criteria=criteria,
         rows_of={criterion: tuple(found) for criterion, found in rows_of.items()},
         tests_of={criterion: tuple(found) for criterion, found in tests_of.items()},
+        depends_on=depends_on,
+        needed_by=_turned(depends_on),
     )
+
+
+def _dependencies(
+    criteria: Mapping[str, tuple[Requirement, Criterion]], names: Mapping[str, str]
+) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """The criteria that depend on others, with the names of these; a rule reports names that mean none."""
+    for name, (_, criterion) in criteria.items():
+        parts = (written.partition(".") for written in criterion.depends_on)
+        meant = [f"{names.get(document, document)}{dot}{number}" for document, dot, number in parts]
+        found = tuple(dict.fromkeys(each for each in meant if each in criteria))
+        if found:
+            yield name, found
+
+
+def _turned(depends_on: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+    needed_by: dict[str, list[str]] = {}
+    for name, needed in depends_on.items():
+        for each in needed:
+            needed_by.setdefault(each, []).append(name)
+    return {name: tuple(found) for name, found in needed_by.items()}
 
 
 def _by_id(test: Test, names: Mapping[str, str]) -> Test:

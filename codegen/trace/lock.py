@@ -1,6 +1,6 @@
-"""The lock: which texts of criteria were reviewed together with the rows and tests that answer to them.
+"""The lock: which texts of criteria were reviewed together with what answers to them.
 
-A changed text makes everything that hangs on the criterion suspect until somebody has looked and accepts it.
+A changed text makes every link from the criterion suspect (``link.py``) until somebody has looked and accepts it.
 """
 
 import hashlib
@@ -72,10 +72,39 @@ def gone(trace: Trace, lock: TraceLockSpec | None) -> dict[str, ReviewedSpec]:
 
 
 def lock_line(name: str, text: str, reason: str, by: str | None) -> str:
-    """The line of a criterion: JSON's strings are YAML's, so that any reason stays on it."""
-    facts = {"text": text_fingerprint(text), "reason": " ".join(reason.split()), **({"by": by} if by else {})}
-    written = ", ".join(f"{key}: {json.dumps(value, ensure_ascii=False)}" for key, value in facts.items())
-    return f"  {name}: {{{written}}}\n"
+    """The line of a criterion of which everything was looked at with its ``text`` as it is now."""
+    return f"  {name}: {{{_facts(text_fingerprint(text), reason, by)}}}\n"
+
+
+def lock_line_by_link(
+    name: str,
+    kept: ReviewedSpec,
+    text: str,
+    reason: str,
+    by: str | None,
+    looked_at: Collection[str],
+    *,
+    is_partial: bool,
+) -> str:
+    """The line of a criterion of which the links ``looked_at`` were looked at with its ``text`` as it is now.
+
+    ``kept`` is its entry so far; what was looked at with this text before stays. Unless the line ``is_partial``, no
+    link is left to be looked at.
+    """
+    now = text_fingerprint(text)
+    links = {
+        link: _facts(each.text, each.reason, each.by) for link, each in kept.links.items() if each.text.lower() == now
+    }
+    links |= dict.fromkeys(looked_at, _facts(now, reason, by))
+    shown = ", ".join(f"{json.dumps(link, ensure_ascii=False)}: {{{facts}}}" for link, facts in links.items())
+    whole = _facts(kept.text, kept.reason, kept.by) if is_partial else _facts(now, reason, by)
+    return f"  {name}: {{{whole}, links: {{{shown}}}}}\n"
+
+
+def _facts(fingerprint: str, reason: str, by: str | None) -> str:
+    """The keys of an entry: JSON's strings are YAML's, so that any reason stays on its line."""
+    facts = {"text": fingerprint, "reason": " ".join(reason.split()), **({"by": by} if by else {})}
+    return ", ".join(f"{key}: {json.dumps(value, ensure_ascii=False)}" for key, value in facts.items())
 
 
 def accepted(written: str | None, lines: Mapping[str, str], dropped: Collection[str] = ()) -> str:

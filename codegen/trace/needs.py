@@ -1,7 +1,8 @@
 """The trace as needs.json of sphinx-needs, so that documentation made with Sphinx can show and query it.
 
-A document and a criterion are of the type req, a row is spec, a generated file impl, and a test test; links lead from
-what answers to what asks. Ids are in capitals with underscores, as sphinx-needs takes them: FR-00068.3 is FR_00068_3.
+A document and a criterion are of the type req, a row is spec, a symbol impl, and a test test; links lead from what
+answers to what asks. Ids are in capitals with underscores, as sphinx-needs takes them: FR-00068.3 is FR_00068_3, and
+``name`` has it as it is called.
 """
 
 import hashlib
@@ -9,92 +10,91 @@ import json
 import re
 from typing import Any
 
-from codegen.trace.view import CriterionView, DocumentView, TraceView
-
-_Need = dict[str, Any]
+from codegen.trace.exchange import Exchange, ExchangeObject, ObjectKind, RelationKind
 
 _MARKS = re.compile(r"[\\*`|_]")
-_STATUS = {"good": "passed", "warn": "partly passed", "bad": "not passed", "": "linked"}
-_TYPES = {"req": "Requirement", "spec": "Specification", "impl": "Implementation", "test": "Test Case"}
+_TYPES = {
+    ObjectKind.DOCUMENT: ("req", "Requirement"),
+    ObjectKind.CRITERION: ("req", "Requirement"),
+    ObjectKind.ROW: ("spec", "Specification"),
+    ObjectKind.SYMBOL: ("impl", "Implementation"),
+    ObjectKind.TEST: ("test", "Test Case"),
+}
+_OWN_FACTS = ("name", "result", "review", "bench", "aliases", "refers_to", "place", "cases")
+"""What a need has beyond the fields of sphinx-needs: the project that imports it lists these names, or drops them."""
 
 
-def needs_json(view: TraceView) -> str:
+def needs_json(exchange: Exchange) -> str:
     """The text of the file, sorted by ids; it has no date, so that unchanged input gives the same text."""
-    needs: dict[str, _Need] = {}
-    for document in (*view.documents, *view.decisions):
-        _add_document(needs, document)
+    ids = _ids(exchange)
+    needs = {ids[each.name]: _need(each, ids[each.name]) for each in exchange.objects}
+    for relation in exchange.relations:
+        need, target = needs[ids[relation.source]], ids[relation.target]
+        need["links"].append(target)
+        if relation.kind is RelationKind.PART:
+            need["parent_needs"].append(target)
+        if relation.kind is RelationKind.DEPENDS:
+            need["depends_on"].append(target)
+        if relation.is_suspect:
+            need["tags"].append("suspect")
+    for need in needs.values():
+        need["tags"] = list(dict.fromkeys(need["tags"]))
     whole = {
-        "project": view.project,
+        "project": exchange.project,
         "current_version": "",
-        "versions": {"": {"needs_amount": len(needs), "needs": dict(sorted(needs.items()))}},
+        "versions": {
+            "": {
+                "creator": {"program": "codegen"},
+                "needs_amount": len(needs),
+                "needs": dict(sorted(needs.items())),
+            }
+        },
     }
     return json.dumps(whole, indent=1, ensure_ascii=False) + "\n"
 
 
 def need_id(name: str) -> str:
-    """A name as an id: capitals, digits and underscores, at least five of them."""
-    return re.sub(r"[^A-Z0-9]+", "_", name.upper()).strip("_").ljust(5, "_")
+    """A name as an id: capitals, digits and underscores, at least five of them and at most 80."""
+    plain = re.sub(r"[^A-Z0-9]+", "_", name.upper()).strip("_").ljust(5, "_")
+    return plain if len(plain) <= 80 else f"{plain[:67]}_{_digits(name)}"
 
 
-def _add_document(needs: dict[str, _Need], document: DocumentView) -> None:
-    tags = ["decision"] if document.is_decision else []
-    own = _need("req", document.id, f"{document.id} {document.title}", document.status, document.place, tags)
-    needs[own["id"]] = own
-    for one in document.criteria:
-        _add_criterion(needs, one, own["id"])
+def _ids(exchange: Exchange) -> dict[str, str]:
+    """By name the id: where two names would have one, the later one has the hash of its name behind it."""
+    taken: dict[str, str] = {}
+    ids: dict[str, str] = {}
+    for each in exchange.objects:
+        plain = need_id(each.name)
+        if taken.setdefault(plain, each.name) != each.name:
+            plain = f"{plain[:67]}_{_digits(each.name)}"
+        ids[each.name] = plain
+    return ids
 
 
-def _add_criterion(needs: dict[str, _Need], one: CriterionView, document: str) -> None:
-    own = _need("req", one.name, one.name, one.status, one.place, [*one.tags])
-    own["content"] = f"{_prose(one.text)}\n\n{_prose(one.place)}"
-    own["links"] = [document]
-    needs[own["id"]] = own
-    for row in one.rows:
-        need = _need("spec", f"ROW {row.kind} {row.label}", f"{row.kind} {row.label}", "", row.place, [])
-        _link(needs, need, own["id"])
-    for symbols in one.symbols:
-        need = _need("impl", f"FILE {symbols.file}", symbols.file, "", symbols.file, [])
-        known = needs.get(need["id"])
-        before = known["content"].split(", ") if known else []
-        need["content"] = ", ".join(dict.fromkeys([*before, *map(_prose, symbols.names)]))
-        if known:
-            known["content"] = need["content"]
-        _link(needs, need, own["id"])
-    for test in one.tests:
-        status = _STATUS[test.mood]
-        need = _need("test", f"TEST {test.name} {one.name}", f"{test.name} shows {one.name}", status, "", [])
-        need["content"] = _prose("; ".join(filter(None, (test.cases, test.result))))
-        _link(needs, need, own["id"])
+def _digits(name: str) -> str:
+    return hashlib.sha256(name.encode()).hexdigest()[:12].upper()
 
 
-def _link(needs: dict[str, _Need], need: _Need, target: str) -> None:
-    known = needs.setdefault(need["id"], need)
-    if target not in known["links"]:
-        known["links"].append(target)
-
-
-def _need(kind: str, name: str, title: str, status: str, place: str, tags: list[str]) -> _Need:
+def _need(each: ExchangeObject, identifier: str) -> dict[str, Any]:
+    kind, title = _TYPES[each.kind]
+    facts = {"name": each.name, **dict(each.facts)}
     return {
-        "id": _short(need_id(name)),
+        "id": identifier,
         "type": kind,
-        "type_name": _TYPES[kind],
-        "title": title,
-        "status": status or None,
+        "type_name": title,
+        "title": each.title,
+        "status": facts.get("status"),
         "docname": None,
         "lineno": None,
-        "content": _prose(place),
-        "tags": tags,
+        "content": _prose(each.text),
+        "tags": [*each.tags],
         "links": [],
+        "parent_needs": [],
+        "depends_on": [],
+        **{name: facts[name] for name in _OWN_FACTS if name in facts},
     }
 
 
 def _prose(text: str) -> str:
     """Text for reStructuredText, in which sphinx-needs reads contents: its marks are text here."""
     return _MARKS.sub(r"\\\g<0>", text)
-
-
-def _short(identifier: str) -> str:
-    """Ids of at most 80 characters: the rest of a longer one is its hash."""
-    if len(identifier) <= 80:
-        return identifier
-    return f"{identifier[:67]}_{hashlib.sha256(identifier.encode()).hexdigest()[:12].upper()}"

@@ -1,7 +1,8 @@
 """Results of tests meet the graph: how often each test passed, and what is too old to show anything.
 
-A test of a generated suite says of which specification it was made; a result of another one is stale. Of one test in
-several files all results count: one that failed is not made good by another.
+A test of a generated suite says of which specification it was made, one written by hand with which it was run; a
+result of another one is stale. Of one test in several files all results count: one that failed is not made good by
+another.
 """
 
 from collections import defaultdict
@@ -42,19 +43,27 @@ class Counts:
 class Results:
     """The results of one or several files, by module and by the name of the test without its parameters.
 
-    ``current`` are the hashes of the suites as they are generated now.
+    ``current`` are the hashes of the suites as they are generated now, ``specification`` is that of all of them for
+    tests written by hand.
     """
 
     modules: Mapping[str, Mapping[str, Sequence[TestResult]]]
     current: Collection[str]
+    specification: str
+
+    def is_stale(self, result: TestResult) -> bool:
+        """Whether a result is of another specification; what does not say of which counts as of this one."""
+        if result.inputs is not None:
+            return result.inputs not in self.current
+        return result.specification not in (None, self.specification)
 
 
-def results_of(found: Iterable[TestResult], tests: Iterable[Test]) -> Results:
+def results_of(found: Iterable[TestResult], tests: Iterable[Test], specification: str) -> Results:
     """The results in order to be looked up for tests."""
     modules: dict[str, dict[str, list[TestResult]]] = defaultdict(lambda: defaultdict(list))
     for result in found:
         modules[result.module][result.name.partition("[")[0]].append(result)
-    return Results(modules, {test.inputs for test in tests if test.inputs})
+    return Results(modules, {test.inputs for test in tests if test.inputs}, specification)
 
 
 def counts_of(test: Test, results: Results) -> Counts:
@@ -103,6 +112,11 @@ def unrelated(found: Iterable[TestResult], trace: Trace) -> bool:
     return True
 
 
+def hand_written_results(found: Iterable[TestResult], trace: Trace) -> list[TestResult]:
+    """Those of tests written by hand that say which criteria of the project they show."""
+    return [each for each in found if each.inputs is None and any(trace.called(name) for name in each.shows)]
+
+
 def _about(test: Test, results: Results) -> Iterator[TestResult]:
     """The results of a test; where results tell what they show, only those that show its criterion."""
     function = test.function.rpartition("::")[2]
@@ -121,7 +135,7 @@ def _judged(listed: Sequence[TestResult], results: Results) -> Counts:
     """One case: what failed once has failed, and what is of another specification shows nothing."""
     if not listed:
         return Counts(missing=1)
-    if any(result.inputs is not None and result.inputs not in results.current for result in listed):
+    if any(results.is_stale(result) for result in listed):
         return Counts(stale=1)
     outcomes = {result.outcome for result in listed}
     if Outcome.FAILED in outcomes:

@@ -7,6 +7,8 @@ from codegen.trace.view import CriterionView, DocumentView, RowView, TraceView
 
 WIDTH = 100
 """Columns of a line of prose."""
+SUSPECT = "  suspect"
+"""What stands behind a link that was made for another text."""
 
 
 def summary_text(view: TraceView) -> str:
@@ -63,13 +65,27 @@ def _criterion(one: CriterionView) -> Iterator[str]:
         yield "    tests"
         for test in one.tests:
             about = "; ".join(filter(None, (test.cases, test.result)))
-            yield f"      {test.name}{f'  ({about})' if about else ''}"
+            suspect = SUSPECT if test.is_suspect else ""
+            yield f"      {test.name}{f'  ({about})' if about else ''}{suspect}"
+    yield from _dependencies(one)
     if one.host_limit:
         yield "    a host cannot show all of it"
         yield from wrap(one.host_limit, WIDTH, initial_indent="      ", subsequent_indent="      ")
 
 
+def _dependencies(one: CriterionView) -> Iterator[str]:
+    if one.depends_on:
+        yield "    depends on"
+    for each in one.depends_on:
+        yield f"      {each.name}{f', {each.note}' if each.note else ''}"
+    if one.needed_by:
+        yield "    is needed by"
+    for each in one.needed_by:
+        yield f"      {each.name}{SUSPECT if each.is_suspect else ''}"
+
+
 def _rows(rows: Sequence[RowView], indent: str) -> Iterator[str]:
     width = max(len(f"{row.kind} {row.label}") for row in rows)
     for row in rows:
-        yield f"{indent}{f'{row.kind} {row.label}':<{width}}  {row.place}"
+        suspect = SUSPECT if row.is_suspect else ""
+        yield f"{indent}{f'{row.kind} {row.label}':<{width}}  {row.place}{suspect}"

@@ -11,8 +11,9 @@ from codegen.model.spec import Requirement
 from codegen.source import Place
 from codegen.targets.table import in_table
 from codegen.trace.coverage import Coverage, Tested, Verdict
-from codegen.trace.findings import counted_text
+from codegen.trace.findings import counted_text, unmet_text
 from codegen.trace.graph import Row, Symbol, Trace
+from codegen.trace.link import criterion_link, row_links, test_link
 from codegen.trace.lock import Review
 
 _MOODS = {
@@ -38,6 +39,7 @@ _TAGS = {
     "suspect": "suspect",
     "partly": "partly passed",
     "unspecified": "cited by no row",
+    "dependency": "depends on what is not shown",
     "bench": "needs the bench",
     "by-hand": "tests by hand",
     "decision": "decisions",
@@ -47,11 +49,12 @@ _TAGS = {
 
 @dataclass(frozen=True, slots=True)
 class RowView:
-    """A row: what it is about, and where it stands."""
+    """A row: what it is about, and where it stands; suspect where nobody looked at it with the text as it is now."""
 
     kind: str
     label: str
     place: str
+    is_suspect: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +75,16 @@ class TestView:
     cases: str
     result: str
     mood: str
+    is_suspect: bool
+
+
+@dataclass(frozen=True, slots=True)
+class DependencyView:
+    """A criterion that another one depends on, or that depends on it; how it stands in words, where that matters."""
+
+    name: str
+    note: str
+    is_suspect: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +108,8 @@ class CriterionView:
     rows_by_document: tuple[RowView, ...]
     symbols: tuple[SymbolsView, ...]
     tests: tuple[TestView, ...]
+    depends_on: tuple[DependencyView, ...]
+    needed_by: tuple[DependencyView, ...]
     host_limit: str
     tags: tuple[str, ...]
 
@@ -107,6 +122,7 @@ class DocumentView:
     title: str
     status: str
     aliases: str
+    links: tuple[str, ...]
     place: str
     is_decision: bool
     criteria: tuple[CriterionView, ...]
@@ -161,6 +177,8 @@ def trace_view(
     With ``only_generated`` nothing is known of tests that are written by hand.
     """
     has_results = results is not None
+    if only_generated:  # whether another criterion has a test is not known then
+        coverage = [replace(each, unmet=()) for each in coverage]
     words = _ONLY_GENERATED if only_generated else {} if has_results else _WITHOUT_RESULTS
     views = {each.name: _criterion(each, folder, words) for each in coverage}
     asked = [each for each in coverage if not each.is_decision]
@@ -231,6 +249,9 @@ def _verdicts(asked: Sequence[Coverage], words: _Words) -> Iterable[tuple[str, i
     unspecified = sum(each.is_unspecified for each in asked)
     if unspecified:
         yield "cited by no row", unspecified, "warn"
+    unmet = sum(bool(each.unmet) for each in asked)
+    if unmet:
+        yield _TAGS["dependency"], unmet, "warn"
 
 
 def _said(verdict: Verdict, words: _Words) -> tuple[str, str]:
@@ -245,6 +266,7 @@ def _document(requirement: Requirement, views: dict[str, CriterionView], folder:
         title=requirement.title,
         status=requirement.status,
         aliases=", ".join(requirement.aliases),
+        links=requirement.links,
         place=_shown(requirement.place, folder),
         is_decision=any("decision" in view.tags for view in criteria),
         criteria=criteria,
@@ -255,23 +277,36 @@ def _criterion(each: Coverage, folder: str, words: _Words) -> CriterionView:
     symbols = dict.fromkeys(symbol for row in each.rows for symbol in row.symbols)
     counts = each.counts
     status, mood = _said(each.verdict, words)
+    suspect = {link.name for link in each.suspects}
+    rows = zip(each.rows, row_links(each.rows), strict=True)
     return CriterionView(
         name=each.name,
         text=each.criterion.text,
         cell=in_table(each.criterion.text),
         place=_shown(each.criterion.place, folder),
         status=status,
-        mood=mood,
+        mood="warn" if each.unmet and mood == "good" else mood,
         result=counted_text(counts) if counts else "",
         review="" if each.review in (None, Review.NO_LOCK) else str(each.review),
         is_suspect=each.is_suspect,
-        rows=tuple(_row(row, folder) for row in each.rows),
+        rows=tuple(_row(row, folder, is_suspect=link in suspect) for row, link in rows),
         rows_by_document=tuple(_row(row, folder) for row in each.by_document),
         symbols=_symbols(symbols),
-        tests=tuple(_test(tested) for tested in each.tests),
+        tests=tuple(_test(tested, is_suspect=test_link(tested.test) in suspect) for tested in each.tests),
+        depends_on=tuple(_dependencies(each)),
+        needed_by=tuple(
+            DependencyView(name, "", is_suspect=criterion_link(name) in suspect) for name in each.needed_by
+        ),
         host_limit=each.host_limit.text if each.host_limit else "",
         tags=tuple(_tags(each)),
     )
+
+
+def _dependencies(each: Coverage) -> Iterable[DependencyView]:
+    """What a criterion depends on, and behind it, by detours, what of that is not shown."""
+    unmet = {name: unmet_text(name, verdict).partition(", ")[2] for name, verdict in each.unmet}
+    for name in dict.fromkeys([*each.depends_on, *unmet]):
+        yield DependencyView(name, unmet.get(name, ""), is_suspect=False)
 
 
 def _tags(each: Coverage) -> Iterable[str]:
@@ -285,14 +320,16 @@ def _tags(each: Coverage) -> Iterable[str]:
         yield "suspect"
     if each.is_unspecified:
         yield "unspecified"
+    if each.unmet:
+        yield "dependency"
     if each.host_limit:
         yield "bench"
     if any(tested.test.place for tested in each.tests):
         yield "by-hand"
 
 
-def _row(row: Row, folder: str) -> RowView:
-    return RowView(str(row.kind), row.label, _shown(row.place, folder))
+def _row(row: Row, folder: str, *, is_suspect: bool = False) -> RowView:
+    return RowView(str(row.kind), row.label, _shown(row.place, folder), is_suspect)
 
 
 def _symbols(symbols: Iterable[Symbol]) -> tuple[SymbolsView, ...]:
@@ -302,7 +339,7 @@ def _symbols(symbols: Iterable[Symbol]) -> tuple[SymbolsView, ...]:
     return tuple(SymbolsView(file, tuple(names)) for file, names in files.items())
 
 
-def _test(tested: Tested) -> TestView:
+def _test(tested: Tested, *, is_suspect: bool) -> TestView:
     counts, number = tested.counts, len(tested.test.cases)
     mood = ""
     if counts is not None:
@@ -310,7 +347,8 @@ def _test(tested: Tested) -> TestView:
     about = f", {tested.test.about}" if tested.test.about else ""
     cases = f"{number} {'case' if number == 1 else 'cases'}{about}" if number else ""
     test = tested.test
-    return TestView(test.name, test.file, test.function, cases, counted_text(counts) if counts else "", mood)
+    result = counted_text(counts) if counts else ""
+    return TestView(test.name, test.file, test.function, cases, result, mood, is_suspect)
 
 
 def _shown(place: Place, folder: str) -> str:

@@ -26,12 +26,18 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Project:
 
 @pytest.fixture
 def junit(tmp_path: Path) -> Callable[..., str]:
-    """Write a file of results: cases are (module, name, outcome, criteria, inputs); the path of the file."""
+    """Write a file of results: cases are (module, name, outcome, criteria, inputs); the path of the file.
 
-    def write(name: str, *cases: tuple[str, str, str, tuple[str, ...], str | None]) -> str:
+    With ``specification`` what was not made of any inputs says that it was run with that.
+    """
+
+    def write(
+        name: str, *cases: tuple[str, str, str, tuple[str, ...], str | None], specification: str | None = None
+    ) -> str:
         parts = ['<?xml version="1.0"?><testsuites><testsuite name="pytest">']
         for module, test, outcome, shows, inputs in cases:
             told = [("requirement", one) for one in shows] + ([("codegen-inputs", inputs)] if inputs else [])
+            told += [("codegen-specification", specification)] if specification and not inputs else []
             properties = "".join(f"<property name={quoteattr(key)} value={quoteattr(one)}/>" for key, one in told)
             inside = "" if outcome == "passed" else f'<{outcome} message="m">long</{outcome}>'
             parts.append(f"<testcase classname={quoteattr(module)} name={quoteattr(test)} time='0.1'>")

@@ -61,7 +61,7 @@ def test_a_change_is_a_finding_until_it_is_accepted(project: Project, capsys: py
     said = capsys.readouterr().out
     assert "specs/requirements/FR-1.md:10:1: error trace-suspect: FR-1.1 has another text than the one" in said
     assert 'codegen trace accept FR-1.1 --reason "..."' in said
-    assert "specs/messages/heartbeat.yaml:1:1: HEARTBEAT cites it" in said
+    assert "specs/messages/heartbeat.yaml:1:1: message HEARTBEAT cites it" in said
     project.run("FR-1.1")
     assert "FR-1.1  [has tests; changed since it was reviewed]" in capsys.readouterr().out
     project.run("--format", "html")

@@ -140,7 +140,8 @@ def test_needs_json(project: Project, capsys: pytest.CaptureFixture[str]) -> Non
     assert all(re.fullmatch("[A-Z0-9_]{5,}", name) and need["id"] == name for name, need in needs.items())
     assert {link for need in needs.values() for link in need["links"]} <= needs.keys()
     assert needs["FR_1_2"]["links"] == ["FR_1_"]
-    assert needs["FR_1_2"]["content"].startswith("Its custom\\_mode is 7, which nobody reads.\n\nspecs/")
+    assert needs["FR_1_2"]["content"] == "Its custom\\_mode is 7, which nobody reads."
+    assert needs["FR_1_2"]["place"] == "specs/requirements/FR-1.md:11"
     kinds = {kind: sum(need["type"] == kind for need in needs.values()) for kind in ("req", "spec", "impl", "test")}
     assert kinds["req"] == 5
     assert min(kinds.values()) >= 2

@@ -8,6 +8,7 @@ from trace_project import Project
 from codegen.decode.junit import decode_junit
 from codegen.diagnostics import Report
 from codegen.trace.coverage import Verdict, coverage_of
+from codegen.trace.generated_tests import inputs_of
 from codegen.trace.results import Counts, results_of, unrelated, with_links_of
 
 Junit = Callable[..., str]
@@ -18,8 +19,10 @@ def verdicts(project: Project, *files: str) -> dict[str, tuple[Verdict, Counts |
     """What becomes of each criterion with the results of some files."""
     trace, _ = project.trace()
     found = [result for path in files for result in decode_junit(path, Report()) or ()]
-    results = results_of(found, trace.tests)
-    return {each.name: (each.verdict, each.counts) for each in coverage_of(with_links_of(trace, results), {}, results)}
+    results = results_of(found, trace.tests, inputs_of(project.trace()[1]))
+    return {
+        each.name: (each.verdict, each.counts) for each in coverage_of(with_links_of(trace, results), {}, {}, results)
+    }
 
 
 def of_the_suite(project: Project, outcome: str = "passed", inputs: str | None = None) -> list[tuple[object, ...]]:
