@@ -1,7 +1,8 @@
+# ruff: noqa: T201  what is printed is the answer
 """What each part of a pass of the main loop costs: counts passes, and writes codegen/loop/costs.json.
 
-Instructions are counted as by cost.py, of single passes of several projects. Costs of the same kind are fitted to all of
-them by least squares of the relative errors; no cost is below 0. Done again after each change of what runs in the loop.
+Instructions are counted as by cost.py, of single passes of several projects. Costs of one kind are fitted to all of
+them by least squares of the relative errors; no cost is below 0. To be done again after each change of the main loop.
 """
 
 import argparse
@@ -14,7 +15,7 @@ from pathlib import Path
 import cost
 import measure
 import results
-from loop_plan import NOTHING, Counted, Plan
+from loop_plan import Counted, Plan
 
 from codegen import pipeline
 from codegen.diagnostics import Report
@@ -83,12 +84,14 @@ def _as_sent(counted: Counted, sent: tuple[int, int]) -> Work | None:
     return Work({**counted.work, Part.BYTE: size})
 
 
-def fitted(rows: Iterable[Row]) -> tuple[dict[Part, float], list[dict[str, object]]]:
+def fitted(
+    rows: Iterable[Row], stages: Iterable[tuple[str, tuple[str, ...], tuple[Part, ...]]] = STAGES
+) -> tuple[dict[Part, float], list[dict[str, object]]]:
     """Return the costs of all parts, and how well they fit."""
     costs: dict[Part, float] = {}
     fits: list[dict[str, object]] = []
     rows = list(rows)
-    for name, kinds, parts in STAGES:
+    for name, kinds, parts in stages:
         mine = [row for row in rows if row.of in kinds]
         left = [(row.work, row.instructions - _known(row.work, costs), row.instructions) for row in mine]
         costs |= least_squares(left, parts)
@@ -102,7 +105,7 @@ def _known(work: Work, costs: Mapping[Part, float]) -> float:
 
 
 def least_squares(rows: Sequence[tuple[Work, float, float]], parts: Sequence[Part]) -> dict[Part, float]:
-    """Return the costs of parts, none below 0, that fit rows best: their work, instructions, and what errors count by."""
+    """Return the costs of parts, none below 0, that fit best; a row has work, instructions, and what errors are of."""
     kept = [part for part in parts if any(work[part] for work, _, _ in rows)]
     while True:
         weighed = [([work[part] / whole for part in kept], value / whole) for work, value, whole in rows]
@@ -144,13 +147,13 @@ def rover_plan(system: System, *, whole: bool = True) -> Plan:
     """Return what is counted of the rover."""
     assert system.program is not None
     plan = Plan(system, system.program)
-    plan.count_passes(unless="report")
+    plan.count_passes()
     plan.count_heard()
     plan.count_messages()
     plan.count_readings()
     if whole:
         plan.count_stations()
-        plan.count_control()
+        plan.count_jobs()
     return plan
 
 
@@ -200,7 +203,8 @@ def main() -> None:
     costs |= sensors
     if arguments.rows:
         for row in rows:
-            print(f"{row.project:13} {row.name:18} {row.instructions:8} {_known(row.work, costs):10.0f}", dict(row.work))
+            told = round(_known(row.work, costs))
+            print(f"{row.project:13} {row.name:18} {row.instructions:8} {told:8}", dict(row.work))
     content = {
         "measured_by": "benchmarks/loop.py",
         "micropython": results.read_versions()["MicroPython"],

@@ -6,7 +6,7 @@ from typing import Any
 
 from pymavlink.dialects.v20 import common
 
-from codegen.loop.frames import due_work, message_work, streamed
+from codegen.loop.frames import due_work, message_work
 from codegen.loop.jobs import LINKS, Job, loop_jobs
 from codegen.loop.parts import Part, Work
 from codegen.model.program import LinkKind, Program
@@ -16,6 +16,7 @@ from codegen.model.vehicle import QuantityKind
 LOOK_US = 100000
 """No later streams look again at what they have; then a pass takes a little more."""
 WARM_UP_US = 500000
+_MOST_PASSES = 400
 NOTHING = "nothing"
 """The name of what counting itself takes."""
 
@@ -106,12 +107,15 @@ class Plan:
         self.counted.append(Counted(name, of, work, beyond))
         self.now_us += self.program.control_us
 
-    def count_passes(self, unless: str) -> None:
-        """Count the pass of links, and one in which each of the other jobs is due that run within two seconds."""
+    def count_passes(self) -> None:
+        """Count the pass of control alone, that of links, and one with each other job that is not due too seldom."""
+        if self.has_control_alone:
+            self.go(self.find(lambda due: not due))
+            self.count("control", "control", self.pass_work(frozenset()))
         self.next_links()
-        self.count("links", "links", self.pass_work(self.links_alone) + Work())
+        self.count("links", "links", self.pass_work(self.links_alone))
         for job in self.jobs:
-            if job.name not in self.links_alone and job.name != unless and job.period_us <= 5000000:
+            if job.name not in self.links_alone and job.period_us <= _MOST_PASSES * self.program.control_us:
                 self.hear()
                 self.go(self.now_us + self.program.links_us)
                 at_us = self.find(lambda due, name=job.name: name in due)  # type: ignore[misc]
@@ -127,20 +131,19 @@ class Plan:
             found[Part.LINK] = 1  # the script opens one
         return found
 
-    def count_control(self) -> None:
-        """Count the pass in which control alone is due, and then with jobs that do nothing."""
-        self.go(self.find(lambda due: not due))
-        self.count("control", "control", Work({Part.PASS: 1}))
-        for number, (period_us, calls) in enumerate(((self.program.control_us, 1), (self.program.control_us, 2), (1 << 28, 2)), 1):
-            self.steps.append(["job", period_us])
+    def count_jobs(self) -> None:
+        """Count passes of jobs that do nothing."""
+        period_us = self.program.control_us
+        for number, (job_us, calls) in enumerate(((period_us, 1), (period_us, 2), (1 << 28, 2)), 1):
+            self.steps.append(["job", job_us])
             self.go(self.now_us + self.program.control_us)
             self.go(self.find(lambda due: not due))
             looked = {Part.JOBS: 1, Part.JOB: len(self.jobs) + number, Part.CALL: calls}
             self.count(f"{number} empty jobs", "empty jobs", Work({Part.PASS: 1, **looked}))
 
-    def count_messages(self) -> None:
+    def count_messages(self, *, all_only: bool = False) -> None:
         """Count passes in which one message is due, and one in which all of them are."""
-        for number in sorted({message.wire.id for message in self.system.messages}):
+        for number in () if all_only else sorted({message.wire.id for message in self.system.messages}):
             tables = [message for message in self.system.messages if message.wire.id == number]
             self.next_links()
             self.steps.append(["interval", number, 1000000])
@@ -195,8 +198,3 @@ def _knowable(system: System) -> Iterator[list[Any]]:
             value = float(steps / quantity.steps)
             for number in range(component.instances):
                 yield [component.name, number if component.instances > 1 else None, quantity.name, value]
-
-
-def default_frames(system: System) -> int:
-    """Return how many messages streams send by default."""
-    return len(streamed(system))

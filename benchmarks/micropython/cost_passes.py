@@ -10,6 +10,7 @@ import io
 import json
 import os
 import sys
+from time import sleep_ms, sleep_us, ticks_add, ticks_diff
 
 import micropython
 
@@ -22,7 +23,7 @@ class Clock:
 
     _ms = io.BytesIO(b"")
     ticks_us, ticks_ms = micropython.opt_level, _ms.tell
-    from time import sleep_ms, sleep_us, ticks_add, ticks_diff
+    sleep_ms, sleep_us, ticks_add, ticks_diff = sleep_ms, sleep_us, ticks_add, ticks_diff
 
     def go_to(self, now_us):
         """Let it be so late."""

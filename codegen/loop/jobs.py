@@ -42,7 +42,7 @@ def loop_jobs(system: System, program: Program) -> tuple[Job, ...]:
         *_readings(system, program),
         Job(LINKS, "links are served", program.links_us, links, links),
         Job("report", "missed slots are reported", program.report_ms * 1000, _REPORT, _REPORT),
-        *([Job("reminder", "what stands is said again", REMINDER_US, _REMINDER, _REMINDER)] if _can_arm(program) else []),
+        Job("reminder", "what stands is said again", REMINDER_US, _REMINDER, _REMINDER),
     )
 
 

@@ -7,7 +7,7 @@ from enum import StrEnum
 class Part(StrEnum):
     """One part. Its value is what ``costs.json`` calls it."""
 
-    PASS = "pass"
+    PASS = "pass"  # noqa: S105  a pass of the main loop
     """A pass in which control alone is due, which does nothing."""
     JOBS = "jobs"
     """More, where any job is due: all of them are looked at."""

@@ -20,6 +20,8 @@ from codegen.targets.naming import prose, quoted
 from codegen.targets.source_files import module_name
 
 _CLOCK = "_CLOCK"
+
+
 @dataclass(frozen=True, slots=True)
 class GivenView:
     """What one instance of a quantity takes from a sensor: the ``place`` of the output among its values.

@@ -1,0 +1,231 @@
+"""What the main loop leaves to the user's code in each slot of control, and its load of a board."""
+
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+
+from codegen.frozen import dataclass
+from codegen.loop.costs import Costs, measured_costs
+from codegen.loop.frames import HEARD_IN_A_PASS, due_work, message_work, streamed
+from codegen.loop.jobs import LINKS, Job, loop_jobs
+from codegen.loop.parts import Part, Work
+from codegen.model.board_model import Timing
+from codegen.model.price import default_rate
+from codegen.model.program import Program
+from codegen.model.system import System
+from codegen.once import once
+
+LOOK_HZ = 10
+"""How often streams look at least whether something is due."""
+_MOST_PASSES = 4000
+"""So many passes are looked at for what falls together; what is due less often is taken to be due so often."""
+
+
+@dataclass(frozen=True, slots=True)
+class Took:
+    """How long some work takes: instructions counted on x86-64, and on the board us, likely and at most.
+
+    These are None where nobody knows how fast the board is.
+    """
+
+    instructions: int
+    likely_us: Fraction | None
+    most_us: Fraction | None
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """One kind of slot of control: the jobs that are ``due`` in it, and how often it comes in a second.
+
+    ``quiet`` is what it takes while no message is due, ``busy`` with all messages due that streams send by default, and
+    ``most`` with everything switched on, as many messages due as a pass sends, and as many arriving as it handles.
+    Where links are not served all are the same, but for what is switched on.
+    """
+
+    due: tuple[Job, ...]
+    rate: Fraction
+    quiet: Took
+    busy: Took
+    most: Took
+    work: Work
+
+    @property
+    def words(self) -> str:
+        """The names of what is done in it."""
+        return " + ".join(job.name for job in self.due) or "control alone"
+
+    @property
+    def serves(self) -> bool:
+        """Whether links are served."""
+        return any(job.name == LINKS for job in self.due)
+
+
+@dataclass(frozen=True, slots=True)
+class LoopBudget:
+    """The budget of a program: ``slots``, the shortest first, and the load of the board without the user's code.
+
+    ``station`` is what each further station of a link takes in each slot that serves links, ``heard`` what a message
+    takes that arrives. ``base`` is the load in instructions a second without frames, ``load`` that with the frames that
+    streams send by default.
+    """
+
+    control_us: int
+    timing: Timing | None
+    jobs: tuple[Job, ...]
+    slots: tuple[Slot, ...]
+    station: Took
+    heard: Took
+    base: Took
+    load: Took
+    costs: Costs
+
+    @property
+    def longest(self) -> Slot:
+        """The slot that takes longest with what is there by default."""
+        return max(self.slots, key=lambda slot: slot.busy.instructions)
+
+    def took(self, work: Work) -> Took:
+        """Return how long some work takes."""
+        return _took(work, self.costs, self.timing)
+
+    def left_us(self, took: Took) -> tuple[Fraction, Fraction] | None:
+        """Return what is left of a slot, likely and at least: below 0 where it takes longer. None: nobody knows."""
+        if took.likely_us is None or took.most_us is None:
+            return None
+        return self.control_us - took.likely_us, self.control_us - took.most_us
+
+
+def why_not_predicted(system: System) -> str:
+    """Return why no time is predicted, or an empty text."""
+    if system.program is None:
+        return "there is no program: vehicle.yaml is missing"
+    if not system.spec.project.machine_code:
+        return "it was measured with machine code only, and machine_code is false"
+    if system.board is None:
+        return "no board is named"
+    if system.board.timing is None:
+        return f"nobody has measured how many cycles the {system.board.spec.mcu} takes for what the firmware does"
+    return ""
+
+
+@once
+def loop_budget(system: System) -> LoopBudget | None:
+    """The budget; None without a program, and where it is plain Python, which was not measured."""
+    program = system.program
+    if program is None or not system.spec.project.machine_code:
+        return None
+    costs = measured_costs()
+    timing = system.board.timing if system.board else None
+    jobs = loop_jobs(system, program)
+    slots = [_slot(due, rate, system, jobs, costs, timing) for due, rate in _kinds(jobs, program)]
+    base = _base_work(jobs, program)
+    return LoopBudget(
+        program.control_us,
+        timing,
+        jobs,
+        tuple(sorted(slots, key=lambda slot: slot.busy.instructions)),
+        _took(Work({Part.STATION: 1}), costs, timing),
+        _took(Work({Part.HEARD: 1}), costs, timing),
+        _a_second(base, costs, timing),
+        _a_second(_sum(base, _frames_a_second(system)), costs, timing),
+        costs,
+    )
+
+
+def _kinds(jobs: tuple[Job, ...], program: Program) -> Iterator[tuple[tuple[Job, ...], Fraction]]:
+    """What falls together, and how often in a second. Every job is due in the first pass."""
+    passes = min(_MOST_PASSES, -(-max(job.period_us for job in jobs) // program.control_us))
+    due: dict[int, int] = {}
+    for index, job in enumerate(jobs):
+        for now_us in range(0, passes * program.control_us, job.period_us):
+            number = -(-now_us // program.control_us)
+            due[number] = due.get(number, 0) | 1 << index
+    found = Counter(together for number, together in due.items() if number < passes)
+    found[0] = passes - found.total()
+    for together, count in found.items():
+        if count:
+            yield (
+                tuple(job for index, job in enumerate(jobs) if together >> index & 1),
+                Fraction(count * 1000000, passes * program.control_us),
+            )
+
+
+def _slot(
+    due: tuple[Job, ...],
+    rate: Fraction,
+    system: System,
+    jobs: tuple[Job, ...],
+    costs: Costs,
+    timing: Timing | None,
+) -> Slot:
+    looked = Work({Part.JOBS: 1, Part.JOB: len(jobs), Part.CALL: len(due)}) if due else Work()
+    work = most = looked + Work({Part.PASS: 1})
+    for job in due:
+        work = work + (job.work or Work())
+        most = most + (job.most or Work())
+    busy = work
+    if any(job.name == LINKS for job in due):
+        links = work[Part.LINK]
+        busy = work + _times(due_work(system), links)
+        heard = Work({Part.HEARD: HEARD_IN_A_PASS * links})
+        most = most + _times(due_work(system, most=True), links) + heard
+    quiet, whole, beyond = (_took(each, costs, timing) for each in (work, busy, most))
+    return Slot(due, rate, quiet, whole, beyond, busy)
+
+
+def _times(work: Work, count: int) -> Work:
+    return Work({part: amount * count for part, amount in work.items()})
+
+
+def _took(work: Work, costs: Costs, timing: Timing | None) -> Took:
+    instructions = costs.instructions(work)
+    if timing is None:
+        return Took(instructions, None, None)
+    conversions_us = work[Part.CONVERSION] * timing.conversion_us
+    likely, most = (instructions * cycles / timing.megahertz for cycles in (timing.cycles, timing.most_cycles))
+    return Took(instructions, likely + conversions_us, most + conversions_us)
+
+
+Rates = dict[Part, Fraction]
+"""How many of each part there are in a second."""
+
+
+def _sum(one: Rates, other: Rates) -> Rates:
+    return {part: one.get(part, Fraction(0)) + other.get(part, Fraction(0)) for part in {**one, **other}}
+
+
+def _a_second(rates: Rates, costs: Costs, timing: Timing | None) -> Took:
+    """What takes so many parts in a second: us of a second."""
+    rounded = Work({part: round(rate * 1000) for part, rate in rates.items()})
+    whole = _took(rounded, costs, timing)
+    if whole.likely_us is None or whole.most_us is None:
+        return Took(whole.instructions // 1000, None, None)
+    return Took(whole.instructions // 1000, whole.likely_us / 1000, whole.most_us / 1000)
+
+
+def _base_work(jobs: tuple[Job, ...], program: Program) -> Rates:
+    """What there is in a second without a message."""
+    rates: Rates = {Part.PASS: Fraction(1000000, program.control_us)}
+    looks = min(rates[Part.PASS], max(Fraction(1000000, job.period_us) for job in jobs))
+    rates = _sum(rates, {Part.JOBS: looks, Part.JOB: looks * len(jobs)})
+    for job in jobs:
+        rate = Fraction(1000000, job.period_us)
+        work = (job.work or Work()) + Work({Part.CALL: 1})
+        rates = _sum(rates, {part: count * rate for part, count in work.items()})
+    return rates
+
+
+def looks_a_second(system: System) -> Fraction:
+    """Return how often it is looked what streams have to send, over all links: at least so often as one is due."""
+    rates = [default_rate(message) for message in streamed(system)]
+    return max([Fraction(LOOK_HZ), *rates]) * len(system.links)
+
+
+def _frames_a_second(system: System) -> Rates:
+    """The messages that streams send by default, over all links."""
+    looks = looks_a_second(system)
+    rates: Rates = {Part.STREAMS: looks, Part.TABLE: looks * len(system.messages)}
+    for message in streamed(system):
+        rate = default_rate(message) * len(system.links)
+        rates = _sum(rates, {part: count * rate for part, count in message_work(message, system).items()})
+    return rates
