@@ -159,8 +159,8 @@ def _loop(system: System) -> Iterator[TableView]:
     yield TableView(
         id="loop",
         title="Main loop",
-        doc=" ".join([doc, *([f"No times: {why}."] if why else []), *NOT_COUNTED, source_words(budget)]),
-        columns=COLUMNS_WITHOUT_TIMES if why else COLUMNS,
+        doc=" ".join([doc, *([f"No times: {why}."] if why else []), *NOT_COUNTED]),
+        columns=tuple(name[:1].upper() + name[1:] for name in (COLUMNS_WITHOUT_TIMES if why else COLUMNS)),
         rows=tuple(rows(budget)),
     )
     yield TableView(
@@ -173,7 +173,7 @@ def _loop(system: System) -> Iterator[TableView]:
     yield TableView(
         id="loop-longest",
         title="What takes the longest slot",
-        doc=f"That of {budget.longest.words}, with all messages due.",
+        doc=f"That of {budget.longest.words}, with all messages due. {source_words(budget)}",
         columns=("Part", "Takes", "Share"),
         rows=tuple((name, us_words(took), share) for name, took, share in shares(budget.longest, budget)),
     )
