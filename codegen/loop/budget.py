@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.loop.costs import Costs, measured_costs
@@ -117,23 +118,25 @@ def loop_budget(system: System) -> LoopBudget | None:
     costs = measured_costs()
     timing = system.board.timing if system.board else None
     jobs = loop_jobs(system, program)
-    slots = [_slot(due, rate, system, jobs, costs, timing) for due, rate in _kinds(jobs, program)]
+    most = due_work(system, most=True) + Work({Part.HEARD: HEARD_IN_A_PASS})
+    around = _Around(jobs, due_work(system), most, costs, timing)
+    slots = [_slot(due, rate, around) for due, rate in slot_kinds(jobs, program)]
     base = _base_work(jobs, program)
     return LoopBudget(
         program.control_us,
         timing,
         jobs,
         tuple(sorted(slots, key=lambda slot: slot.busy.instructions)),
-        _took(Work({Part.STATION: 1}), costs, timing),
-        _took(Work({Part.HEARD: 1}), costs, timing),
+        around.took(Work({Part.STATION: 1})),
+        around.took(Work({Part.HEARD: 1})),
         _a_second(base, costs, timing),
         _a_second(_sum(base, _frames_a_second(system)), costs, timing),
         costs,
     )
 
 
-def _kinds(jobs: tuple[Job, ...], program: Program) -> Iterator[tuple[tuple[Job, ...], Fraction]]:
-    """What falls together, and how often in a second. Every job is due in the first pass."""
+def slot_kinds(jobs: tuple[Job, ...], program: Program) -> Iterator[tuple[tuple[Job, ...], Fraction]]:
+    """Return what falls together, and how often in a second. Every job is due in the first pass."""
     passes = min(_MOST_PASSES, -(-max(job.period_us for job in jobs) // program.control_us))
     due: dict[int, int] = {}
     for index, job in enumerate(jobs):
@@ -150,27 +153,28 @@ def _kinds(jobs: tuple[Job, ...], program: Program) -> Iterator[tuple[tuple[Job,
             )
 
 
-def _slot(
-    due: tuple[Job, ...],
-    rate: Fraction,
-    system: System,
-    jobs: tuple[Job, ...],
-    costs: Costs,
-    timing: Timing | None,
-) -> Slot:
-    looked = Work({Part.JOBS: 1, Part.JOB: len(jobs), Part.CALL: len(due)}) if due else Work()
+class _Around(NamedTuple):
+    """What slots have in common: all jobs, what a link takes with all messages due and at most, costs, the board."""
+
+    jobs: tuple[Job, ...]
+    due: Work
+    most: Work
+    costs: Costs
+    timing: Timing | None
+
+    def took(self, work: Work) -> Took:
+        return _took(work, self.costs, self.timing)
+
+
+def _slot(due: tuple[Job, ...], rate: Fraction, around: _Around) -> Slot:
+    looked = Work({Part.JOBS: 1, Part.JOB: len(around.jobs), Part.CALL: len(due)}) if due else Work()
     work = most = looked + Work({Part.PASS: 1})
     for job in due:
         work = work + (job.work or Work())
         most = most + (job.most or Work())
-    busy = work
-    if any(job.name == LINKS for job in due):
-        links = work[Part.LINK]
-        busy = work + _times(due_work(system), links)
-        heard = Work({Part.HEARD: HEARD_IN_A_PASS * links})
-        most = most + _times(due_work(system, most=True), links) + heard
-    quiet, whole, beyond = (_took(each, costs, timing) for each in (work, busy, most))
-    return Slot(due, rate, quiet, whole, beyond, busy)
+    busy = work + _times(around.due, work[Part.LINK])
+    most = most + _times(around.most, most[Part.LINK])
+    return Slot(due, rate, around.took(work), around.took(busy), around.took(most), busy)
 
 
 def _times(work: Work, count: int) -> Work:

@@ -1,16 +1,17 @@
 """The budget of the main loop follows from the specification, and says what the generated program does."""
 
 import re
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.loop.budget import LoopBudget, Slot, loop_budget, why_not_predicted
+from codegen.loop.budget import LoopBudget, Slot, loop_budget, slot_kinds, why_not_predicted
 from codegen.loop.costs import measured_costs
 from codegen.loop.frames import FRAMES_OF_A_PASS, HEARD_IN_A_PASS, due_work, streamed
-from codegen.loop.jobs import loop_jobs
+from codegen.loop.jobs import Job, loop_jobs
 from codegen.loop.load import traffic_load
 from codegen.loop.parts import Part, Work
 from codegen.loop.shares import GROUPS, shares
@@ -79,6 +80,21 @@ def test_slots_are_counted_on_the_grid() -> None:
     }
     boat = budget_of(BOAT)
     assert sum(slot.rate for slot in boat.slots) == Fraction(1000000, boat.control_us) == 50
+
+
+def test_what_is_not_due_with_control_is_done_in_the_next_slot() -> None:
+    """As the scheduler has it: a job whose time has come since the pass before, with whatever else is due then."""
+    [rover, *_] = systems_of(ROVER)
+    assert rover.program is not None
+    program = replace(rover.program, control_us=2500)
+    jobs = tuple(Job(f"{us}", "", us, Work(), Work()) for us in (10000, 7000, 35000))
+    found = {tuple(job.name for job in due): rate for due, rate in slot_kinds(jobs, program)}
+    expected: dict[tuple[str, ...], Fraction] = {}
+    for now_us in range(0, 35000, 2500):
+        due = tuple(job.name for job in jobs if now_us // job.period_us != (now_us - 2500) // job.period_us)
+        expected[due] = expected.get(due, Fraction(0)) + Fraction(1000000, 35000)
+    assert found == expected
+    assert ("10000", "7000", "35000") in found
 
 
 def test_times_follow_from_the_costs_and_the_board() -> None:
