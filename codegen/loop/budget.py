@@ -1,25 +1,18 @@
 """What the main loop leaves to the user's code in each slot of control, and its load of a board."""
 
-from collections import Counter
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
 from codegen.frozen import dataclass
 from codegen.loop.costs import Costs, measured_costs
-from codegen.loop.frames import HEARD_IN_A_PASS, due_work, message_work, streamed
+from codegen.loop.frames import HEARD_IN_A_PASS, due_work
+from codegen.loop.grid import slot_kinds
 from codegen.loop.jobs import LINKS, Job, loop_jobs
 from codegen.loop.parts import Part, Work
+from codegen.loop.rates import Rates, added, base_rates, frame_rates
 from codegen.model.board_model import Timing
-from codegen.model.price import default_rate
-from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.once import once
-
-LOOK_HZ = 10
-"""How often streams look at least whether something is due."""
-_MOST_PASSES = 4000
-"""So many passes are looked at for what falls together; what is due less often is taken to be due so often."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +104,7 @@ def why_not_predicted(system: System) -> str:
 
 @once
 def loop_budget(system: System) -> LoopBudget | None:
-    """The budget; None without a program, and where it is plain Python, which was not measured."""
+    """Return the budget; None without a program, and where it is plain Python, which was not measured."""
     program = system.program
     if program is None or not system.spec.project.machine_code:
         return None
@@ -121,7 +114,7 @@ def loop_budget(system: System) -> LoopBudget | None:
     most = due_work(system, most=True) + Work({Part.HEARD: HEARD_IN_A_PASS})
     around = _Around(jobs, due_work(system), most, costs, timing)
     slots = [_slot(due, rate, around) for due, rate in slot_kinds(jobs, program)]
-    base = _base_work(jobs, program)
+    base = base_rates(jobs, program)
     return LoopBudget(
         program.control_us,
         timing,
@@ -130,27 +123,9 @@ def loop_budget(system: System) -> LoopBudget | None:
         around.took(Work({Part.STATION: 1})),
         around.took(Work({Part.HEARD: 1})),
         _a_second(base, costs, timing),
-        _a_second(_sum(base, _frames_a_second(system)), costs, timing),
+        _a_second(added(base, frame_rates(system)), costs, timing),
         costs,
     )
-
-
-def slot_kinds(jobs: tuple[Job, ...], program: Program) -> Iterator[tuple[tuple[Job, ...], Fraction]]:
-    """Return what falls together, and how often in a second. Every job is due in the first pass."""
-    passes = min(_MOST_PASSES, -(-max(job.period_us for job in jobs) // program.control_us))
-    due: dict[int, int] = {}
-    for index, job in enumerate(jobs):
-        for now_us in range(0, passes * program.control_us, job.period_us):
-            number = -(-now_us // program.control_us)
-            due[number] = due.get(number, 0) | 1 << index
-    found = Counter(together for number, together in due.items() if number < passes)
-    found[0] = passes - found.total()
-    for together, count in found.items():
-        if count:
-            yield (
-                tuple(job for index, job in enumerate(jobs) if together >> index & 1),
-                Fraction(count * 1000000, passes * program.control_us),
-            )
 
 
 class _Around(NamedTuple):
@@ -190,46 +165,10 @@ def _took(work: Work, costs: Costs, timing: Timing | None) -> Took:
     return Took(instructions, likely + conversions_us, most + conversions_us)
 
 
-Rates = dict[Part, Fraction]
-"""How many of each part there are in a second."""
-
-
-def _sum(one: Rates, other: Rates) -> Rates:
-    return {part: one.get(part, Fraction(0)) + other.get(part, Fraction(0)) for part in {**one, **other}}
-
-
 def _a_second(rates: Rates, costs: Costs, timing: Timing | None) -> Took:
-    """What takes so many parts in a second: us of a second."""
+    """Return how long so many parts take that there are in a second."""
     rounded = Work({part: round(rate * 1000) for part, rate in rates.items()})
     whole = _took(rounded, costs, timing)
     if whole.likely_us is None or whole.most_us is None:
         return Took(whole.instructions // 1000, None, None)
     return Took(whole.instructions // 1000, whole.likely_us / 1000, whole.most_us / 1000)
-
-
-def _base_work(jobs: tuple[Job, ...], program: Program) -> Rates:
-    """What there is in a second without a message."""
-    rates: Rates = {Part.PASS: Fraction(1000000, program.control_us)}
-    looks = min(rates[Part.PASS], max(Fraction(1000000, job.period_us) for job in jobs))
-    rates = _sum(rates, {Part.JOBS: looks, Part.JOB: looks * len(jobs)})
-    for job in jobs:
-        rate = Fraction(1000000, job.period_us)
-        work = (job.work or Work()) + Work({Part.CALL: 1})
-        rates = _sum(rates, {part: count * rate for part, count in work.items()})
-    return rates
-
-
-def looks_a_second(system: System) -> Fraction:
-    """Return how often it is looked what streams have to send, over all links: at least so often as one is due."""
-    rates = [default_rate(message) for message in streamed(system)]
-    return max([Fraction(LOOK_HZ), *rates]) * len(system.links)
-
-
-def _frames_a_second(system: System) -> Rates:
-    """The messages that streams send by default, over all links."""
-    looks = looks_a_second(system)
-    rates: Rates = {Part.STREAMS: looks, Part.TABLE: looks * len(system.messages)}
-    for message in streamed(system):
-        rate = default_rate(message) * len(system.links)
-        rates = _sum(rates, {part: count * rate for part, count in message_work(message, system).items()})
-    return rates

@@ -11,12 +11,12 @@ HEARD_IN_A_PASS = 2
 
 
 def streamed(system: System) -> tuple[PopulatedMessage, ...]:
-    """The messages that streams send by default, in the order in which they go out."""
+    """Return the messages that streams send by default, in the order in which they go out."""
     return tuple(message for message in sent_messages(system) if message.stream and message.stream.default_rate)
 
 
 def message_work(message: PopulatedMessage, system: System, *, most: bool = False) -> Work:
-    """What it takes to send one message once: about each instance that is on by default, or about all of them."""
+    """Return what it takes to send a message once: about each instance that is on by default, or about all of them."""
     protocol = system.spec.project.protocol
     on = on_by_default(message.component, system)
     sizes = [
@@ -35,7 +35,7 @@ def message_work(message: PopulatedMessage, system: System, *, most: bool = Fals
 
 
 def due_work(system: System, *, most: bool = False) -> Work:
-    """What a station takes at which everything is due at once that streams send by default.
+    """Return what a station takes at which everything is due at once that streams send by default.
 
     ``most``: everything that there is is sent, as far as a pass sends it; of all messages the dearest.
     """

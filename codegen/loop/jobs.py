@@ -34,7 +34,7 @@ class Job:
 
 
 def loop_jobs(system: System, program: Program) -> tuple[Job, ...]:
-    """All of them."""
+    """Return all jobs of a program."""
     links = Work({Part.LINK: len(system.links)})
     return (
         *([Job("measure", "code of yours measures", program.measure_us, None, None)] if program.measure_us else []),
@@ -62,7 +62,7 @@ def _sensors(system: System, program: Program) -> Iterator[Job]:
 
 
 def _readings(system: System, program: Program) -> Iterator[Job]:
-    """The components that are read, with the failsafes on them; behind the last what is checked beside them."""
+    """Return the components that are read, with the failsafes on them; behind the last what is checked beside them."""
     measured = [component for component in system.components.values() if component.readings]
     for component in measured:
         guards = [each for each in program.failsafes if _watches(each, component)]
@@ -89,7 +89,7 @@ def _watches(failsafe: Failsafe, component: Component) -> bool:
 
 
 def _read(component: Component, system: System | None) -> Work:
-    """What it takes to read a component, with what is on by default, or without ``system`` with all of it."""
+    """Return what it takes to read a component, with what is on by default, or without ``system`` with all of it."""
     work = Work({Part.COMPONENT: 1})
     on = on_by_default(component, system) if system else (True,) * component.instances
     for number in range(component.instances):
@@ -105,7 +105,7 @@ def _is(parameter: Parameter, steps: int, component: Component, number: int, sys
 
 
 def _guarded(failsafes: Iterable[Failsafe], system: System | None) -> Work:
-    """What it takes to look at failsafes, and whether they let the vehicle be armed."""
+    """Return what it takes to look at failsafes, and whether they let the vehicle be armed."""
     work = Work({Part.WATCH: 1})
     for failsafe in failsafes:
         count = sum(on_by_default(failsafe.component, system)) if system else failsafe.instances

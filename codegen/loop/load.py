@@ -4,9 +4,10 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from codegen.frozen import dataclass
-from codegen.loop.budget import looks_a_second, loop_budget, why_not_predicted
+from codegen.loop.budget import loop_budget, why_not_predicted
 from codegen.loop.frames import message_work
 from codegen.loop.parts import Part, Work
+from codegen.loop.rates import looks_a_second
 from codegen.model.system import System
 
 HEARTBEAT_SIZE = 21

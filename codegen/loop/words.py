@@ -35,21 +35,21 @@ def _row(words: str, rate: str, took: Took, budget: LoopBudget) -> tuple[str, ..
 
 
 def job_words(job: Job) -> str:
-    """``battery is read, with its failsafe, every 100 ms``."""
+    """Return ``links are served, every 10 ms``."""
     whole_s = job.period_us >= 1000000
     every = f"{job.period_us / 1000000:g} s" if whole_s else f"{job.period_us / 1000:g} ms"
     return f"{job.words}, every {every}"
 
 
 def us_words(took: Took) -> str:
-    """``556 to 789 us``, or instructions where no time is known."""
+    """Return ``556 to 789 us``, or instructions where no time is known."""
     if took.likely_us is None or took.most_us is None:
         return f"{took.instructions} instructions"
     return f"{round(took.likely_us)} to {round(took.most_us)} us"
 
 
 def left_words(took: Took, budget: LoopBudget) -> str:
-    """What is left to control(): ``1944 to 1711 us``; nothing where no time is known."""
+    """Return what is left to control(), ``1944 us, 1711 at least``; nothing where no time is known."""
     left = budget.left_us(took)
     if left is None:
         return ""
@@ -60,12 +60,12 @@ def left_words(took: Took, budget: LoopBudget) -> str:
 
 
 def rate_words(slot: Slot) -> str:
-    """How often a slot comes in a second."""
+    """Return how often a slot comes in a second."""
     return f"{decimal(slot.rate)}" if slot.rate.denominator in (1, 2, 5, 10) else f"{float(slot.rate):.2f}"
 
 
 def load_words(budget: LoopBudget) -> str:
-    """How much of the board the loop takes."""
+    """Return how much of the board the loop takes."""
     what = "with one station on each link and the rates of the parameters' defaults"
     load = budget.load
     if load.likely_us is None or load.most_us is None:
@@ -75,7 +75,7 @@ def load_words(budget: LoopBudget) -> str:
 
 
 def source_words(budget: LoopBudget) -> str:
-    """Where the figures come from, and how well they fit."""
+    """Return where the figures come from, and how well they fit."""
     error = max(fit.error for fit in budget.costs.fits)
     counted = "instructions of MicroPython's unix port on x86-64, counted part by part; what was counted is told with"
     text = f"Predicted from {counted} an error of {error * 100:.0f} % at most."

@@ -54,7 +54,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "findings": GROUND,
     "mpy": GROUND,
     "deploy": {"load", "mpy", "template_files", "model", *GROUND},
-    "diff": {"trace", "comment", "fingerprint", "render", "model", *GROUND},
+    "diff": {"loop", "trace", "comment", "fingerprint", "render", "model", *GROUND},
     "sides": {"project_files", *READING, "model", *GROUND},
     "trace": {"targets", "render", "comment", "fingerprint", "model", *GROUND},
     "project_dialect": {*READING, "model", *GROUND},

@@ -1,6 +1,7 @@
 """The budget of the main loop follows from the specification, and says what the generated program does."""
 
 import re
+import shutil
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -8,9 +9,11 @@ from pathlib import Path
 import pytest
 
 from codegen.diagnostics import Report
-from codegen.loop.budget import LoopBudget, Slot, loop_budget, slot_kinds, why_not_predicted
+from codegen.diff.system import compare_systems
+from codegen.loop.budget import LoopBudget, Slot, loop_budget, why_not_predicted
 from codegen.loop.costs import measured_costs
 from codegen.loop.frames import FRAMES_OF_A_PASS, HEARD_IN_A_PASS, due_work, streamed
+from codegen.loop.grid import slot_kinds
 from codegen.loop.jobs import Job, loop_jobs
 from codegen.loop.load import traffic_load
 from codegen.loop.parts import Part, Work
@@ -190,3 +193,25 @@ def test_the_load_of_traffic_is_that_of_its_frames() -> None:
     sent = {message.wire.name: 1 for message in streamed(rover) if message.stream and message.stream.name != "INFO"}
     share = load.share(sent, 120, 0, 1000)
     assert float(share) == pytest.approx(float(budget.load.likely_us) / 1e6, rel=0.02)
+
+
+def test_diff_tells_that_the_longest_slot_takes_longer(tmp_path: Path) -> None:
+    """In tenths of ms, with all messages due: where more samples are taken, and not where only a text is another."""
+    before = systems_of(ROVER)
+    specs = Path(shutil.copytree(ROVER, tmp_path / "specs"))
+    board = specs / "board.yaml"
+    written = board.read_text()
+    board.write_text(written.replace("generic_LiPo-3300", "generic_LiPo-3301"))
+    assert "longest slot" not in told_between(before, systems_of(specs))
+    board.write_text(written.replace("samples: 5", "samples: 60"))
+    told = told_between(before, systems_of(specs))
+    old, new = re.findall(r"longest slot takes, predicted ([\d.]+) ms", told)
+    # 55 conversions more, and as many samples.
+    more_us = 55 * (Fraction("4.6") + Fraction("1.34") * measured_costs().parts[Part.SAMPLE] / 150)
+    assert float(new) - float(old) == pytest.approx(float(more_us) / 1000, abs=0.11)
+
+
+def told_between(before: tuple[System, ...], after: tuple[System, ...]) -> str:
+    """What diff tells, a line for each change."""
+    changes = compare_systems(before, after).changes
+    return "\n".join(f"{change.old} -> {change.new}" for change in changes)
