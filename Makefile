@@ -18,7 +18,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no
 # A shell that forbids it would let each of a thousand processes compile the same modules anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test browser valgrind tools lint clean benchmarks conformance mutation soak fuzz quality reference docs
+.PHONY: build test browser valgrind tools lint clean benchmarks costs conformance mutation soak fuzz quality reference docs
 
 build: $(INSTALLED)
 	@$(BIN)/codegen build
@@ -52,6 +52,10 @@ lint: $(INSTALLED)
 # About three minutes; benchmarks/results has what it found on this computer, and docs/benchmarks.md and .svg show that.
 benchmarks: $(INSTALLED) $(RELEASES) $(MICROPYTHON32) valgrind
 	$(BIN)/python benchmarks/report.py
+
+# Half a minute; codegen/loop/costs.json has what each part of a pass of the main loop takes. Pages of generated/ show it.
+costs: $(INSTALLED) valgrind
+	$(BIN)/python benchmarks/loop.py
 
 # Some ten minutes; docs/conformance.md says what was compared with pymavlink. Then the drafts that specs/codegen.yaml can list
 # are switched through, each with all tests that are not about another one: as long as `make test`, for each.

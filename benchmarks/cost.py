@@ -156,21 +156,8 @@ def _modules(script: str, folder: Path) -> list[Path]:
 def instructions(
     script: str, layout: int, modules: Iterable[Path], folder: Path
 ) -> tuple[dict[str, float], dict[str, int]]:
-    """Return the instructions of one round of each workload of a script, and the lengths of frames that it printed.
-
-    The interpreter is a module of CPython: it is started with as little of CPython as is possible.
-    """
-    found = find_spec("micropython_unix")
-    if found is None or found.origin is None:
-        raise SystemExit("micropython is not installed: make build installs it")
-    parts = folder / f"{script}.{layout}.callgrind"
-    command = ["valgrind", "--tool=callgrind", "--smc-check=all-non-file", f"--callgrind-out-file={parts}"]
-    command += [f"--dump-before={MARK}", sys.executable, "-S", "-c", PYTHON.format(str(Path(found.origin).parent))]
-    path = [*map(str, modules), str(measure.HERE / "micropython"), ".frozen"]
-    # Nothing of this environment: what is in it lies on the stack, and the same stack counts the same.
-    environment = {"PYTHONHASHSEED": "0", "MICROPYPATH": os.pathsep.join(path)}
-    command += [str(measure.HERE / "micropython" / script), str(layout)]
-    printed = measure.said(command, env=environment, cwd=folder)
+    """Return the instructions of one round of each workload of a script, and the lengths of frames that it printed."""
+    printed, parts = _run(script, str(layout), modules, folder)
     lines = [line.split() for line in printed.splitlines()]
     counts = _totals(parts, 3 * len(lines))
     # Of each workload: what came before, then the two runs.
@@ -179,6 +166,37 @@ def instructions(
         for (name, *_), few, many in zip(lines, counts[1::3], counts[2::3], strict=True)
     }
     return costs, {name: int(length[0]) for name, *length in lines if length}
+
+
+def single_counts(
+    script: str, argument: str, modules: Iterable[Path], folder: Path
+) -> dict[str, tuple[int, tuple[int, int]]]:
+    """Return the instructions between the two marks of each thing that a script does once, and two numbers it printed.
+
+    What was done twice under a name is counted as it was the last time.
+    """
+    printed, parts = _run(script, argument, modules, folder)
+    lines = [line.rsplit(maxsplit=2) for line in printed.splitlines()]
+    counts = _totals(parts, 2 * len(lines))[1::2]
+    return {name: (count, (int(one), int(two))) for (name, one, two), count in zip(lines, counts, strict=True)}
+
+
+def _run(script: str, argument: str, modules: Iterable[Path], folder: Path) -> tuple[str, Path]:
+    """Run a script under valgrind; return what it printed, and the name before the numbers of the parts.
+
+    The interpreter is a module of CPython: it is started with as little of CPython as is possible.
+    """
+    found = find_spec("micropython_unix")
+    if found is None or found.origin is None:
+        raise SystemExit("micropython is not installed: make build installs it")
+    parts = folder / f"{script}.{Path(argument).name}.callgrind"
+    command = ["valgrind", "--tool=callgrind", "--smc-check=all-non-file", f"--callgrind-out-file={parts}"]
+    command += [f"--dump-before={MARK}", sys.executable, "-S", "-c", PYTHON.format(str(Path(found.origin).parent))]
+    path = [*map(str, modules), str(measure.HERE / "micropython"), ".frozen"]
+    # Nothing of this environment: what is in it lies on the stack, and the same stack counts the same.
+    environment = {"PYTHONHASHSEED": "0", "MICROPYPATH": os.pathsep.join(path)}
+    command += [str(measure.HERE / "micropython" / script), argument]
+    return measure.said(command, env=environment, cwd=folder), parts
 
 
 def _totals(parts: Path, count: int) -> list[int]:

@@ -129,10 +129,17 @@ def rover_specs(folder: Path) -> Path:
     return folder
 
 
-def project(source: Path, folder: Path) -> None:
-    """Build a project in a folder of its own, once."""
+def project(source: Path, folder: Path, changes: Mapping[str, Iterable[tuple[str, str]]] | None = None) -> None:
+    """Build a project in a folder of its own, once, with texts in place of others in some of its files."""
     if not folder.exists():
         shutil.copytree(source / "specs", folder / "specs")
+        for name, texts in (changes or {}).items():
+            written = (folder / name).read_text(encoding="utf-8")
+            for old, new in texts:
+                if old not in written:
+                    raise SystemExit(f"{name} has no {old!r} any more")
+                written = written.replace(old, new)
+            (folder / name).write_text(written, encoding="utf-8")
         said([tool("codegen"), "build"], cwd=folder)
 
 

@@ -1,4 +1,4 @@
-"""The whole story of one thing: a message, a field, a parameter, a command or a rule, as text for a terminal."""
+"""The whole story of one thing as text for a terminal: a message, a field, a parameter, a command, a rule, the loop."""
 
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -26,6 +26,9 @@ UNKNOWN_TOPIC = Rule(
     unreadable=True,
 )
 
+LOOP = "loop"
+"""The topic that is nothing in a specification: the main loop, whatever else is called so."""
+
 _COLUMNS = (
     "offset",
     "size",
@@ -50,6 +53,10 @@ def explain_rule(topic: str) -> str | None:
 def explain(topic: str, system: System | None, report: Report) -> str | None:
     """The text for ``topic``; None, with a finding, if nothing is called so. Rules need no system."""
     story = explain_rule(topic)
+    if topic == LOOP and system is not None:
+        from codegen.explained_loop import loop_story  # noqa: PLC0415  nothing else needs what was measured
+
+        return loop_story(system)
     if story is None and system is not None:
         story = _explain_part(topic, system)
         if story is None:
@@ -96,7 +103,7 @@ def _topics(system: System) -> list[str]:
     known += [f"{message.name}.{field.name}" for message in system.messages for field in message.wire.fields]
     known += [quantity.path for component in system.components.values() for quantity in component.quantities.values()]
     known += [*system.components, *system.streams, *system.requirements]
-    return [*known, *system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
+    return [LOOP, *known, *system.parameters, *command_topics(system), *rule_catalogue(), *system.dialect.messages]
 
 
 def _message(message: PopulatedMessage, system: System) -> str:

@@ -8,6 +8,7 @@ from codegen.diff.trace_rules import CITATION, DOC
 from codegen.model.program import BoardLink
 from codegen.model.source_kind import Source
 from codegen.model.system import Generations, System
+from codegen.model.unit import decimal
 from codegen.model.vehicle import AdcChannel, Parameter, Stream
 
 
@@ -37,10 +38,20 @@ def _identity(system: System) -> Subject:
         Fact("machine code", "yes" if project.machine_code else "no", rules.PROGRAM, project.at("machine_code")),
         Fact("board", system.board_name, rules.PROGRAM, board.at("board")),
         Fact("inputs of the ADC", adc.opened if adc else "none", rules.PROGRAM, board.at("board")),
+        Fact("speed of the board", _speed(system), rules.PROGRAM, board.at("board")),
         Fact("name", project.project, DOC, project.at("project")),
     )
     name = system.spec.program or "project"
     return Subject(name, project.project, rules.IDENTITY, rules.IDENTITY, project.place, facts)
+
+
+def _speed(system: System) -> str:
+    """What times are predicted with; empty where nobody has measured it."""
+    timing = system.board.timing if system.board else None
+    if timing is None:
+        return ""
+    cycles = f"{decimal(timing.cycles)} to {decimal(timing.most_cycles)} cycles"
+    return f"{cycles} of {amount(timing.megahertz, 'MHz')}, a conversion in {amount(timing.conversion_us, 'us')}"
 
 
 def _number(number: int, parameter: Parameter | None) -> str:

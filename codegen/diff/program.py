@@ -6,6 +6,7 @@ from codegen.diff import behaviour_rules as rules
 from codegen.diff.commands import command_subjects
 from codegen.diff.subject import Fact, Subject, amount, citations, cited
 from codegen.diff.trace_rules import CITATION, DOC
+from codegen.loop.budget import loop_budget
 from codegen.model.failsafe import Condition, Failsafe
 from codegen.model.program import Program
 from codegen.model.program_spec import ActionSpec
@@ -17,7 +18,7 @@ from codegen.model.vehicle import Parameter
 def program_subjects(system: System) -> Iterator[Subject]:
     """The program, its failsafes and what they do, and the receiver, as far as there are any."""
     if system.program is not None:
-        yield _program(system.program)
+        yield _program(system.program, system)
         yield _access(system, system.program)
         yield from (_failsafe(failsafe) for failsafe in system.program.failsafes)
         for action in system.program.actions:
@@ -41,7 +42,7 @@ def _place(action: ActionSpec, program: Program) -> str:
     return f"behind {program.priority.index(action)} of {len(program.priority)}" if program.priority else ""
 
 
-def _program(program: Program) -> Subject:
+def _program(program: Program, system: System) -> Subject:
     spec = program.spec
     arming = "" if spec.arming is None else str(spec.arming.force)
     services = spec.services
@@ -55,6 +56,7 @@ def _program(program: Program) -> Subject:
         ("armed past the checks by", arming, spec.at("arming")),
         ("fastest without a stream:", amount(program.fastest, "Hz"), services.at("fastest")),
         ("ground station gone after", amount(program.silence_ms, "ms"), services.at("silence")),
+        ("longest slot takes, predicted", _longest(system), spec.control.at("rate")),
         ("own code:", f"{program.module}.{program.class_name}", spec.at("code")),
         ("own code measures every", amount(program.measure_us, "us"), spec.at("code")),
         ("receives", ", ".join(message.name for message in program.services), spec.place),
@@ -68,6 +70,13 @@ def _program(program: Program) -> Subject:
     )
     says = f"control at {amount(program.control_us, 'us')}"
     return Subject("program", says, rules.PROGRAM, rules.PROGRAM, spec.place, facts, cited(program.cited, aspects))
+
+
+def _longest(system: System) -> str:
+    """How long the longest slot of control takes with all messages due, in tenths of ms; empty where nobody knows."""
+    budget = loop_budget(system)
+    took = budget.longest.busy.likely_us if budget else None
+    return "" if took is None else f"{float(took) / 1000:.1f} ms"
 
 
 def _access(system: System, program: Program) -> Subject:

@@ -38,6 +38,19 @@ class I2cSpec(Written):
     scl: Verbatim = described("GPIO numbers that can be its clock.")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TimingSpec(Written):
+    """How fast a board is, for the prediction of how long a pass of the main loop takes."""
+
+    clock: Amount = described("How fast the processor runs under MicroPython, such as 150 MHz.")
+    cycles: Fraction = described(
+        "Cycles that it takes for an instruction that is counted with MicroPython's unix port on x86-64: likely."
+    )
+    most_cycles: Fraction = described("The same, at most.")
+    conversion: Amount = described("What one read_u16() of the converter takes, such as 4.6 us.")
+    source: str = described("Where this was measured.")
+
+
 class UartPins(StrEnum):
     """Whether the pins of a UART, or of an I2C bus, are said when it is opened."""
 
@@ -71,6 +84,9 @@ class BoardModelSpec(Written):
     )
     usb: bool = described("Whether MicroPython's prompt is on a USB port, which can be a link.")
     wifi: bool = described("Whether it has Wi-Fi.")
+    timing: TimingSpec | None = described(
+        "How fast it is. Without it, nothing is predicted of the time that the firmware takes.", default=None
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +119,16 @@ class I2c:
 
 
 @dataclass(frozen=True, slots=True)
+class Timing:
+    """How fast a board is: MHz, cycles for an instruction counted on x86-64, us for one conversion of its converter."""
+
+    megahertz: Fraction
+    cycles: Fraction
+    most_cycles: Fraction
+    conversion_us: Fraction
+
+
+@dataclass(frozen=True, slots=True)
 class BoardModel:
     """A kind of board, resolved: ``taken`` are the GPIO numbers that it needs for itself, with what for.
 
@@ -117,6 +143,7 @@ class BoardModel:
     uarts: Mapping[int, Uart]
     i2c: Mapping[int, I2c]
     spec: BoardModelSpec
+    timing: Timing | None = None
 
     @property
     def free(self) -> frozenset[int]:

@@ -5,8 +5,8 @@ from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
 from codegen.measure import read_amount
-from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Uart, shown_pins
-from codegen.model.unit import unit_named
+from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Timing, Uart, shown_pins
+from codegen.model.unit import decimal, unit_named
 from codegen.source import Place
 
 MOST_GPIO = 127
@@ -19,8 +19,8 @@ BAD_BOARD = Rule(
     "bad-board",
     f"A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, up to {MOST_GPIO}; "
     "those of the converter, the UARTs and the I2C buses are among them; a UART and a bus have a number from 0 to "
-    f"{MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, and the "
-    "expression that opens an input has {gpio} in it.",
+    f"{MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, the "
+    "expression that opens an input has {gpio} in it, and its clock runs, with some cycles for each instruction.",
 )
 _RUN = re.compile(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 
@@ -51,10 +51,11 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
                 _among(known, _pins(bus.scl, bus.at("scl"), found), bus.at("scl"), found),
             )
     adc = _converter(spec, known, found)
+    timing = _timing(spec, found)
     _among(known, frozenset(taken), spec.at("taken"), found)
     _among(known, frozenset(labels), spec.at("labels"), found)
     report.extend(found)
-    return None if found.has_errors else BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, spec)
+    return None if found.has_errors else BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, spec, timing)
 
 
 def _number(key: str, section: str, place: Place, report: Report) -> int | None:
@@ -87,6 +88,24 @@ def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report
         report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same", hint)
     inputs = _among(pins, _pins(written.pins, written.at("pins"), report), written.at("pins"), report)
     return Converter(inputs, written.bits, reference or Fraction(0), written.opened)
+
+
+def _timing(spec: BoardModelSpec, report: Report) -> Timing | None:
+    written = spec.timing
+    if written is None:
+        return None
+    clock = read_amount(written.clock, unit_named("MHz"), written.at("clock"), report)
+    conversion = read_amount(written.conversion, unit_named("us"), written.at("conversion"), report)
+    if clock is not None and clock <= 0:
+        report.add(BAD_BOARD, written.at("clock"), f"the clock of {spec.name} stands still", "clock: 150 MHz")
+    if conversion is not None and conversion < 0:
+        report.add(BAD_BOARD, written.at("conversion"), "a conversion takes less than no time", "conversion: 4.6 us")
+    if written.cycles <= 0:
+        report.add(BAD_BOARD, written.at("cycles"), "an instruction takes some cycles", "cycles: 1.34")
+    elif written.most_cycles < written.cycles:
+        hint = f"most_cycles: is cycles: or more, {decimal(written.cycles)}"
+        report.add(BAD_BOARD, written.at("most_cycles"), "at most is less than likely", hint)
+    return Timing(clock or Fraction(1), written.cycles, written.most_cycles, conversion or Fraction(0))
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:

@@ -7,6 +7,7 @@ from dataclasses import field
 from typing import Any
 
 from codegen.frozen import dataclass
+from codegen.loop.load import TrafficLoad, traffic_load
 from codegen.model.scenario import Event, Scenario, Stretch, course_data, event_data
 from codegen.model.system import System
 from codegen.sim.guards import Guard, guards
@@ -25,7 +26,8 @@ class SimulatedProgram:
     its boards, one after the other. ``code`` is the file with the user's code, which the program imports as ``module``.
     ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
-    ``mocked`` are the modules that stand in for what its sensors are connected to.
+    ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
+    is, or says why nothing does.
     """
 
     name: str
@@ -47,6 +49,7 @@ class SimulatedProgram:
     actions: tuple[str, ...] = ()
     guards: tuple[Guard, ...] = ()
     mocked: tuple[str, ...] = ()
+    load: TrafficLoad | str = ""
 
     @property
     def folder(self) -> str:
@@ -118,6 +121,7 @@ def _program(
         actions=tuple(dict.fromkeys(action.call for action in program.actions)) if program else (),
         guards=guards(system),
         mocked=tuple(_mocked(system)),
+        load=traffic_load(system),
     )
 
 

@@ -9,12 +9,13 @@ from typing import Any
 from codegen.model.scenario import Course, Event, Fault, Scenario, Sending, is_number
 from codegen.sim.line import Line
 from codegen.sim.program import SimulatedProgram
-from codegen.sim.sample import Happening, Kind, Reading, Sample, Traffic
+from codegen.sim.sample import Burst, Happening, Kind, Reading, Sample, Traffic
 from codegen.sim.told import Told
 
 _MOST_POINTS = 20_000
 _MOST_LINES = 500
 _MOST_TEXTS = 5_000
+_SECOND_MS = 1000
 _NOISE = 1e-13  # of a number
 _ARMED, _STATUS, _MODE = "vehicle.armed", "vehicle.status", "vehicle.mode"
 
@@ -23,7 +24,8 @@ class Recording:
     """Collects the records of one program of a simulation, over all its boards and their restarts.
 
     ``name`` is that of the program where several run, else nothing; ``beside`` the recordings of the other programs.
-    ``readings_of`` has what was told by the label of the quantity, ``states_of`` what changed in the state.
+    ``readings_of`` has what was told by the label of the quantity, ``states_of`` what changed in the state; ``busiest``
+    is the second in which most bytes went out.
     """
 
     def __init__(
@@ -58,7 +60,8 @@ class Recording:
         self._ended = Traffic()
         self._current = Traffic()
         self._ended_overruns = 0
-        self._peak_load = 0
+        self.busiest = Burst()
+        self._samples: deque[Sample] = deque()
 
     @property
     def all(self) -> tuple["Recording", ...]:
@@ -100,11 +103,6 @@ class Recording:
     def restarts(self) -> int:
         """How often a board was restarted; one that takes the place of another was not."""
         return max(0, self.starts - self.boards)
-
-    @property
-    def peak_load(self) -> int:
-        """The largest load in d%."""
-        return self._peak_load
 
     def course(self, label: str, at_ms: float) -> Course | None:
         """The course of a quantity at a time in ms; None while its board is out, or where there is none."""
@@ -242,6 +240,7 @@ class Recording:
         self._ended_overruns = self.overruns
         self._at_start = None
         self.sample = Sample(at_ms=self.at_ms)
+        self._samples = deque((self.sample,))
         if self.starts > 1:
             self._break_lines(self.at_ms)
 
@@ -256,9 +255,14 @@ class Recording:
             frames=record["frames"],
             size=record["bytes"],
             overruns=record["overruns"],
-            load=record["load"],
         )
-        self._peak_load = max(self._peak_load, self.sample.load)
+        self._samples.append(self.sample)
+        first = self._samples[0]
+        length_ms = self.sample.at_ms - first.at_ms
+        if length_ms >= _SECOND_MS:
+            self._samples.popleft()
+            burst = Burst(self.sample.frames - first.frames, self.sample.size - first.size, length_ms)
+            self.busiest = max(self.busiest, burst, key=lambda each: each.size / each.length_ms)
 
     def _take_state(self, label: str, value: Any) -> Happening | None:
         """A quantity of the state has another value; the first one after a start is no event."""

@@ -1,6 +1,7 @@
 """The report of a simulation: one page of HTML that needs nothing else."""
 
 from collections.abc import Iterable
+from fractions import Fraction
 
 from codegen.frozen import dataclass
 from codegen.render import render_page
@@ -247,5 +248,21 @@ def _links(recording: Recording) -> tuple[tuple[str, str], ...]:
         ("Bytes received", str(traffic.received)),
         ("Damaged frames received (CRC)", str(traffic.crc_errors)),
         ("Control slots missed", str(recording.overruns)),
-        ("Highest load of the control loop", f"{recording.peak_load / 10:.1f} %"),
+        ("Load of the board, predicted", _load(recording)),
     )
+
+
+def _load(recording: Recording) -> str:
+    """How busy the board would be, on the whole and in the second with most frames; see codegen/loop."""
+    load = recording.program.load
+    if isinstance(load, str):
+        return f"unknown: {load}" if load else "unknown"
+    traffic, busiest = recording.traffic, recording.busiest
+    frames, size = sum(traffic.frames.values()), sum(traffic.sizes.values())
+    whole = load.share(traffic.frames, size, traffic.received, recording.at_ms)
+    if not frames:
+        return f"{float(100 * whole):.1f} %"
+    # Which frames those of the busiest second were is not told: they are taken to be as all others are.
+    alike = {name: Fraction(count * busiest.frames, frames) for name, count in traffic.frames.items()}
+    peak = load.share(alike, busiest.size, 0, busiest.length_ms)
+    return f"{float(100 * whole):.1f} %, {float(100 * max(whole, peak)):.1f} % in the busiest second"

@@ -58,7 +58,7 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """The latest counters since the board's start, load in d%; whether it is armed, and its MAV_STATE."""
+    """The latest counters since the board's start; whether it is armed, and its MAV_STATE."""
 
     at_ms: int = 0
     is_armed: bool = False
@@ -66,7 +66,6 @@ class Sample:
     frames: int = 0
     size: int = 0
     overruns: int = 0
-    load: int = 0
 
     @property
     def state_name(self) -> str:
@@ -74,6 +73,15 @@ class Sample:
         if self.state is None:
             return "starting"
         return STATES[self.state] if self.state < len(STATES) else str(self.state)
+
+
+@dataclass(frozen=True, slots=True)
+class Burst:
+    """How many frames and bytes went out within ``length_ms``."""
+
+    frames: int = 0
+    size: int = 0
+    length_ms: int = 1000
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ how far time may go and `until_ms` where the first turn ends (null: the program 
 gets a line of JSON for whatever happens, with the scenario's time in ms:
 
     start      runtime                     the firmware is about to run
-    sample     frames, bytes, load ...     ten times a second: what is counted
+    sample     frames, bytes, overruns     ten times a second: what is counted
     state      label, value                a quantity that is watched has changed
     failsafe   name, index, level ...      a failsafe has another level
     action     name                        a method that acts for a failsafe was called
@@ -226,7 +226,6 @@ class Simulation:
             frames=wire.frames,
             bytes=wire.size,
             overruns=getattr(scheduler, "overruns", 0),
-            load=getattr(scheduler, "load", 0),
         )
 
     def _sum_up(self):

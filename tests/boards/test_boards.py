@@ -33,6 +33,18 @@ print(board.read_pack_adc(), [(port.name, port.is_up) for port in board.open_por
 """
 
 
+TIMING = "timing: {clock: 150 MHz, cycles: 1.34, most_cycles: 1.9, conversion: 4.6 us, source: a bench}"
+
+
+def test_how_fast_a_board_is_may_be_known():
+    """Of those that were measured; times are computed for these."""
+    timing = model_of("pico_2_w").timing
+    assert timing == model_of("pico_2").timing
+    assert (timing.megahertz, float(timing.cycles), float(timing.most_cycles)) == (150, 1.34, 1.9)
+    assert float(timing.conversion_us) == 4.6
+    assert all(model_of(name).timing is None for name in ("pico", "pico_w", "esp32", "pyboard"))
+
+
 def model_of(name: str) -> BoardModel:
     """What codegen knows of a board, without a finding."""
     report = Report()
@@ -197,6 +209,15 @@ def test_a_description_that_contradicts_itself(old, new, wanted, tmp_path):
             "-2 is not the number of an I2C bus",
             "machine.I2C()",
         ),
+        ("usb: false", f"usb: false\n{TIMING.replace('150', '0')}", "stands still", "150 MHz"),
+        (
+            "usb: false",
+            f"usb: false\n{TIMING.replace('1.34', '0')}",
+            "an instruction takes some cycles",
+            "cycles: 1.34",
+        ),
+        ("usb: false", f"usb: false\n{TIMING.replace('1.9', '1.3')}", "at most is less than likely", "1.34"),
+        ("usb: false", f"usb: false\n{TIMING.replace('4.6', '-1')}", "takes less than no time", "conversion: 4.6 us"),
         ("usb: false", f"usb: false\nadc: {{bits: 40, {ADC}", "a count has 40 bits, not 8 to 12", "bits: 12"),
         ("usb: false", f"usb: false\nadc: {{bits: -1, {ADC}", "a count has -1 bits, not 8 to 12", "bits: 12"),
         (

@@ -59,3 +59,21 @@ def test_a_project_in_which_nothing_comes_in_has_no_such_page(tmp_path: Path) ->
     docs = tmp_path / "generated" / "docs"
     assert not (docs / "program.html").exists()
     assert "program.html" not in (docs / "index.html").read_text()
+
+
+def test_the_budget_of_the_main_loop_is_shown(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """With what is left of each slot; in instructions only, where nobody knows how fast the board is."""
+    page = built("named_tables", tmp_path)
+    head, *slots = rows(page, "loop")
+    assert head == ["Slot", "A second", "Likely us", "At most us", "Left to control()"]
+    assert [row[0] for row in slots][:2] == ["links", "and all messages due"]
+    assert all(int(row[2]) < int(row[3]) < 20000 for row in slots)
+    assert ["pack", "pack is read, every 200 ms"] in rows(page, "loop-jobs")
+    assert rows(page, "loop-longest")[0] == ["Part", "Takes", "Share"]
+    slow = Path(shutil.copytree(PROJECTS / "named_tables" / "specs", tmp_path_factory.mktemp("slow") / "specs"))
+    board = slow / "board.yaml"
+    board.write_text(board.read_text().replace("board: pico_2", "board: pico"))
+    assert main(["build", "--project", str(slow / "codegen.yaml")]) == 0
+    page = (slow.parent / "generated" / "docs" / "program.html").read_text()
+    assert rows(page, "loop")[0] == ["Slot", "A second", "Instructions"]
+    assert "No times: nobody has measured how many cycles the RP2040 takes" in page

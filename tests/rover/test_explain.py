@@ -38,6 +38,19 @@ STORIES = [
     ("BATT_REPORT", ["0 Old, 1 New, 2 Both", "which generation of battery messages is sent", "old by default"]),
     ("SMART_BATTERY_INFO", ["sent at once on connection and when battery.swaps changes", "BATT_REPORT: 0 old, 1 new"]),
     ("sentinel-contradiction", ["error", "unknown"]),
+    ("crowded-slot", ["warning", "codegen explain loop"]),
+    (
+        "loop",
+        [
+            "main loop on Raspberry Pi Pico 2 W (RP2350): control() is called every 2500 us",
+            "battery + links + reminder",
+            "battery   battery is read, with its failsafe, every 100 ms",
+            "frames, from the state to the port",
+            "each further station of a link takes",
+            "Not counted: control()",
+            "No times: nobody has measured how many cycles the RP2040 takes",
+        ],
+    ),
 ]
 
 

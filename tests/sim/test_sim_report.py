@@ -1,6 +1,8 @@
 """The page at the end: well-formed, complete, escaped, and in need of nothing from anywhere."""
 
 import re
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +10,7 @@ import pytest
 from lxml import etree, html
 from packs import VOLTAGE, pack, program, volts
 
+from codegen.loop.load import TrafficLoad
 from codegen.model.scenario import Fault, Scenario
 from codegen.sim.address import Address
 from codegen.sim.chart import NARROW, WIDE, draw_chart
@@ -17,6 +20,8 @@ from codegen.sim.report import write_report
 from codegen.sim.run import Simulation
 from codegen.sim.sample import Kind
 
+BUSY = TrafficLoad(Fraction(100_000), {"HEARTBEAT": Fraction(100)}, Fraction(200), Fraction(1), Fraction(2))
+"""A tenth of the time without frames, and what a frame and a byte take in us."""
 HOSTILE = "<script>alert('x')</script> \"&amp;\" \u2028"
 
 
@@ -156,3 +161,23 @@ def test_a_report_that_cannot_be_written_leaves_the_old_one(tmp_path: Path, monk
     with pytest.raises(OSError, match="full"):
         written(tmp_path, recorded(doc="new"))
     assert [entry.name for entry in tmp_path.iterdir()] == ["r.html"]
+
+
+def test_the_load_of_the_board_is_that_of_what_went_out(tmp_path: Path) -> None:
+    """On the whole, and in the second in which most went out; where nothing predicts it, it says why."""
+    recording = recorded()
+    recording.program = replace(recording.program, load=BUSY)
+    for at_ms, frames, size in ((9_000, 10, 210), (9_500, 12, 300), (10_000, 30, 1210)):
+        recording.take({"kind": "sample", "at": at_ms, "frames": frames, "bytes": size, "overruns": 0})
+    # 10 frames for 100 us, 20 for 200 us, 1210 bytes, 77 that arrived; then 20 frames and 1000 bytes in a second.
+    assert float(BUSY.share({"HEARTBEAT": 10, "BATTERY_STATUS": 20}, 1210, 77, 10_000)) == pytest.approx(0.1006364)
+    assert ["Load of the board, predicted", "10.1 %, 10.4 % in the busiest second"] in rows(
+        written(tmp_path, recording)
+    )
+
+
+def test_a_load_that_nothing_predicts_says_why(tmp_path: Path) -> None:
+    """No number stands in for it."""
+    recording = recorded()
+    recording.program = replace(recording.program, load="no board is named")
+    assert ["Load of the board, predicted", "unknown: no board is named"] in rows(written(tmp_path, recording))

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 from codegen.frozen import dataclass
 from codegen.model.program import Program
+from codegen.model.sensor_turns import WATCH_US, turns_of
 from codegen.model.system import System
 from codegen.targets.firmware.failsafe import FailsafeView
-from codegen.targets.firmware.sources import WATCH_US, turns_of
 
 
 @dataclass(frozen=True, slots=True)

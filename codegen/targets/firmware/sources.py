@@ -7,6 +7,7 @@ from typing import NamedTuple
 from codegen.frozen import dataclass
 from codegen.model.clock import CLOCK
 from codegen.model.payload_code import indented
+from codegen.model.sensor_turns import Turns, turns_of
 from codegen.model.source_kind import Output, Source
 from codegen.model.storage import SMALL_INT_MAX, Storage
 from codegen.model.system import System
@@ -19,8 +20,6 @@ from codegen.targets.naming import prose, quoted
 from codegen.targets.source_files import module_name
 
 _CLOCK = "_CLOCK"
-WATCH_US = 1000000
-"""How often it is looked whether sensors that speak by themselves are silent."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,13 +56,6 @@ class SourceView:
     period_us: int
     uses_time: bool
     loses: bool
-
-
-class Turns(NamedTuple):
-    """How often it is looked which sensor is due, and how many may have their turn then."""
-
-    every_us: int
-    most: int
 
 
 class ListenerView(NamedTuple):
@@ -111,19 +103,6 @@ def sources_view(system: System, layout: Layout) -> SourcesView:
         sources=sources,
         listeners=listeners,
     )
-
-
-def turns_of(system: System, pass_us: int) -> Turns:
-    """The longest time between two looks, in whole passes of the main loop, in which no sensor is kept waiting.
-
-    One sensor has its turn at a time, so that no pass takes two; but for more turns than there are passes.
-    """
-    rate = sum(Fraction(1000000, source.polling.period_us) for source in system.polled)
-    shortest = min(source.polling.period_us for source in system.polled)
-    passes = int(min(Fraction(3, 4) * 1000000 / rate, Fraction(shortest, 2)) / pass_us)
-    if passes:
-        return Turns(passes * pass_us, 1)
-    return Turns(pass_us, int(rate * pass_us * 4 / 3000000) + 1)
 
 
 def clock_is_set(source: Source, system: System) -> bool:

@@ -1,9 +1,21 @@
-"""The page on what comes in and what follows: received messages, commands, failsafes and sensors, a table for each."""
+"""The page on what comes in and what follows: received messages, commands, failsafes, sensors and the main loop."""
 
 from collections.abc import Iterator
 from dataclasses import replace
 
 from codegen.frozen import dataclass
+from codegen.loop.budget import loop_budget, why_not_predicted
+from codegen.loop.shares import shares
+from codegen.loop.words import (
+    COLUMNS,
+    COLUMNS_WITHOUT_TIMES,
+    NOT_COUNTED,
+    job_words,
+    load_words,
+    rows,
+    source_words,
+    us_words,
+)
 from codegen.model.reception import Reception
 from codegen.model.source_kind import hertz
 from codegen.model.system import System
@@ -37,7 +49,8 @@ class ProgramPage:
 
 def program_page(system: System, origin: Origin) -> ProgramPage:
     """The view of the page."""
-    tables = (*(_received(table, system) for table in system.receptions), *_done(system), *_sensors(system))
+    received = (_received(table, system) for table in system.receptions)
+    tables = (*received, *_done(system), *_sensors(system), *_loop(system))
     return ProgramPage(
         project=system.spec.project.project,
         origin=origin,
@@ -134,6 +147,35 @@ def _sensors(system: System) -> Iterator[TableView]:
             )
             for source in system.polled
         ),
+    )
+
+
+def _loop(system: System) -> Iterator[TableView]:
+    budget = loop_budget(system)
+    if budget is None:
+        return
+    why = why_not_predicted(system)
+    doc = f"control() is called every {budget.control_us} us, jobs after it. {load_words(budget)}"
+    yield TableView(
+        id="loop",
+        title="Main loop",
+        doc=" ".join([doc, *([f"No times: {why}."] if why else []), *NOT_COUNTED]),
+        columns=tuple(name[:1].upper() + name[1:] for name in (COLUMNS_WITHOUT_TIMES if why else COLUMNS)),
+        rows=tuple(rows(budget)),
+    )
+    yield TableView(
+        id="loop-jobs",
+        title="Jobs of the main loop",
+        doc="In the order in which they run where several are due.",
+        columns=("Job", "What it does"),
+        rows=tuple((job.name, job_words(job)) for job in budget.jobs),
+    )
+    yield TableView(
+        id="loop-longest",
+        title="What takes the longest slot",
+        doc=f"That of {budget.longest.words}, with all messages due. {source_words(budget)}",
+        columns=("Part", "Takes", "Share"),
+        rows=tuple((name, us_words(took), share) for name, took, share in shares(budget.longest, budget)),
     )
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/sim.py: do not edit.
-# Inputs: d61a137e4945a35e
+# Inputs: b84f6260fd5410e6
 """Runs the firmware on a host against a scenario: sim.py SETTINGS.json, as `codegen sim` does.
 
 The settings: `courses` (what is true of quantities, and the kind of input that each reaches the firmware through),
@@ -12,7 +12,7 @@ how far time may go and `until_ms` where the first turn ends (null: the program 
 gets a line of JSON for whatever happens, with the scenario's time in ms:
 
     start      runtime                     the firmware is about to run
-    sample     frames, bytes, load ...     ten times a second: what is counted
+    sample     frames, bytes, overruns     ten times a second: what is counted
     state      label, value                a quantity that is watched has changed
     failsafe   name, index, level ...      a failsafe has another level
     action     name                        a method that acts for a failsafe was called
@@ -228,7 +228,6 @@ class Simulation:
             frames=wire.frames,
             bytes=wire.size,
             overruns=getattr(scheduler, "overruns", 0),
-            load=getattr(scheduler, "load", 0),
         )
 
     def _sum_up(self):

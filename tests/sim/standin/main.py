@@ -37,7 +37,6 @@ class Failsafe:
 
 class Scheduler:
     overruns = 0
-    load = 0
 
 
 class Connection:

@@ -1,0 +1,50 @@
+"""What it takes to send messages, and which of them are due together."""
+
+from codegen.loop.parts import Part, Work
+from codegen.model.price import frame_size, on_by_default, sent_messages
+from codegen.model.system import PopulatedMessage, System
+
+FRAMES_OF_A_PASS = 8
+"""So many messages of streams may go out on a link in a pass, as templates/firmware/program/connection.py has it."""
+HEARD_IN_A_PASS = 2
+"""So many messages that arrive are handled in a pass on a link; from there, too."""
+
+
+def streamed(system: System) -> tuple[PopulatedMessage, ...]:
+    """Return the messages that streams send by default, in the order in which they go out."""
+    return tuple(message for message in sent_messages(system) if message.stream and message.stream.default_rate)
+
+
+def message_work(message: PopulatedMessage, system: System, *, most: bool = False) -> Work:
+    """Return what it takes to send a message once: about each instance that is on by default, or about all of them."""
+    protocol = system.spec.project.protocol
+    on = on_by_default(message.component, system)
+    sizes = [
+        int(frame_size(message, number, protocol).high) for number in range(message.instances) if most or on[number]
+    ]
+    frames = len(sizes) * message.pages
+    values = sum(answer.covers.count for answer in message.answers if answer.always is None)
+    return Work(
+        {
+            Part.MESSAGE: 1,
+            Part.FRAME: frames,
+            Part.BYTE: sum(sizes) * message.pages,
+            Part.VALUE: values * frames,
+        }
+    )
+
+
+def due_work(system: System, *, most: bool = False) -> Work:
+    """Return what a station takes at which everything is due at once that streams send by default.
+
+    ``most``: everything that there is is sent, as far as a pass sends it; of all messages the dearest.
+    """
+    looked = Work({Part.STREAMS: 1, Part.TABLE: len(system.messages)})
+    due = system.messages if most else streamed(system)
+    works = sorted((message_work(message, system, most=most) for message in due), key=_weight, reverse=True)
+    found = sum(works[:FRAMES_OF_A_PASS], looked)
+    return found + Work({Part.OFF: len(system.messages) - len(due)})
+
+
+def _weight(work: Work) -> tuple[int, int, int]:
+    return work[Part.FRAME], work[Part.BYTE], work[Part.VALUE]
