@@ -5,12 +5,15 @@ in the units of people to NaN, makes it unknown. A number that some message does
 beyond them is counted in `limited` of its component, by the name of the attribute, and told once, until one within them
 is set.
 
-What a view is about are defaults of its functions: closures and their cells would take twice the heap.
+What a view is about are defaults of its functions: closures and their cells would take twice the heap. Most are made
+when they are first used, of a line in the VIEWS of their class, for a program uses few of them: until then they take
+no more than the line, and their names are not among those that MicroPython keeps.
 """
 
 from array import array
 
 from conversion import LARGEST, limited, to_steps
+from message import keep
 
 UNKNOWN = -1073741824
 
@@ -19,10 +22,12 @@ class Component:
     """Base of a part of the state; `words` are its part of the array, or an array of its own.
 
     A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values. Of several
-    instances the first can be used as a list of all of them.
+    instances the first can be used as a list of all of them. VIEWS has a line for attributes that are made when one of
+    them is first used: the names, a ":" behind each, the kind, which KINDS has, and what its function is called with.
     """
 
     START = ()
+    VIEWS = ""
 
     def __init__(self, words=None, instance=0):
         self.words = array("i", [UNKNOWN] * self.SIZE) if words is None else words
@@ -41,6 +46,33 @@ class Component:
     def __getitem__(self, instance):
         return self._all[instance]
 
+    def __getattr__(self, name):
+        if not self._make(name):
+            raise AttributeError(f"{self.NAME} has no {name}")
+        return getattr(self, name)
+
+    def __setattr__(self, name, value):
+        # CPython asks here for each attribute, MicroPython only for those that the class does not have yet.
+        if hasattr(type(self), name) or not self._make(name):
+            keep(self, name, value)
+        else:
+            setattr(self, name, value)
+
+    def _make(self, name):
+        """Make an attribute of the class of the line that has its name; return whether there is one."""
+        views = self.VIEWS
+        at = views.find(f" {name}:")
+        if at < 0:
+            return False
+        words = views[views.rfind("\n", 0, at) + 1 : views.find("\n", at)].split()
+        names = [word for word in words if word[-1] == ":"]
+        kind = len(names)
+        made = KINDS[words[kind]](*[_told(word) for word in words[kind + 1 :]])
+        if kind > 1:
+            made = made[0 if names[0] == f"{name}:" else 1]
+        setattr(type(self), name, made)
+        return True
+
     def tell(self, place, name):
         """Count that a number at a place is beyond its limits, and log it once; at this moment it has the limit."""
         if place not in self.beyond:
@@ -58,6 +90,13 @@ class Component:
             name, limit = f"{name}[{place}]", limit[place]
         owner = self.NAME if len(self) == 1 else f"{self.NAME}[{self._all.index(self)}]"
         self._log(f"warning: {owner}.{name} beyond {limit:.7g}: limited")
+
+
+def _told(word):
+    """Return what a word in VIEWS stands for: a number, None or a name."""
+    if word == "None":
+        return None
+    return int(word) if word[0] in "-0123456789" else word
 
 
 def together(cls, words, base, size, instances, log):
@@ -181,6 +220,17 @@ def below(place, limit, own=None, floor=-LARGEST, own_floor=None):
         return value < (limit if own is None else self.words[own])
 
     return property(get)
+
+
+KINDS = {
+    "at_least": at_least,
+    "below": below,
+    "known": known,
+    "number": number,
+    "result": result,
+    "truth": truth,
+    "whole": whole,
+}
 
 
 class _Elements:
