@@ -72,7 +72,7 @@ def one_by_one(before: str, items: Iterable[str], after: str = "", brackets: str
 
 
 def text_literals(words: Iterable[object], indent: int) -> tuple[str, ...]:
-    """Words with blanks between them as literals that are one text, as few as there is room for behind ``indent`` columns."""
+    """Words with blanks between them as literals that are one text, each in a line that begins with so many blanks."""
     parts = [""]
     for at, word in enumerate(words):
         text = f" {word}" if at else str(word)

@@ -10,9 +10,10 @@ import time
 from array import array
 
 from frames import address
+from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
-from words import UNKNOWN, Component, elements, shown_elements, together
+from words import UNKNOWN, Component, together
 
 try:
     from state_viper import expire_battery, read_battery

@@ -16,6 +16,7 @@ from codegen.targets.naming import prose, quoted
 VIEWS = {
     **dict.fromkeys(("integer", "shown_integer", "floating"), "wide"),
     **dict.fromkeys(("integers", "shown_integers", "floats", "aging_row"), "rows"),
+    **dict.fromkeys(("elements", "shown_elements"), "lists"),
     "text": "letters",
     "ticking": "clock_plain",
     **dict.fromkeys(("aging", "aged_number"), "ages"),

@@ -11,10 +11,11 @@ import time
 from array import array
 
 from frames import address
+from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
 from wide import integer, shown_integer
-from words import KINDS, UNKNOWN, Component, elements, shown_elements, together
+from words import KINDS, UNKNOWN, Component, together
 
 try:
     from state_viper import expire_battery, read_battery
