@@ -33,7 +33,7 @@ CHANGES = [
     ("long_commands.py", 'wire[_COMMAND_LONG_CONFIRMATION_AT] > 0', 'wire[_COMMAND_LONG_CONFIRMATION_AT] >= 0', {"repeated_is_begun_once"}),
     ("command_cancel.py", "if result == _MAV_RESULT_ACCEPTED:", "if True:", {"cancelled_ends"}),
     ("mode_service.py", "not in self._vehicle.MODES", "in ()", {"modes_are_entered"}),
-    ("mode_service.py", "raw(\"base_mode\")", "raw(\"custom_mode\")", {"modes_are_entered"}),
+    ("set_mode.py", "wire[_SET_MODE_BASE_MODE_AT]", "wire[_SET_MODE_CUSTOM_MODE_AT]", {"modes_are_entered"}),
     ("vehicle.py", "vehicle.guided = mode in (11, 15,)", "vehicle.guided = mode in (11,)", {"modes_are_entered"}),
 ]  # fmt: skip
 
