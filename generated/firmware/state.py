@@ -13,12 +13,16 @@ from frames import address
 from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
-from words import UNKNOWN, Component, together
+from thresholds import at_least, below
+from words import KINDS, UNKNOWN, Component, together
 
 try:
     from state_viper import expire_battery, read_battery
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
+
+KINDS["at_least"] = at_least
+KINDS["below"] = below
 
 _SIZE = const(179)
 # Where each component's words begin, how many each instance takes, and what stands where among them.

@@ -17,6 +17,7 @@ VIEWS = {
     **dict.fromkeys(("integer", "shown_integer", "floating"), "wide"),
     **dict.fromkeys(("integers", "shown_integers", "floats", "aging_row"), "rows"),
     **dict.fromkeys(("elements", "shown_elements"), "lists"),
+    **dict.fromkeys(("at_least", "below"), "thresholds"),
     "text": "letters",
     "ticking": "clock_plain",
     **dict.fromkeys(("aging", "aged_number"), "ages"),

@@ -14,6 +14,7 @@ from frames import address
 from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
+from thresholds import at_least, below
 from wide import integer, shown_integer
 from words import KINDS, UNKNOWN, Component, together
 
@@ -22,6 +23,8 @@ try:
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
 
+KINDS["at_least"] = at_least
+KINDS["below"] = below
 KINDS["integer"] = integer
 KINDS["shown_integer"] = shown_integer
 
