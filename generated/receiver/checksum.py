@@ -1,5 +1,5 @@
 # Generated from templates/codec/checksum.py: do not edit.
-# Inputs: f329bf31f4b2e7e9
+# Inputs: 1f5524b27d9f6edc
 """The table of MAVLink's checksum, CRC-16/MCRF4XX."""
 
 from array import array
