@@ -11,6 +11,10 @@ import pytest
 FIRMWARE = Path(__file__).resolve().parents[2] / "generated" / "firmware"
 SCRIPT = """
 import json
+import sys
+if sys.implementation.name == "cpython":
+    import mock_time
+    mock_time.install()
 from state import BatteryState, SystemState
 told = []
 state = SystemState(log=lambda *parts: told.append(" ".join(map(str, parts))))
