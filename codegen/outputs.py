@@ -80,7 +80,8 @@ def compile_firmware(system: System, architecture: str, report: Report) -> dict[
     """The modules of the firmware as a board loads them, by file name; empty after a diagnostic."""
     from codegen.mpy import compiled  # noqa: PLC0415  most builds compile nothing
 
-    return compiled(firmware_modules(system, architecture), architecture, report)
+    modules = firmware_modules(system, architecture)
+    return compiled(modules, architecture, report, unnumbered=modules)
 
 
 def firmware_modules(system: System, architecture: str) -> dict[str, str]:

@@ -207,7 +207,7 @@ def _compiled(system: "System", architecture: str, report: "Report") -> "dict[st
 
     texts = outputs.firmware_modules(system, architecture)
     own = own_modules(system, pipeline.project_folder([system]), texts, report)
-    return {} if report.has_errors else compiled(texts | own, architecture, report)
+    return {} if report.has_errors else compiled(texts | own, architecture, report, unnumbered=texts)
 
 
 def _would_do(todo: "Plan", wifi: tuple[str, bytes] | None) -> list[str]:

@@ -114,6 +114,11 @@ class Program:
         return any(message.name == COMMAND_CANCEL for message in self.services)
 
     @property
+    def changes_modes_by_message(self) -> bool:
+        """Whether SET_MODE changes the mode, too: not every dialect has it any more."""
+        return any(message.name == SET_MODE for message in self.services)
+
+    @property
     def received_besides(self) -> tuple[str, ...]:
         """The messages that the services of this program receive, and not those of every program."""
         return tuple(each.name for each in self.services if each.name in _NOT_OF_ALL)

@@ -71,6 +71,17 @@ def one_by_one(before: str, items: Iterable[str], after: str = "", brackets: str
     return [f"{before}{opened}", *(f"{indent}    {item}," for item in listed), f"{indent}{closed}{after}"]
 
 
+def text_literals(words: Iterable[object], indent: int) -> tuple[str, ...]:
+    """Words with blanks between them as literals that are one text, each in a line that begins with so many blanks."""
+    parts = [""]
+    for at, word in enumerate(words):
+        text = f" {word}" if at else str(word)
+        if indent + len(f'"{parts[-1]}{text}"  # uint32') > LINE_LENGTH:
+            parts.append("")
+        parts[-1] += text
+    return tuple(f'"{part}"' for part in parts)
+
+
 def order(name: str) -> tuple[int, str]:
     """Constants, then classes, then functions, as ruff sorts them."""
     return (0 if name.isupper() else 1 if name[:1].isupper() else 2, name)

@@ -10,27 +10,19 @@ import time
 from array import array
 
 from frames import address
+from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
-from words import (
-    UNKNOWN,
-    Component,
-    at_least,
-    below,
-    elements,
-    known,
-    number,
-    result,
-    shown_elements,
-    together,
-    truth,
-    whole,
-)
+from thresholds import at_least, below
+from words import KINDS, UNKNOWN, Component, together
 
 try:
     from state_viper import expire_battery, read_battery
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
+
+KINDS["at_least"] = at_least
+KINDS["below"] = below
 
 _SIZE = const(179)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
@@ -139,87 +131,101 @@ class BatteryState(Component):
         _BATTERY_GONE,
         0,
     )
-    # Voltage of the whole pack [mV]
-    # V, or None while it is unknown; FR-00069.1
-    voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 65534, "voltage", 1000, age=_BATTERY_FAILURES)
-    # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [mA]
-    # A, or None while it is unknown; FR-00077.3
-    current_ma, current = number(_BATTERY_CURRENT_MA, -327680, 327670, "current", 1000, age=_BATTERY_SET_AGE)
-    # Charge drawn since the start, or since the pack was put in [mAh]
-    # mAh, or None while it is unknown; FR-00077.5
-    consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1, age=_BATTERY_SET_AGE)
-    # Energy drawn since the start, or since the pack was put in [hJ]
-    # hJ, or None while it is unknown; FR-00077.5
-    energy_hj, energy = number(_BATTERY_ENERGY_HJ, -1073741823, 1073741823, "energy", 1, age=_BATTERY_SET_AGE)
-    # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
-    # %, or None while it is unknown; FR-00068.5
-    remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1, age=_BATTERY_SET_AGE)
-    # Charge that is left of BATT_CAPACITY, where current is measured [mAh]
-    # mAh, or None while it is unknown; FR-00077.6
-    left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1, age=_BATTERY_SET_AGE)
-    # How long the charge is enough, as far as the last half minute tells [s]
-    # s, or None while it is unknown; FR-00077.7
-    time_left_s, time_left = number(_BATTERY_TIME_LEFT_S, 0, 1000000, "time_left", 1, age=_BATTERY_SET_AGE)
-    # Whether the charge that was drawn counts from a full pack, and not from power-on
-    counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
+    # Attributes, made when they are first used: names, kind and what words.py tells that kind.
+    VIEWS = (
+        # Voltage of the whole pack [mV]
+        # V, or None while it is unknown; FR-00069.1
+        " voltage_mv: voltage: number 0 0 65534 voltage 1000 1 19\n"
+        # Current drawn from the pack, negative while charging. It is measured with BATT_MONITOR 4 [mA]
+        # A, or None while it is unknown; FR-00077.3
+        " current_ma: current: number 1 -327680 327670 current 1000 1 25\n"
+        # Charge drawn since the start, or since the pack was put in [mAh]
+        # mAh, or None while it is unknown; FR-00077.5
+        " consumed_mah: consumed: number 2 -1073741823 1073741823 consumed 1 1 25\n"
+        # Energy drawn since the start, or since the pack was put in [hJ]
+        # hJ, or None while it is unknown; FR-00077.5
+        " energy_hj: energy: number 3 -1073741823 1073741823 energy 1 1 25\n"
+        # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
+        # %, or None while it is unknown; FR-00068.5
+        " remaining_pct: remaining: number 4 0 100 remaining 1 1 25\n"
+        # Charge that is left of BATT_CAPACITY, where current is measured [mAh]
+        # mAh, or None while it is unknown; FR-00077.6
+        " left_mah: left: number 5 0 1073741823 left 1 1 25\n"
+        # How long the charge is enough, as far as the last half minute tells [s]
+        # s, or None while it is unknown; FR-00077.7
+        " time_left_s: time_left: number 6 0 1000000 time_left 1 1 25\n"
+        # Whether the charge that was drawn counts from a full pack, and not from power-on
+        " counted_from_full: truth 7\n"
+        # Temperature of the pack. The rover has no sensor for it [cdegC]
+        # degC, or None while it is unknown; FR-00068.6
+        " temperature_cdegc: temperature: number 8 -32768 32766 temperature 100 1 25\n"
+        # Change of the pack's voltage per second, positive while it rises [mV/s]
+        " trend_mv_s: whole 9 -1073741823 1073741823 trend\n"
+        # V/s, or None while it is unknown; FR-00021.1
+        " trend: result 9 1000\n"
+        # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
+        # A number, known from the start; FR-00021.3
+        " health_number: health: number 10 0 2 health 1\n"
+        # The level that the failsafe has reached, 0 none, 1 low, 2 critical
+        # A number, known from the start; FR-00073.5
+        " failsafe_number: failsafe: number 11 0 2 failsafe 1\n"
+        # Whether no pack is connected. One that works has more volts; a failed reading does not count
+        # FR-00073.8
+        " absent: below 0 3000\n"
+        # How often a pack was put in since the start, and so may be another one
+        # A number, known from the start; FR-00073.8
+        " swaps_number: swaps: number 12 0 1000000 swaps 1\n"
+        # Whether the pack is measured at all: whether BATT_MONITOR is not 0
+        " monitored: truth 13\n"
+        # Whether the pack's voltage is known
+        # FR-00067.3
+        " healthy: known 0\n"
+        # Whether current flows into the pack
+        # FR-00072.5
+        " charging: below 1 0\n"
+        # Whether the pack cannot be relied on. Its voltage is too low, or unknown
+        # FR-00072.5
+        " unhealthy: at_least 10 2\n"
+        # Whether the failsafe has found the pack low. Until the next start nothing arms the rover
+        # FR-00072.5
+        " used_up: at_least 11 1\n"
+        # Whether the pack is charged above what its cells stand
+        # FR-00072.5
+        " over_voltage: at_least 0 12750\n"
+        # Whether the pack is below what its cells stand
+        # FR-00072.5
+        " under_voltage: below 0 9000 None 3000\n"
+        # Whether the pack is warmer than it may be while it is discharged
+        # FR-00072.5
+        " hot: at_least 8 6000\n"
+        # Whether the pack is colder than it may be while it is discharged
+        # FR-00072.5
+        " cold: below 8 -2000\n"
+        # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
+        " protected: truth 14\n"
+        # Voltage of the cell that has the least [mV]
+        # V, or None while it is unknown; FR-00072.5
+        " lowest_cell_mv: lowest_cell: number 15 -1073741823 1073741823 lowest_cell 1000\n"
+        # Voltage of the cell that has the most [mV]
+        # V, or None while it is unknown; FR-00072.5
+        " highest_cell_mv: highest_cell: number 16 -1073741823 1073741823 highest_cell 1000\n"
+        # Whether a cell is charged above what it stands, whatever the pack's voltage is
+        # FR-00072.5
+        " cell_over_voltage: at_least 16 4250\n"
+        # Whether a cell is below what it stands, whatever the pack's voltage is
+        # FR-00072.5
+        " cell_under_voltage: below 15 3000\n"
+        # Whether more is drawn than the pack stands for seconds
+        # FR-00072.5
+        " over_current: at_least 1 132000\n"
+        # Failed readings in a row
+        " failures: whole 19\n"
+        # When the last good reading will be too old
+        " expires_ms: whole 22\n"
+    )
     # Voltage of each cell. Unknown until code sets it [mV]
     cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv", age=_BATTERY_CELLS_MV_AGE)
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
-    # Temperature of the pack. The rover has no sensor for it [cdegC]
-    # degC, or None while it is unknown; FR-00068.6
-    temperature_cdegc, temperature = number(
-        _BATTERY_TEMPERATURE_CDEGC, -32768, 32766, "temperature", 100, age=_BATTERY_SET_AGE
-    )
-    # Change of the pack's voltage per second, positive while it rises [mV/s]
-    trend_mv_s = whole(_BATTERY_TREND_MV_S, -1073741823, 1073741823, "trend")
-    trend = result(_BATTERY_TREND_MV_S, 1000)  # V/s, or None while it is unknown; FR-00021.1
-    # 0 healthy, 1 warning (below BATT_LOW_VOLT), 2 unhealthy (below BATT_CRT_VOLT, or unknown)
-    # A number, known from the start; FR-00021.3
-    health_number, health = number(_BATTERY_HEALTH_NUMBER, 0, 2, "health", 1)
-    # The level that the failsafe has reached, 0 none, 1 low, 2 critical
-    # A number, known from the start; FR-00073.5
-    failsafe_number, failsafe = number(_BATTERY_FAILSAFE_NUMBER, 0, 2, "failsafe", 1)
-    # Whether no pack is connected. One that works has more volts; a failed reading does not count
-    absent = below(_BATTERY_VOLTAGE_MV, 3000)  # FR-00073.8
-    # How often a pack was put in since the start, and so may be another one
-    # A number, known from the start; FR-00073.8
-    swaps_number, swaps = number(_BATTERY_SWAPS_NUMBER, 0, 1000000, "swaps", 1)
-    # Whether the pack is measured at all: whether BATT_MONITOR is not 0
-    monitored = truth(_BATTERY_MONITORED)
-    # Whether the pack's voltage is known
-    healthy = known(_BATTERY_VOLTAGE_MV)  # FR-00067.3
-    # Whether current flows into the pack
-    charging = below(_BATTERY_CURRENT_MA, 0)  # FR-00072.5
-    # Whether the pack cannot be relied on. Its voltage is too low, or unknown
-    unhealthy = at_least(_BATTERY_HEALTH_NUMBER, 2)  # FR-00072.5
-    # Whether the failsafe has found the pack low. Until the next start nothing arms the rover
-    used_up = at_least(_BATTERY_FAILSAFE_NUMBER, 1)  # FR-00072.5
-    # Whether the pack is charged above what its cells stand
-    over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
-    # Whether the pack is below what its cells stand
-    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000, floor=3000)  # FR-00072.5
-    # Whether the pack is warmer than it may be while it is discharged
-    hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
-    # Whether the pack is colder than it may be while it is discharged
-    cold = below(_BATTERY_TEMPERATURE_CDEGC, -2000)  # FR-00072.5
-    # Whether protective circuits in the pack are on. The rover cannot tell; code that can sets it
-    protected = truth(_BATTERY_PROTECTED)
-    # Voltage of the cell that has the least [mV]
-    # V, or None while it is unknown; FR-00072.5
-    lowest_cell_mv, lowest_cell = number(_BATTERY_LOWEST_CELL_MV, -1073741823, 1073741823, "lowest_cell", 1000)
-    # Voltage of the cell that has the most [mV]
-    # V, or None while it is unknown; FR-00072.5
-    highest_cell_mv, highest_cell = number(_BATTERY_HIGHEST_CELL_MV, -1073741823, 1073741823, "highest_cell", 1000)
-    # Whether a cell is charged above what it stands, whatever the pack's voltage is
-    cell_over_voltage = at_least(_BATTERY_HIGHEST_CELL_MV, 4250)  # FR-00072.5
-    # Whether a cell is below what it stands, whatever the pack's voltage is
-    cell_under_voltage = below(_BATTERY_LOWEST_CELL_MV, 3000)  # FR-00072.5
-    # Whether more is drawn than the pack stands for seconds
-    over_current = at_least(_BATTERY_CURRENT_MA, 132000)  # FR-00072.5
-    # Failed readings in a row
-    failures = whole(_BATTERY_FAILURES)
-    # When the last good reading will be too old
-    expires_ms = whole(_BATTERY_EXPIRES_MS)
 
     @staticmethod
     def voltage_from_adc(adc, mult):
@@ -275,18 +281,21 @@ class VehicleState(Component):
         _VEHICLE_LOAD_DPCT,
         0,
     )
-    # Whether the motors may turn
-    armed = truth(_VEHICLE_ARMED)
-    # Whether the checks before arming pass
-    ready = truth(_VEHICLE_READY)
-    # Drive mode, a number of the autopilot's own
-    # A number, known from the start
-    mode_number, mode = number(_VEHICLE_MODE_NUMBER, 0, 1000000, "mode", 1)
-    # What the vehicle is doing (MAV_STATE)
-    status = whole(_VEHICLE_STATUS, 0, 8, "status")
-    # Share of the main loop's time that is used [d%]
-    # %, known from the start
-    load_dpct, load = number(_VEHICLE_LOAD_DPCT, 0, 1000, "load", 10)
+    # Attributes, made when they are first used: names, kind and what words.py tells that kind.
+    VIEWS = (
+        # Whether the motors may turn
+        " armed: truth 0\n"
+        # Whether the checks before arming pass
+        " ready: truth 1\n"
+        # Drive mode, a number of the autopilot's own
+        # A number, known from the start
+        " mode_number: mode: number 2 0 1000000 mode 1\n"
+        # What the vehicle is doing (MAV_STATE)
+        " status: whole 3 0 8 status\n"
+        # Share of the main loop's time that is used [d%]
+        # %, known from the start
+        " load_dpct: load: number 4 0 1000 load 10\n"
+    )
 
 
 class SystemState:

@@ -55,13 +55,23 @@ _VEHICLE_LOAD_DPCT = const(4)
 _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
-
-_heartbeat = messages.Heartbeat(unknown=False)
+# What the builders return, in their order; one for each instance, where a message is about several.
+_MESSAGES = (
+    messages.Heartbeat(unknown=False),
+    messages.SysStatus(unknown=False),
+    [messages.BatteryStatus(unknown=False) for _ in range(2)],
+    messages.AutopilotVersion(unknown=False),
+    messages.ProtocolVersion(unknown=False),
+    [messages.BatteryStatusV2(unknown=False) for _ in range(2)],
+    [messages.SmartBatteryInfo(unknown=False) for _ in range(2)],
+    [messages.BatteryInfo(unknown=False) for _ in range(2)],
+    [messages.BatteryCellVoltages(unknown=False) for _ in range(2)],
+)
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00068.8."""
-    message = _heartbeat
+    message = _MESSAGES[0]
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -107,12 +117,9 @@ def write_heartbeat(value, place, wire, words):
     wire[8] = 3
 
 
-_sys_status = messages.SysStatus(unknown=False)
-
-
 def build_sys_status(state):
     """Return SYS_STATUS (1), FR-00068.9."""
-    message = _sys_status
+    message = _MESSAGES[1]
     write_sys_status(time.ticks_ms(), 0, message.wire, state.words, state.parameters.batt_sys_status)
     return message
 
@@ -274,12 +281,9 @@ def write_sys_status(value, place, wire, words, batt_sys_status):
     wire[42] = 0
 
 
-_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(2)]
-
-
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _battery_status[instance]
+    message = _MESSAGES[2][instance]
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -496,12 +500,9 @@ def write_battery_status(value, place, wire, words, instance):
         wire[50] |= 0x20
 
 
-_autopilot_version = messages.AutopilotVersion(unknown=False)
-
-
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _autopilot_version
+    message = _MESSAGES[3]
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -603,12 +604,9 @@ def write_autopilot_version(value, place, wire, words):
         place += 1
 
 
-_protocol_version = messages.ProtocolVersion(unknown=False)
-
-
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _protocol_version
+    message = _MESSAGES[4]
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -653,12 +651,9 @@ def write_protocol_version(value, place, wire, words):
     wire[21] = 0
 
 
-_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(2)]
-
-
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _battery_status_v2[instance]
+    message = _MESSAGES[5][instance]
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -826,12 +821,9 @@ def write_battery_status_v2(value, place, wire, words, instance):
     wire[26] = instance & 0xFF
 
 
-_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(2)]
-
-
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00076.1."""
-    message = _smart_battery_info[instance]
+    message = _MESSAGES[6][instance]
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -922,12 +914,9 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
     # manufacture_date: unknown ([0]) (FR-00076.1)
 
 
-_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(2)]
-
-
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00076.2."""
-    message = _battery_info[instance]
+    message = _MESSAGES[7][instance]
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -1038,12 +1027,9 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
         place += 1
 
 
-_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(2)]
-
-
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _battery_cell_voltages[instance]
+    message = _MESSAGES[8][instance]
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/words.py: do not edit.
-# Inputs: 01cc66c25ce7a386
+# Inputs: 13dbeec3ae834e25
 """Attributes that are views of a component's words: 32-bit numbers in one array, -2 ** 30 for what is unknown.
 
 Whole numbers in the units that go out; beside them the same in the units of people. To set an attribute to None, or one
@@ -7,12 +7,15 @@ in the units of people to NaN, makes it unknown. A number that some message does
 beyond them is counted in `limited` of its component, by the name of the attribute, and told once, until one within them
 is set.
 
-What a view is about are defaults of its functions: closures and their cells would take twice the heap.
+What a view is about are defaults of its functions: closures and their cells would take twice the heap. Most are made
+when they are first used, of a line in the VIEWS of their class, for a program uses few of them: until then they take
+no more than the line, and their names are not among those that MicroPython keeps.
 """
 
 from array import array
 
 from conversion import LARGEST, limited, to_steps
+from message import keep
 
 UNKNOWN = -1073741824
 
@@ -21,10 +24,12 @@ class Component:
     """Base of a part of the state; `words` are its part of the array, or an array of its own.
 
     A class has a NAME, the SIZE of its part, and as START what is known from the start, places and values. Of several
-    instances the first can be used as a list of all of them.
+    instances the first can be used as a list of all of them. VIEWS has a line for attributes that are made when one of
+    them is first used: the names, a ":" behind each, the kind, which KINDS has, and what its function is called with.
     """
 
     START = ()
+    VIEWS = ""
 
     def __init__(self, words=None, instance=0):
         self.words = array("i", [UNKNOWN] * self.SIZE) if words is None else words
@@ -43,6 +48,33 @@ class Component:
     def __getitem__(self, instance):
         return self._all[instance]
 
+    def __getattr__(self, name):
+        if not self._make(name):
+            raise AttributeError(f"{self.NAME} has no {name}")
+        return getattr(self, name)
+
+    def __setattr__(self, name, value):
+        # CPython asks here for each attribute, MicroPython only for those that the class does not have yet.
+        if hasattr(type(self), name) or not self._make(name):
+            keep(self, name, value)
+        else:
+            setattr(self, name, value)
+
+    def _make(self, name):
+        """Make an attribute of the class of the line that has its name; return whether there is one."""
+        views = self.VIEWS
+        at = views.find(f" {name}:")
+        if at < 0:
+            return False
+        words = views[views.rfind("\n", 0, at) + 1 : views.find("\n", at)].split()
+        names = [word for word in words if word[-1] == ":"]
+        kind = len(names)
+        made = KINDS[words[kind]](*[_told(word) for word in words[kind + 1 :]])
+        if kind > 1:
+            made = made[0 if names[0] == f"{name}:" else 1]
+        setattr(type(self), name, made)
+        return True
+
     def tell(self, place, name):
         """Count that a number at a place is beyond its limits, and log it once; at this moment it has the limit."""
         if place not in self.beyond:
@@ -60,6 +92,13 @@ class Component:
             name, limit = f"{name}[{place}]", limit[place]
         owner = self.NAME if len(self) == 1 else f"{self.NAME}[{self._all.index(self)}]"
         self._log(f"warning: {owner}.{name} beyond {limit:.7g}: limited")
+
+
+def _told(word):
+    """Return what a word in VIEWS stands for: a number, None or a name."""
+    if word == "None":
+        return None
+    return int(word) if word[0] in "-0123456789" else word
 
 
 def together(cls, words, base, size, instances, log):
@@ -161,94 +200,15 @@ def known(place):
     return property(get)
 
 
-def at_least(place, limit, own=None):
-    """Return an attribute that tells whether a word is at least a limit, or the instance's own one at place `own`."""
-
-    def get(self, place=place, limit=limit, own=own):
-        return self.words[place] >= (limit if own is None else self.words[own])
-
-    return property(get)
-
-
-def below(place, limit, own=None, floor=-LARGEST, own_floor=None):
-    """Return an attribute that tells whether a word is known and below a limit, or the instance's own one.
-
-    It is at least the floor then, or the instance's own one.
-    """
-
-    def get(self, place=place, limit=limit, own=own, floor=floor, own_floor=own_floor):
-        value = self.words[place]
-        if value < (floor if own_floor is None else self.words[own_floor]):
-            return False
-        return value < (limit if own is None else self.words[own])
-
-    return property(get)
-
-
-class _Elements:
-    """The whole numbers of a list, each of which can be None; `accessors` get and set the number at a place."""
-
-    width = 1  # words for each
-
-    def __init__(self, component, first, count, accessors, age=None):
-        self.first = first
-        self._age = age
-        self._component = component
-        self._count = count
-        self._accessors = accessors
-
-    def __len__(self):
-        return self._count
-
-    def __getitem__(self, index):
-        return self._accessors[0](self._component, self._place(index))
-
-    def __setitem__(self, index, value):
-        self._accessors[1](self._component, value, self._place(index))
-        if self._age is not None:
-            self._component.words[self._age] = 0
-
-    def _place(self, index):
-        if not -self._count <= index < self._count:
-            raise IndexError("there are fewer elements")
-        return self.first + index % self._count
-
-
-def elements(first, count, low, high, name, own=None, age=None):
-    """Return an attribute for a list of whole numbers; `own` is the place of the instance's own count.
-
-    The word at `age`, which readings count up, begins anew when one of them is set.
-    """
-    functions = accessors(first, low, high, name)
-
-    def get(self):
-        return _Elements(self, first, count if own is None else self.words[own], functions, age)
-
-    def put(self, values):
-        _fill(get(self), values, 1, 1)
-
-    return property(get, put)
-
-
-def shown_elements(name, numerator, denominator=1):
-    """Return an attribute for the list `name` in the unit of people; None makes all of them unknown."""
-
-    def get(self):
-        return [None if value is None else in_unit(value, numerator, denominator) for value in getattr(self, name)]
-
-    def put(self, values):
-        _fill(getattr(self, name), values, numerator, denominator)
-
-    return property(get, put)
-
-
 def in_unit(value, numerator, denominator):
     """Return steps in the unit of people; a whole number stays one where these are the same."""
     return value if numerator == denominator else value * denominator / numerator
 
 
-def _fill(steps, values, numerator, denominator):
-    if values is not None and len(values) != len(steps):
-        raise ValueError(f"there are {len(steps)} values, not {len(values)}")
-    for index in range(len(steps)):
-        steps[index] = None if values is None else to_steps(values[index], numerator, denominator)
+KINDS = {
+    "known": known,
+    "number": number,
+    "result": result,
+    "truth": truth,
+    "whole": whole,
+}

@@ -1,4 +1,4 @@
-"""The rover's program starts and runs in the heap that is stored as its budget, counted in words of a board."""
+"""Programs start and run in the heap that is stored as their budget, counted in words of a board."""
 
 from pathlib import Path
 
@@ -30,6 +30,22 @@ def test_program_runs_in_the_heap_that_is_stored(folder: Path, form: str) -> Non
         assert used, f"not in {size} KB; make benchmarks stores what it takes now"
         for moment, count in used.items():
             assert count <= 1.03 * STORED[f"{moment}_{form}"], moment
+
+
+@pytest.mark.draft("battery_upstream", "battery_cell_voltages_rfc_0018")
+def test_what_is_asked_for_rarely_finds_room(folder: Path) -> None:
+    """Modules that are loaded then, in the heap that is stored for it; nothing of it reads names of fields."""
+    assert heap.in_use(folder, "mpy", int(STORED["rarely_mpy"]), heap.RARELY)
+
+
+def test_boat_runs_in_the_heap_that_is_stored(tmp_path: Path) -> None:
+    """From .mpy files, from its start through a simulated minute, and with what is asked for rarely."""
+    heap.prepare_boat(tmp_path)
+    used = heap.in_use(tmp_path, "mpy", int(STORED["boat_smallest_mpy"]))
+    assert used, "make benchmarks stores what it takes now"
+    for moment, count in used.items():
+        assert count <= 1.03 * STORED[f"boat_{moment}_mpy"], moment
+    assert heap.in_use(tmp_path, "mpy", int(STORED["boat_rarely_mpy"]), heap.RARELY)
 
 
 @pytest.mark.requirement("FR-00071.4")

@@ -42,7 +42,7 @@ WRONG_FRAMES = [
     ),
     ("factor-of-the-adc", "state_plain.py", "// 136500 * 11 +", "// 136500 * 10 +"),
     ("factor-of-the-adc-in-machine-code", "state_viper.py", "// 136500 * 11 +", "// 136500 * 10 +"),
-    ("factor-of-volts", "state.py", '"voltage", 1000,', '"voltage", 1001,'),
+    ("factor-of-volts", "state.py", "voltage 1000 ", "voltage 1001 "),
     ("rounding", "state_viper.py", " + 68250) //", ") //"),
     ("constant", "telemetry_plain.py", "wire[34] = 1", "wire[34] = 2"),
     ("place-of-a-constant", "telemetry_viper.py", "wire[33] = 1", "wire[35] = 1"),

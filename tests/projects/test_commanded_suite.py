@@ -18,11 +18,11 @@ CHANGES = [
     ("own_commands.py", "if not param[_LEAST] <= value <= param[_MOST]:", "if not param[_LEAST] < value < param[_MOST]:", {"ends_are_done"}),
     ("own_commands.py", "value * param[_MULTIPLIER] / param[_DIVISOR]", "value * param[_MULTIPLIER]", {"ends_are_done"}),
     ("own_commands.py", "return param[_DEFAULT]", "return param[_LEAST]", {"ends_are_done", "beyond_is_denied"}),
-    ("own_commands.py", "(is_int and row[INT_PARAMS]) or row[PARAMS]", "row[PARAMS]", {"command_int_is_the_same"}),
+    ("own_commands.py", "(is_int and row[_INT_PARAMS]) or row[_PARAMS]", "row[_PARAMS]", {"command_int_is_the_same"}),
     ("own_commands.py", "return whole if _is_among(param[_AMONG], whole) else None", "return whole", {"beyond_is_denied"}),
     ("own_commands.py", "if whole != value and", "if whole is None and", {"beyond_is_denied"}),
-    ("own_commands.py", "row[ARMED] is not None and row[ARMED] != ", "row[ARMED] is not None and row[ARMED] == ", {"only_when_it_is_allowed"}),
-    ("own_commands.py", "if row[STATIONS] and not", "if False and not", {"only_who_is_heard"}),
+    ("own_commands.py", "row[_ARMED] is not None and row[_ARMED] != ", "row[_ARMED] is not None and row[_ARMED] == ", {"only_when_it_is_allowed"}),
+    ("own_commands.py", "if row[_STATIONS] and not", "if False and not", {"only_who_is_heard"}),
     ("own_commands.py", "if said is False:", "if said is None:", {"refusals_have_failed"}),
     ("own_commands.py", "if said is NotImplemented:", "if said is Ellipsis:", {"unwritten_is_unsupported"}),
     ("own_commands.py", "    with guard:\n        return judged(method(*values))\n", "    return judged(method(*values))\n", {"exceptions_have_failed"}),
@@ -33,7 +33,7 @@ CHANGES = [
     ("long_commands.py", 'wire[_COMMAND_LONG_CONFIRMATION_AT] > 0', 'wire[_COMMAND_LONG_CONFIRMATION_AT] >= 0', {"repeated_is_begun_once"}),
     ("command_cancel.py", "if result == _MAV_RESULT_ACCEPTED:", "if True:", {"cancelled_ends"}),
     ("mode_service.py", "not in self._vehicle.MODES", "in ()", {"modes_are_entered"}),
-    ("mode_service.py", "raw(\"base_mode\")", "raw(\"custom_mode\")", {"modes_are_entered"}),
+    ("set_mode.py", "wire[_SET_MODE_BASE_MODE_AT]", "wire[_SET_MODE_CUSTOM_MODE_AT]", {"modes_are_entered"}),
     ("vehicle.py", "vehicle.guided = mode in (11, 15,)", "vehicle.guided = mode in (11,)", {"modes_are_entered"}),
 ]  # fmt: skip
 

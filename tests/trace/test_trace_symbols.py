@@ -46,6 +46,9 @@ def names_of(text: str) -> set[str]:
             views = [each for each in node.body if isinstance(each, ast.Assign)]
             parts = [part for each in views for target in each.targets for part in ast.walk(target)]
             found |= {f"{node.name}.{part.id}" for part in parts if isinstance(part, ast.Name)}
+            lines = [each.value for each in views if ast.unparse(each.targets[0]) == "VIEWS"]
+            words = [word for line in lines for word in str(ast.literal_eval(line)).split()]
+            found |= {f"{node.name}.{word.removesuffix(':')}" for word in words if word.endswith(":")}
         for inner in ast.walk(node) if isinstance(node, ast.ClassDef) else ():
             match inner:
                 case ast.FunctionDef(name=name):

@@ -128,6 +128,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "long_commands": takes_long,
         "command_cancel": program.cancels,
         "mode_service": bool(program.modes),
+        "set_mode": program.changes_modes_by_message,
         "twins": system.component_parameter is not None,
         "access": program.access is not None and bool(program.access.signed),
         "key_service": program.access is not None and bool(program.access.spec.setup),

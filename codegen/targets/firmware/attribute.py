@@ -1,6 +1,6 @@
 """Attributes of the components in state.py: which view of the words each of them is."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from codegen.frozen import dataclass
@@ -10,16 +10,32 @@ from codegen.model.set_together import set_together
 from codegen.model.storage import Storage
 from codegen.model.vehicle import Component, Quantity, QuantityKind
 from codegen.targets.firmware.words import SET_AGE, Block, age_word, differ
+from codegen.targets.imports import text_literals
 from codegen.targets.naming import prose, quoted
 
 VIEWS = {
     **dict.fromkeys(("integer", "shown_integer", "floating"), "wide"),
     **dict.fromkeys(("integers", "shown_integers", "floats", "aging_row"), "rows"),
+    **dict.fromkeys(("elements", "shown_elements"), "lists"),
+    **dict.fromkeys(("at_least", "below"), "thresholds"),
     "text": "letters",
     "ticking": "clock_plain",
     **dict.fromkeys(("aging", "aged_number"), "ages"),
 }
 """The modules of those views that are there only where something needs them, by the view; rows needs wide."""
+
+MADE_WHEN_USED = {
+    *("at_least", "below", "known", "number", "result", "truth", "whole"),
+    *("aged_number", "aging", "integer", "shown_integer", "ticking"),
+}
+"""The views that a class states in lines of text, and makes of these when they are first used."""
+
+FURTHER = {
+    "number": (5, {"denominator": "1", "age": "None"}),
+    "at_least": (2, {"own": "None"}),
+    "below": (2, {"own": "None", "floor": "-1073741823", "own_floor": "None"}),
+}
+"""How many arguments such a view has at least, and by name what its further ones are where they are not given."""
 
 LONGEST = 120
 """Columns of a line."""
@@ -35,9 +51,62 @@ class AttributeView:
     behind: str
 
 
-def attributes(component: Component, block: Block, told: Mapping[str, Reach]) -> Iterator[AttributeView]:
-    """The attributes of a component, in order; ``told`` has the limits of its quantities by path."""
-    return (_broken(view) for view in _attributes(component, block, told))
+@dataclass(frozen=True, slots=True)
+class LineView:
+    """Attributes that are made when they are first used: the literals of their line, and the comments above it."""
+
+    names: tuple[str, ...]
+    kind: str
+    comments: tuple[str, ...]
+    literals: tuple[str, ...]
+
+
+def attributes(
+    component: Component, block: Block, told: Mapping[str, Reach]
+) -> tuple[tuple[AttributeView, ...], tuple[LineView, ...]]:
+    """The attributes of a component that its class has at once, and those that it makes when they are used, in order.
+
+    ``told`` has the limits of its quantities by path.
+    """
+    at_once: list[AttributeView] = []
+    lines: list[LineView] = []
+    for view in _attributes(component, block, told):
+        if _kind(view) in MADE_WHEN_USED and "told=" not in view.expression:
+            lines.append(_line(view, block))
+        else:
+            at_once.append(_broken(view))
+    return tuple(at_once), tuple(lines)
+
+
+def _kind(view: AttributeView) -> str:
+    return view.expression.partition("(")[0]
+
+
+def _line(view: AttributeView, block: Block) -> LineView:
+    """The line of an attribute: its names, the kind of its view, and what that is told, with places as numbers."""
+    kind, _, rest = view.expression.partition("(")
+    places = {block.constant(word): str(at) for word, at in block.offsets.items()}
+    told = [places.get(value, value).strip('"') for value in _by_position(kind, rest.removesuffix(")").split(", "))]
+    words = ["", *(f"{name}:" for name in view.name.split(", ")), kind, *told[:-1], f"{told[-1]}\\n"]
+    comments = tuple(line for text in (view.above, view.behind) if text for line in text.split("\n    # "))
+    return LineView(tuple(view.name.split(", ")), kind, comments, text_literals(words, indent=8))
+
+
+def _by_position(kind: str, arguments: Iterable[str]) -> list[str]:
+    """The arguments of a view without their names, in order, and in between what is meant where there is none."""
+    given: list[str] = []
+    named: dict[str, str] = {}
+    for argument in arguments:
+        name, is_named, value = argument.rpartition("=")
+        if is_named:
+            named[name] = value
+        else:
+            given.append(value)
+    needed, further = FURTHER.get(kind, (0, {}))
+    for name in tuple(further)[len(given) - needed :]:
+        if named:
+            given.append(named.pop(name, further[name]))
+    return given
 
 
 def _broken(view: AttributeView) -> AttributeView:

@@ -4,6 +4,7 @@ from codegen.frozen import dataclass
 from codegen.model.system import System
 from codegen.model.unit import decimal
 from codegen.model.vehicle import Parameter
+from codegen.targets.imports import text_literals
 from codegen.targets.naming import parameter_attribute, prose
 
 
@@ -14,7 +15,7 @@ class ParameterView:
     ``type`` is the number of its MAV_PARAM_TYPE; ``choices`` are the only steps that are accepted, or nothing,
     and ``has_gaps`` says that not all from ``minimum`` to ``maximum`` are among them. ``is_renamed`` says
     that the attribute is not the name in small letters. ``was`` are names of earlier firmware, each with the numerator
-    and the denominator of what its values are multiplied by.
+    and the denominator of what its values are multiplied by. ``literals`` are the line of text that has its numbers.
     """
 
     name: str
@@ -33,6 +34,14 @@ class ParameterView:
     comment: str
     doc: str
     was: tuple[tuple[str, int, int], ...]
+
+    @property
+    def literals(self) -> tuple[str, ...]:
+        """The line in which the firmware has all that it knows of the parameter but its default."""
+        limits = (self.minimum, self.maximum, self.numerator, self.denominator)
+        accepted = self.choices if self.has_gaps else ()
+        words = (f"\\n{self.name}", *limits, self.type, int(self.after_restart), *accepted)
+        return text_literals(words, indent=4)
 
 
 def parameter_views(system: System) -> tuple[ParameterView, ...]:

@@ -210,6 +210,7 @@ def _answering(system: System, program: Program) -> dict[str, str]:
         **({"own_commands": "answer_commands"} if program.commands else {}),
         **({"command_cancel": "answer_cancel"} if program.cancels else {}),
         **({"mode_service": "answer_modes"} if program.modes else {}),
+        **({"set_mode": "answer_set_mode"} if program.changes_modes_by_message else {}),
     }
 
 

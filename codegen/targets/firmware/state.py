@@ -12,6 +12,7 @@ from codegen.targets.families import FamilyView, family_view
 from codegen.targets.firmware.attribute import (
     VIEWS,
     AttributeView,
+    LineView,
     attributes,
     initial_words,
 )
@@ -63,6 +64,7 @@ class ComponentView:
     base: str
     size: str
     attributes: tuple[AttributeView, ...]
+    lines: tuple[LineView, ...]
     start: tuple[tuple[str, str], ...]
     switch: str | None
     forgotten: tuple[str, ...]
@@ -84,10 +86,11 @@ class ComponentView:
 class StateView:
     """The module: what it imports, the constants of its words, and the components in order.
 
-    ``modules`` are those of views that not every state has.
+    ``modules`` are those of views that not every state has, ``kinds`` those of them that words.py is told of.
     """
 
     imports: tuple[str, ...]
+    kinds: tuple[str, ...]
     reading_imports: tuple[str, ...]
     constants: tuple[ConstantView, ...]
     size: int
@@ -108,6 +111,8 @@ def state_view(system: System, layout: Layout) -> StateView:
     words = {"Component", "UNKNOWN", "together"} | {
         attribute.expression.partition("(")[0] for component in components for attribute in component.attributes
     }
+    kinds = {line.kind for component in components for line in component.lines} & VIEWS.keys()
+    words |= kinds | ({"KINDS"} if kinds else set())
     names = {("array", "array"), ("micropython", "const"), ("parameters", "Parameters")}
     names |= {(VIEWS.get(word, "words"), word) for word in words}
     modules = {VIEWS[word] for word in words & VIEWS.keys()}
@@ -127,6 +132,7 @@ def state_view(system: System, layout: Layout) -> StateView:
     machine_code = system.spec.project.machine_code
     return StateView(
         imports=import_lines(["time"] if measured or CLOCK in system.components else [], names),
+        kinds=tuple(sorted(kinds)),
         reading_imports=either_import("state", sorted(readings), machine_code=machine_code) if readings else (),
         constants=tuple(constants),
         size=layout.size,
@@ -161,6 +167,7 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) 
     readings = component.readings
     enabled = component.enabled
     view = measured_view(readings[0], block) if readings else None
+    at_once, lines = attributes(component, block, told)
     return ComponentView(
         name=component.name,
         class_name=state_class(component.name),
@@ -169,7 +176,8 @@ def _component(component: Component, layout: Layout, told: Mapping[str, Reach]) 
         several=component.instances > 1,
         base=block.base_constant,
         size=block.size_constant,
-        attributes=tuple(attributes(component, block, told)),
+        attributes=at_once,
+        lines=lines,
         start=tuple(_start(component, block)),
         switch=block.constant(enabled.attribute) if enabled else None,
         forgotten=tuple(_forgotten(component, block)),

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/parameter_service.py, dialect common: do not edit.
-# Inputs: 3fb673b695a7109b
+# Inputs: 6e1f98b0f7d81461
 """The parameter protocol: ground stations read parameters, one or all, and set them.
 
 Values are C casts: PARAM_VALUE and PARAM_SET carry the number itself as a float, whatever type the parameter has. The
@@ -51,9 +51,9 @@ class ParameterService:
         index = station.parameter
         if index is None:
             return
-        if index == len(parameters.NAMES):
+        if index == parameters.COUNT:
             station.parameter = None
-        elif self._send_value((parameters.NAMES[index], index)):
+        elif self._send_value((parameters.name_of(index), index)):
             station.parameter = index + 1
 
     def list(self, _message):
@@ -65,16 +65,16 @@ class ParameterService:
         asked = index = unpack_from("<h", message.wire, _PARAM_REQUEST_READ_PARAM_INDEX_AT)[0]
         name = _name(message.wire, _PARAM_REQUEST_READ_PARAM_ID_AT)
         if index == _BY_NAME:
-            index = _index(name)
-        if index is not None and 0 <= index < len(parameters.NAMES):
-            self._connection.deliver(self._send_value, (parameters.NAMES[index], index))
+            index = parameters.index_of(name)
+        if index is not None and 0 <= index < parameters.COUNT:
+            self._connection.deliver(self._send_value, (parameters.name_of(index), index))
         else:
             self._refuse(message, name, asked, _MAV_PARAM_ERROR_DOES_NOT_EXIST)
 
     def set(self, message):
         """PARAM_SET: take a value over; what is in force afterwards is the answer, whether it was accepted or not."""
         name = _name(message.wire, _PARAM_SET_PARAM_ID_AT)
-        if _index(name) is None:
+        if parameters.index_of(name) is None:
             is_readable = name and max(name) < "\x80"
             self._say(f"{name} is no parameter" if is_readable else "a parameter of this name does not exist")
             self._refuse(message, name, _BY_NAME, _MAV_PARAM_ERROR_DOES_NOT_EXIST)
@@ -111,7 +111,7 @@ class ParameterService:
         name, index = which
         wire = self._value.wire
         pack_into("<f", wire, _PARAM_VALUE_PARAM_VALUE_AT, self._vehicle.parameters.get(name))
-        pack_into("<H", wire, _PARAM_VALUE_PARAM_COUNT_AT, len(parameters.NAMES))
+        pack_into("<H", wire, _PARAM_VALUE_PARAM_COUNT_AT, parameters.COUNT)
         pack_into("<H", wire, _PARAM_VALUE_PARAM_INDEX_AT, index)
         _put_name(wire, _PARAM_VALUE_PARAM_ID_AT, name)
         wire[_PARAM_VALUE_PARAM_TYPE_AT] = self._vehicle.parameters.type_of(name)
@@ -129,14 +129,6 @@ class ParameterService:
         _put_name(wire, _PARAM_ERROR_PARAM_ID_AT, name)
         wire[_PARAM_ERROR_ERROR_AT] = error
         self._connection.deliver(self._connection.send, refusal)
-
-
-def _index(name):
-    """Return the index of a parameter, None if there is none of this name."""
-    for index, known in enumerate(parameters.NAMES):
-        if known == name:
-            return index
-    return None
 
 
 def _name(wire, at):

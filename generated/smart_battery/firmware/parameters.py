@@ -6,95 +6,23 @@ import struct
 
 from conversion import to_steps
 
-# name: (smallest, largest, numerator, denominator, type, used after a restart only)
-# A value is steps * numerator / denominator, its type the MAV_PARAM_TYPE that it goes out as.
-_TABLE = {
-    "BATT_CAPACITY": (
-        0,
-        1000000,
-        1,
-        1,
-        6,  # int32
-        False,
-    ),
-    "BATT_ID": (
-        0,
-        9,
-        1,
-        1,
-        1,  # uint8
-        True,
-    ),
-    "BATT_MONITOR": (
-        0,
-        3,
-        1,
-        1,
-        2,  # int8
-        True,
-    ),
-    "BATT_REPORT": (
-        0,
-        2,
-        1,
-        1,
-        2,  # int8
-        False,
-    ),
-    "BATT_STATUS_RATE": (
-        0,
-        100,
-        1,
-        10,
-        9,  # real32
-        False,
-    ),
-    "BATT_V2_RATE": (
-        0,
-        100,
-        1,
-        10,
-        9,  # real32
-        False,
-    ),
-    "BATT_VOLT_MULT": (
-        10000,
-        100000,
-        1,
-        10000,
-        9,  # real32
-        True,
-    ),
-    "BATT_VOLT_PIN": (
-        26,
-        28,
-        1,
-        1,
-        2,  # int8
-        True,
-    ),
-    "COMPID_BATT": (
-        1,
-        255,
-        1,
-        1,
-        4,  # int16
-        True,
-    ),
-    "SYSID_THISMAV": (
-        1,
-        255,
-        1,
-        1,
-        4,  # int16
-        True,
-    ),
-}
-NAMES = tuple(sorted(_TABLE))
-
-_CHOICES = {}  # steps that are accepted, where not all between the limits are
-_CHOICES["BATT_MONITOR"] = (0, 3)
-_ATTRIBUTES = {}  # where an attribute is not called as its parameter is, in small letters
+# Of each its name, the smallest and the largest steps, numerator and denominator (a value is steps * numerator /
+# denominator), the MAV_PARAM_TYPE that it goes out as, 1 where a new value is used after a restart only, and the steps
+# that are accepted, where not all between the limits are. As text they take a fraction of what objects would.
+_LINES = (
+    "\nBATT_CAPACITY 0 1000000 1 1 6 0"  # int32
+    "\nBATT_ID 0 9 1 1 1 1"  # uint8
+    "\nBATT_MONITOR 0 3 1 1 2 1 0 3"  # int8
+    "\nBATT_REPORT 0 2 1 1 2 0"  # int8
+    "\nBATT_STATUS_RATE 0 100 1 10 9 0"  # real32
+    "\nBATT_V2_RATE 0 100 1 10 9 0"  # real32
+    "\nBATT_VOLT_MULT 10000 100000 1 10000 9 1"  # real32
+    "\nBATT_VOLT_PIN 26 28 1 1 2 1"  # int8
+    "\nCOMPID_BATT 1 255 1 1 4 1"  # int16
+    "\nSYSID_THISMAV 1 255 1 1 4 1"  # int16
+    "\n"
+)
+COUNT = 10
 
 
 class Parameters:
@@ -130,29 +58,31 @@ class Parameters:
 
     def names(self):
         """Return the names in their order; a name's place is the parameter's index."""
-        return list(NAMES)
+        return [name_of(index) for index in range(COUNT)]
 
     def get(self, name):
         """Return the value of a parameter. KeyError: there is no such parameter."""
-        if name not in _TABLE:
+        if _place(name) < 0:
             raise KeyError(name)
         return self.value(name, getattr(self, attribute_of(name)))
 
     def value(self, name, steps):
         """Return what so many steps of a parameter are worth."""
-        return steps * _TABLE[name][2] / _TABLE[name][3]
+        about = _about(name)
+        return steps * about[2] / about[3]
 
     def limits(self, name):
         """Return the smallest and the largest value of a parameter."""
-        return self.value(name, _TABLE[name][0]), self.value(name, _TABLE[name][1])
+        about = _about(name)
+        return self.value(name, about[0]), self.value(name, about[1])
 
     def type_of(self, name):
         """Return the MAV_PARAM_TYPE that a parameter goes out as."""
-        return _TABLE[name][4]
+        return _about(name)[4]
 
     def is_after_reboot(self, name):
         """Return whether a new value is used only after the next start."""
-        return _TABLE[name][5]
+        return _about(name)[5] != 0
 
     def set(self, name, value):
         """Take a value over, rounded to the nearest step; return whether it was accepted.
@@ -169,11 +99,11 @@ class Parameters:
 
     def _steps(self, name, value):
         """Return the steps of an acceptable value, else None."""
-        if name not in _TABLE:
+        if _place(name) < 0:
             return None
-        smallest, largest, numerator, denominator, _, _ = _TABLE[name]
-        steps = to_steps(value, denominator, numerator)
-        if steps is None or not smallest <= steps <= largest or steps not in _CHOICES.get(name, (steps,)):
+        about = _about(name)
+        steps = to_steps(value, about[3], about[2])
+        if steps is None or not about[0] <= steps <= about[1] or steps not in (about[6:] or (steps,)):
             return None
         return steps
 
@@ -185,7 +115,7 @@ class Parameters:
         """
         defaults = Parameters()
         records = []
-        for name in NAMES:
+        for name in self.names():
             if getattr(self, attribute_of(name)) != getattr(defaults, attribute_of(name)):
                 records.append(bytes([len(name)]) + name.encode() + struct.pack("<f", self.get(name)))
         return self._kept + b"".join(records)
@@ -204,7 +134,7 @@ class Parameters:
             steps = self._steps(name, value)
             if steps is None:
                 problems.append(f"stored {name} = {value} is not accepted")
-                if name not in _TABLE:
+                if _place(name) < 0:
                     self._kept += data[at : end + 4]
             else:
                 setattr(self, attribute_of(name), steps)
@@ -214,4 +144,29 @@ class Parameters:
 
 def attribute_of(name):
     """Return the attribute of Parameters that has the steps of a parameter."""
-    return _ATTRIBUTES.get(name) or name.lower()
+    return name.lower()
+
+
+def name_of(index):
+    """Return the name of the parameter with an index, from 0 to COUNT - 1."""
+    start = 0
+    for _ in range(index):
+        start = _LINES.find("\n", start + 1)
+    return _LINES[start + 1 : _LINES.find(" ", start)]
+
+
+def index_of(name):
+    """Return the index of a parameter, None if there is none of this name."""
+    start = _place(name)
+    return None if start < 0 else _LINES.count("\n", 0, start)
+
+
+def _place(name):
+    """Return where the line of a parameter begins, -1 if there is none of this name, whatever that is."""
+    return -1 if " " in name else _LINES.find(f"\n{name} ")
+
+
+def _about(name):
+    """Return the numbers in the line of a parameter."""
+    start = _place(name) + 1
+    return [int(word) for word in _LINES[start : _LINES.find("\n", start)].split()[1:]]

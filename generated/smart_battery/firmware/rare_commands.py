@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/rare_commands.py, dialect common: do not edit.
-# Inputs: 015f0cfe1aed8686
+# Inputs: 43a9af10b6f2931d
 """Commands that few ask for; commands.py loads this module with the first of them."""
 
 import parameters
@@ -38,7 +38,7 @@ def _store(vehicle, action):
         vehicle.texts.say(_MAV_SEVERITY_ERROR, "Defaults: disarm first")
         return _MAV_RESULT_FAILED
     own, fresh = vehicle.parameters, parameters.Parameters()
-    for name in parameters.NAMES:
+    for name in own.names():
         attribute = parameters.attribute_of(name)
         steps = getattr(fresh, attribute)
         if getattr(own, attribute) != steps:

@@ -11,15 +11,22 @@ import time
 from array import array
 
 from frames import address
+from lists import elements, shown_elements
 from micropython import const
 from parameters import Parameters
+from thresholds import at_least, below
 from wide import integer, shown_integer
-from words import UNKNOWN, Component, at_least, below, elements, known, number, shown_elements, together, truth, whole
+from words import KINDS, UNKNOWN, Component, together
 
 try:
     from state_viper import expire_battery, read_battery
 except (AttributeError, ImportError, SyntaxError, ValueError):  # as in frames
     from state_plain import expire_battery, read_battery
+
+KINDS["at_least"] = at_least
+KINDS["below"] = below
+KINDS["integer"] = integer
+KINDS["shown_integer"] = shown_integer
 
 _SIZE = const(28)
 # Where each component's words begin, how many each instance takes, and what stands where among them.
@@ -78,79 +85,93 @@ class BatteryState(Component):
         _BATTERY_GONE,
         0,
     )
-    # Voltage of the whole pack [mV]
-    # V, or None while it is unknown; FR-00069.1
-    voltage_mv, voltage = number(_BATTERY_VOLTAGE_MV, 0, 655340, "voltage", 1000)
-    # Current drawn from the pack, negative while charging [mA]
-    # A, or None while it is unknown; FR-00074.9
-    current_ma, current = number(_BATTERY_CURRENT_MA, -327680, 327670, "current", 1000)
-    # Charge drawn since the pack was full [mAh]
-    # mAh, or None while it is unknown; FR-00074.9
-    consumed_mah, consumed = number(_BATTERY_CONSUMED_MAH, -1073741823, 1073741823, "consumed", 1)
-    # Energy drawn since the pack was full [hJ]
-    energy_hj = integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy")
-    # hJ, or None while it is unknown; FR-00074.9
-    energy = shown_integer(_BATTERY_ENERGY_HJ, 2, -2147483648, 2147483647, "energy", 1)
-    # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
-    # %, or None while it is unknown; FR-00074.9
-    remaining_pct, remaining = number(_BATTERY_REMAINING_PCT, 0, 100, "remaining", 1)
-    # Charge that is left [mAh]
-    # mAh, or None while it is unknown; FR-00074.9
-    left_mah, left = number(_BATTERY_LEFT_MAH, 0, 1073741823, "left", 1)
-    # How long that is enough [s]
-    # s, or None while it is unknown; FR-00074.9
-    time_left_s, time_left = number(_BATTERY_TIME_LEFT_S, 0, 1000000, "time_left", 1)
-    # Whether the charge that was drawn counts from a full pack, and not from power-on
-    counted_from_full = truth(_BATTERY_COUNTED_FROM_FULL)
+    # Attributes, made when they are first used: names, kind and what words.py tells that kind.
+    VIEWS = (
+        # Voltage of the whole pack [mV]
+        # V, or None while it is unknown; FR-00069.1
+        " voltage_mv: voltage: number 0 0 655340 voltage 1000\n"
+        # Current drawn from the pack, negative while charging [mA]
+        # A, or None while it is unknown; FR-00074.9
+        " current_ma: current: number 1 -327680 327670 current 1000\n"
+        # Charge drawn since the pack was full [mAh]
+        # mAh, or None while it is unknown; FR-00074.9
+        " consumed_mah: consumed: number 2 -1073741823 1073741823 consumed 1\n"
+        # Energy drawn since the pack was full [hJ]
+        " energy_hj: integer 3 2 -2147483648 2147483647 energy\n"
+        # hJ, or None while it is unknown; FR-00074.9
+        " energy: shown_integer 3 2 -2147483648 2147483647 energy 1\n"
+        # Charge that is left, of a full pack. With estimate_from and curve it follows the discharge curve [%]
+        # %, or None while it is unknown; FR-00074.9
+        " remaining_pct: remaining: number 5 0 100 remaining 1\n"
+        # Charge that is left [mAh]
+        # mAh, or None while it is unknown; FR-00074.9
+        " left_mah: left: number 6 0 1073741823 left 1\n"
+        # How long that is enough [s]
+        # s, or None while it is unknown; FR-00074.9
+        " time_left_s: time_left: number 7 0 1000000 time_left 1\n"
+        # Whether the charge that was drawn counts from a full pack, and not from power-on
+        " counted_from_full: truth 8\n"
+        # Temperature of the pack [cdegC]
+        # degC, or None while it is unknown; FR-00074.9
+        " temperature_cdegc: temperature: number 9 -32768 32766 temperature 100\n"
+        # Whether there are no cells, while the board has its power from elsewhere
+        # FR-00073.8
+        " absent: below 0 3000\n"
+        # How often cells were put in since the start, and so may be others; the gauge chip counts their charge
+        # A number, known from the start; FR-00073.8
+        " swaps_number: swaps: number 10 0 1000000 swaps 1\n"
+        # Whether the pack is measured at all: whether BATT_MONITOR is not 0
+        " monitored: truth 11\n"
+        # Whether the pack's voltage is known
+        # FR-00067.3
+        " healthy: known 0\n"
+        # Whether current flows into the pack
+        # FR-00072.5
+        " charging: below 1 0\n"
+        # Whether the pack is too empty to be relied on
+        # FR-00072.5
+        " unhealthy: below 0 9900\n"
+        # Whether the pack is locked until it has been charged. The gauge chip may know; code that asks it sets it
+        " used_up: truth 12\n"
+        # Whether the pack is charged above what its cells stand
+        # FR-00072.5
+        " over_voltage: at_least 0 12750\n"
+        # Whether the pack is below what its cells stand
+        # FR-00072.5
+        " under_voltage: below 0 9000 None 3000\n"
+        # Whether the pack is warmer than it may be while it is discharged
+        # FR-00072.5
+        " hot: at_least 9 6000\n"
+        # Whether the pack is colder than it may be while it is discharged
+        # FR-00072.5
+        " cold: below 9 -2000\n"
+        # Whether protective circuits in the pack are on
+        " protected: truth 13\n"
+        # Voltage of the cell that has the least [mV]
+        # V, or None while it is unknown; FR-00072.5
+        " lowest_cell_mv: lowest_cell: number 14 -1073741823 1073741823 lowest_cell 1000\n"
+        # Voltage of the cell that has the most [mV]
+        # V, or None while it is unknown; FR-00072.5
+        " highest_cell_mv: highest_cell: number 15 -1073741823 1073741823 highest_cell 1000\n"
+        # Whether a cell is charged above what it stands, whatever the pack's voltage is
+        # FR-00072.5
+        " cell_over_voltage: at_least 15 4250\n"
+        # Whether a cell is below what it stands, whatever the pack's voltage is
+        # FR-00072.5
+        " cell_under_voltage: below 14 3000\n"
+        # Whether more is drawn than the pack stands for seconds
+        # FR-00072.5
+        " over_current: at_least 1 132000\n"
+        # What messages call it
+        " number: whole 16\n"
+        # Failed readings in a row
+        " failures: whole 19\n"
+        # When the last good reading will be too old
+        " expires_ms: whole 21\n"
+    )
     # Voltage of each cell [mV]
     cells_mv = elements(_BATTERY_CELLS_MV, 3, 0, 65534, "cells_mv", age=_BATTERY_CELLS_MV_AGE)
     cells = shown_elements("cells_mv", 1000)  # V each, or None while it is unknown; FR-00076.7
-    # Temperature of the pack [cdegC]
-    # degC, or None while it is unknown; FR-00074.9
-    temperature_cdegc, temperature = number(_BATTERY_TEMPERATURE_CDEGC, -32768, 32766, "temperature", 100)
-    # Whether there are no cells, while the board has its power from elsewhere
-    absent = below(_BATTERY_VOLTAGE_MV, 3000)  # FR-00073.8
-    # How often cells were put in since the start, and so may be others; the gauge chip counts their charge
-    # A number, known from the start; FR-00073.8
-    swaps_number, swaps = number(_BATTERY_SWAPS_NUMBER, 0, 1000000, "swaps", 1)
-    # Whether the pack is measured at all: whether BATT_MONITOR is not 0
-    monitored = truth(_BATTERY_MONITORED)
-    # Whether the pack's voltage is known
-    healthy = known(_BATTERY_VOLTAGE_MV)  # FR-00067.3
-    # Whether current flows into the pack
-    charging = below(_BATTERY_CURRENT_MA, 0)  # FR-00072.5
-    # Whether the pack is too empty to be relied on
-    unhealthy = below(_BATTERY_VOLTAGE_MV, 9900)  # FR-00072.5
-    # Whether the pack is locked until it has been charged. The gauge chip may know; code that asks it sets it
-    used_up = truth(_BATTERY_USED_UP)
-    # Whether the pack is charged above what its cells stand
-    over_voltage = at_least(_BATTERY_VOLTAGE_MV, 12750)  # FR-00072.5
-    # Whether the pack is below what its cells stand
-    under_voltage = below(_BATTERY_VOLTAGE_MV, 9000, floor=3000)  # FR-00072.5
-    # Whether the pack is warmer than it may be while it is discharged
-    hot = at_least(_BATTERY_TEMPERATURE_CDEGC, 6000)  # FR-00072.5
-    # Whether the pack is colder than it may be while it is discharged
-    cold = below(_BATTERY_TEMPERATURE_CDEGC, -2000)  # FR-00072.5
-    # Whether protective circuits in the pack are on
-    protected = truth(_BATTERY_PROTECTED)
-    # Voltage of the cell that has the least [mV]
-    # V, or None while it is unknown; FR-00072.5
-    lowest_cell_mv, lowest_cell = number(_BATTERY_LOWEST_CELL_MV, -1073741823, 1073741823, "lowest_cell", 1000)
-    # Voltage of the cell that has the most [mV]
-    # V, or None while it is unknown; FR-00072.5
-    highest_cell_mv, highest_cell = number(_BATTERY_HIGHEST_CELL_MV, -1073741823, 1073741823, "highest_cell", 1000)
-    # Whether a cell is charged above what it stands, whatever the pack's voltage is
-    cell_over_voltage = at_least(_BATTERY_HIGHEST_CELL_MV, 4250)  # FR-00072.5
-    # Whether a cell is below what it stands, whatever the pack's voltage is
-    cell_under_voltage = below(_BATTERY_LOWEST_CELL_MV, 3000)  # FR-00072.5
-    # Whether more is drawn than the pack stands for seconds
-    over_current = at_least(_BATTERY_CURRENT_MA, 132000)  # FR-00072.5
-    # What messages call it
-    number = whole(_BATTERY_NUMBER)
-    # Failed readings in a row
-    failures = whole(_BATTERY_FAILURES)
-    # When the last good reading will be too old
-    expires_ms = whole(_BATTERY_EXPIRES_MS)
 
     @staticmethod
     def voltage_from_adc(adc, mult):

@@ -47,13 +47,22 @@ _SMART_BATTERY_INFO_DEVICE_NAME = b"generic_LiPo-3300"
 _BATTERY_INFO_SERIAL_NUMBER = (hexlify(machine.unique_id()) + bytes(32))[:32]
 _BATTERY_INFO_NAME = b"generic_LiPo-3300"
 
-
-_heartbeat = messages.Heartbeat(unknown=False)
+# What the builders return, in their order; one for each instance, where a message is about several.
+_MESSAGES = (
+    messages.Heartbeat(unknown=False),
+    [messages.BatteryStatus(unknown=False) for _ in range(1)],
+    messages.AutopilotVersion(unknown=False),
+    messages.ProtocolVersion(unknown=False),
+    [messages.BatteryStatusV2(unknown=False) for _ in range(1)],
+    [messages.SmartBatteryInfo(unknown=False) for _ in range(1)],
+    [messages.BatteryInfo(unknown=False) for _ in range(1)],
+    [messages.BatteryCellVoltages(unknown=False) for _ in range(1)],
+)
 
 
 def build_heartbeat(state):
     """Return HEARTBEAT (0), FR-00074.1."""
-    message = _heartbeat
+    message = _MESSAGES[0]
     write_heartbeat(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -87,12 +96,9 @@ def write_heartbeat(value, place, wire, words):
     wire[8] = 3
 
 
-_battery_status = [messages.BatteryStatus(unknown=False) for _ in range(1)]
-
-
 def build_battery_status(state, instance=0):
     """Return BATTERY_STATUS (147), FR-00068.1."""
-    message = _battery_status[instance]
+    message = _MESSAGES[1][instance]
     write_battery_status(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -302,12 +308,9 @@ def write_battery_status(value, place, wire, words, instance):
         wire[50] |= 0x20
 
 
-_autopilot_version = messages.AutopilotVersion(unknown=False)
-
-
 def build_autopilot_version(state):
     """Return AUTOPILOT_VERSION (148), FR-00070.2."""
-    message = _autopilot_version
+    message = _MESSAGES[2]
     write_autopilot_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -409,12 +412,9 @@ def write_autopilot_version(value, place, wire, words):
         place += 1
 
 
-_protocol_version = messages.ProtocolVersion(unknown=False)
-
-
 def build_protocol_version(state):
     """Return PROTOCOL_VERSION (300), FR-00070.2."""
-    message = _protocol_version
+    message = _MESSAGES[3]
     write_protocol_version(time.ticks_ms(), 0, message.wire, state.words)
     return message
 
@@ -459,12 +459,9 @@ def write_protocol_version(value, place, wire, words):
     wire[21] = 0
 
 
-_battery_status_v2 = [messages.BatteryStatusV2(unknown=False) for _ in range(1)]
-
-
 def build_battery_status_v2(state, instance=0):
     """Return BATTERY_STATUS_V2 (369), FR-00072.1."""
-    message = _battery_status_v2[instance]
+    message = _MESSAGES[4][instance]
     write_battery_status_v2(time.ticks_ms(), 0, message.wire, state.words, instance)
     return message
 
@@ -616,12 +613,9 @@ def write_battery_status_v2(value, place, wire, words, instance):
     wire[26] = value & 0xFF
 
 
-_smart_battery_info = [messages.SmartBatteryInfo(unknown=False) for _ in range(1)]
-
-
 def build_smart_battery_info(state, instance=0):
     """Return SMART_BATTERY_INFO (370), FR-00074.4."""
-    message = _smart_battery_info[instance]
+    message = _MESSAGES[5][instance]
     write_smart_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -717,12 +711,9 @@ def write_smart_battery_info(value, place, wire, words, instance, batt_capacity)
     # manufacture_date: unknown ([0]) (FR-00074.4)
 
 
-_battery_info = [messages.BatteryInfo(unknown=False) for _ in range(1)]
-
-
 def build_battery_info(state, instance=0):
     """Return BATTERY_INFO (372), FR-00074.4."""
-    message = _battery_info[instance]
+    message = _MESSAGES[6][instance]
     write_battery_info(time.ticks_ms(), 0, message.wire, state.words, instance, state.parameters.batt_capacity)
     return message
 
@@ -838,12 +829,9 @@ def write_battery_info(value, place, wire, words, instance, batt_capacity):
         place += 1
 
 
-_battery_cell_voltages = [messages.BatteryCellVoltages(unknown=False) for _ in range(1)]
-
-
 def build_battery_cell_voltages(state, instance=0, page=0):
     """Return BATTERY_CELL_VOLTAGES (54371), FR-00076.7."""
-    message = _battery_cell_voltages[instance]
+    message = _MESSAGES[7][instance]
     write_battery_cell_voltages(time.ticks_ms(), 0, message.wire, state.words, instance, page)
     return message
 

@@ -1,12 +1,16 @@
 """COMMAND_CANCEL, where the dialect has it: it ends a command that takes long."""
 
+from struct import unpack_from
+
 import dialect
 import messages
 from command_table import COMMANDS
 from guard import Guard
 from heard import is_heard
-from micropython import const  # noqa: F401  numbers of the dialect are constants
-from own_commands import STATIONS, called
+from micropython import const
+from own_commands import called
+
+_STATIONS = const(3)  # of a row of command_table.py, as own_commands has it
 
 
 def answer_cancel(connection, vehicle):
@@ -24,10 +28,10 @@ class _Cancel:
 
     def take(self, message):
         """Ask the vehicle to end a command; what does not go on needs no answer."""
-        number = message.raw("command")
+        number = unpack_from("<H", message.wire, dialect.COMMAND_CANCEL_COMMAND_AT)[0]
         commands = self._vehicle.long_commands
         running = commands.named(number)
-        if running is None or (COMMANDS[number][STATIONS] and not is_heard(self._listeners, message.source_system)):
+        if running is None or (COMMANDS[number][_STATIONS] and not is_heard(self._listeners, message.source_system)):
             return
         result, text = called(self._guard, getattr(self._vehicle, running.method + "_cancel"))
         if result == dialect.MAV_RESULT_ACCEPTED:

@@ -7,8 +7,10 @@ import dialect
 import messages
 from guard import Guard
 from micropython import const
-from own_commands import METHOD, TITLE, judged, told
+from own_commands import judged, told
 
+_METHOD = const(0)  # of a row of command_table.py, as own_commands has them
+_TITLE = const(1)
 _ASK_MS = const(100)  # between two questions to the vehicle how far it is
 _TELL_MS = const(1000)  # between two COMMAND_ACK that say so
 
@@ -17,9 +19,9 @@ class _Running:
     """A command that goes on; `progress` is 0 to 100."""
 
     def __init__(self, vehicle, row, command, connection):
-        self.method = row[METHOD]
-        self.title = row[TITLE]
-        self.ask = getattr(vehicle, row[METHOD] + "_progress")
+        self.method = row[_METHOD]
+        self.title = row[_TITLE]
+        self.ask = getattr(vehicle, row[_METHOD] + "_progress")
         self.number = command.number
         self.system = command.system
         self.component = command.component

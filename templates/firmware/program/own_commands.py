@@ -10,14 +10,14 @@ from heard import is_heard
 from micropython import const
 
 # What command_table.py says of a command.
-METHOD = const(0)
-TITLE = const(1)  # what texts call it
-ARMED = const(2)  # whether the vehicle has to be armed for it; None: either way
-STATIONS = const(3)  # whether only ground stations may ask
-LONG = const(4)
-PARAMS = const(5)
-INT_PARAMS = const(6)  # those of COMMAND_INT, where it carries a position; () where they are the same
-FRAMES = const(7)  # in which COMMAND_INT may state that position
+_METHOD = const(0)
+_TITLE = const(1)  # what texts call it
+_ARMED = const(2)  # whether the vehicle has to be armed for it; None: either way
+_STATIONS = const(3)  # whether only ground stations may ask
+_LONG = const(4)
+_PARAMS = const(5)
+_INT_PARAMS = const(6)  # those of COMMAND_INT, where it carries a position; () where they are the same
+_FRAMES = const(7)  # in which COMMAND_INT may state that position
 
 # What it says of a parameter.
 _NUMBER = const(0)
@@ -59,9 +59,9 @@ class OwnCommands:
         What cannot be right later either is denied, what may be is rejected for now.
         """
         row = COMMANDS[command.number]
-        if row[STATIONS] and not is_heard(self._connection.services.listeners, command.system):
+        if row[_STATIONS] and not is_heard(self._connection.services.listeners, command.system):
             return self._refuse(row, dialect.MAV_RESULT_DENIED, "only for ground stations that are heard")
-        running = self._vehicle.long_commands.running(row[METHOD]) if row[LONG] else None
+        running = self._vehicle.long_commands.running(row[_METHOD]) if row[_LONG] else None
         if running is not None and running.is_asked_again(command):
             command.progress = running.progress
             return dialect.MAV_RESULT_IN_PROGRESS, None
@@ -69,18 +69,18 @@ class OwnCommands:
         problem = _read(row, command, values)
         if problem is not None:
             return self._refuse(row, dialect.MAV_RESULT_DENIED, problem)
-        if row[ARMED] is not None and row[ARMED] != self._vehicle.is_armed:
-            first = "arm first" if row[ARMED] else "disarm first"
+        if row[_ARMED] is not None and row[_ARMED] != self._vehicle.is_armed:
+            first = "arm first" if row[_ARMED] else "disarm first"
             return self._refuse(row, dialect.MAV_RESULT_TEMPORARILY_REJECTED, first)
         if running is not None:
             return self._refuse(row, dialect.MAV_RESULT_TEMPORARILY_REJECTED, "is going on already")
         return self._begin(row, command, values)
 
     def _begin(self, row, command, values):
-        result, text = called(self._guard, getattr(self._vehicle, row[METHOD]), values)
+        result, text = called(self._guard, getattr(self._vehicle, row[_METHOD]), values)
         if result != dialect.MAV_RESULT_ACCEPTED:
             return self._refuse(row, result, text)
-        if row[LONG]:
+        if row[_LONG]:
             self._vehicle.long_commands.begin(row, command, self._connection)
             return dialect.MAV_RESULT_IN_PROGRESS, None
         return result, None
@@ -89,7 +89,7 @@ class OwnCommands:
         """Say why, if there is anything to say: to many commands that are refused alike once in a while."""
         now_ms = time.ticks_ms()
         if text is not None:
-            text = row[TITLE] + ": " + text
+            text = row[_TITLE] + ": " + text
             if text != self._text or time.ticks_diff(now_ms, self._said_ms) >= _QUIET_MS:
                 self._text = text
                 self._said_ms = now_ms
@@ -130,9 +130,9 @@ def judged(said):
 def _read(row, command, values):
     """Append the arguments for the method to `values`; return what is wrong with a parameter, or None."""
     is_int = command.message.ID == messages.CommandInt.ID
-    if is_int and row[FRAMES] and command.message.wire[dialect.COMMAND_INT_FRAME_AT] not in row[FRAMES]:
+    if is_int and row[_FRAMES] and command.message.wire[dialect.COMMAND_INT_FRAME_AT] not in row[_FRAMES]:
         return "positions have to be global"
-    for param in (is_int and row[INT_PARAMS]) or row[PARAMS]:
+    for param in (is_int and row[_INT_PARAMS]) or row[_PARAMS]:
         value = _argument(param, command.param(param[_NUMBER]), is_int)
         if value is None:
             return param[_WORDS]

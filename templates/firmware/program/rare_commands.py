@@ -28,7 +28,7 @@ def _store(vehicle, action):
         vehicle.texts.say(dialect.MAV_SEVERITY_ERROR, "Defaults: disarm first")
         return dialect.MAV_RESULT_FAILED
     own, fresh = vehicle.parameters, parameters.Parameters()
-    for name in parameters.NAMES:
+    for name in own.names():
         attribute = parameters.attribute_of(name)
         steps = getattr(fresh, attribute)
         if getattr(own, attribute) != steps:

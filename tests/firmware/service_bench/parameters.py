@@ -11,6 +11,7 @@ _TABLE = {
     "SR0_EXTRA1": (dialect.MAV_PARAM_TYPE_INT16, 2, 0, 50, 1, False),
 }
 NAMES = tuple(sorted(_TABLE))
+COUNT = len(NAMES)
 
 
 class Parameters:
@@ -48,3 +49,13 @@ class Parameters:
     def is_after_reboot(self, name):
         """Tell whether a new value counts from the next start."""
         return _TABLE[name][5]
+
+
+def name_of(index):
+    """Return the name with an index."""
+    return NAMES[index]
+
+
+def index_of(name):
+    """Return the index of a name, None if there is none."""
+    return NAMES.index(name) if name in NAMES else None

@@ -1,0 +1,62 @@
+"""Tracebacks of what `codegen deploy` compiles: generated modules by function, the user's own by line."""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from codegen import pipeline
+from codegen.diagnostics import Report
+from codegen.mpy import BYTECODE, compiled
+
+ROOT = Path(__file__).resolve().parents[2]
+OWN = """from words import number
+
+
+def broken():
+    return number(0, 0, 1, "x")
+"""
+SCRIPT = """
+import sys
+import rover
+try:
+    rover.broken()
+except TypeError as error:
+    sys.print_exception(error)
+from state import SystemState
+try:
+    SystemState().calibrate_battery("much", 7)
+except Exception as error:
+    sys.print_exception(error)
+"""
+
+
+@pytest.fixture
+def board(tmp_path: Path) -> Path:
+    """A folder with the rover's compiled modules, and one of its user, as they go to a board."""
+    shutil.copytree(ROOT / "specs", tmp_path / "project" / "specs")
+    table = tmp_path / "project" / "specs" / "codegen.yaml"
+    table.write_text(table.read_text() + "machine_code: false\n")
+    report = Report()
+    system = pipeline.read_systems(str(table), report)[0]
+    assert system is not None
+    assert not report.has_errors
+    texts = pipeline.firmware_modules(system, BYTECODE)
+    folder = tmp_path / "board"
+    folder.mkdir()
+    for path, content in compiled({**texts, "rover.py": OWN}, BYTECODE, report, unnumbered=texts).items():
+        (folder / path).write_bytes(content.encode() if isinstance(content, str) else content)
+    assert not report.has_errors
+    return folder
+
+
+def test_tracebacks_name_functions_of_generated_modules_and_lines_of_own_ones(board: Path) -> None:
+    """What fails within a generated module is found by the function; what the user called, by the line."""
+    command = [str(Path(sys.executable).parent / "micropython"), "-c", SCRIPT]
+    done = subprocess.run(command, cwd=board, capture_output=True, text=True, check=True)
+    said = done.stdout + done.stderr
+    assert re.search(r'File "rover", line 5, in broken', said), said
+    assert re.search(r'File "state", line 1, in calibrate_battery', said), said
