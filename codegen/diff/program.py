@@ -12,6 +12,7 @@ from codegen.model.program_spec import ActionSpec
 from codegen.model.receiver import Receiver
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.source import Place
 
 
 def program_subjects(system: System) -> Iterator[Subject]:
@@ -55,6 +56,7 @@ def _program(program: Program) -> Subject:
         ("armed past the checks by", arming, spec.at("arming")),
         ("fastest without a stream:", amount(program.fastest, "Hz"), services.at("fastest")),
         ("ground station gone after", amount(program.silence_ms, "ms"), services.at("silence")),
+        *_watchdog(program),
         ("own code:", f"{program.module}.{program.class_name}", spec.at("code")),
         ("own code measures every", amount(program.measure_us, "us"), spec.at("code")),
         ("receives", ", ".join(message.name for message in program.services), spec.place),
@@ -68,6 +70,18 @@ def _program(program: Program) -> Subject:
     )
     says = f"control at {amount(program.control_us, 'us')}"
     return Subject("program", says, rules.PROGRAM, rules.PROGRAM, spec.place, facts, cited(program.cited, aspects))
+
+
+def _watchdog(program: Program) -> tuple[tuple[str, str, Place], ...]:
+    """What the watchdog does, as far as there is one."""
+    watchdog, place = program.watchdog, program.spec.at("watchdog")
+    if watchdog is None:
+        return (("a loop that stands still is reset after", "", place), ("resets are told as", "", place))
+    causes = ", ".join(f"{number} {words}" for number, words in sorted(watchdog.board.causes.items()))
+    return (
+        ("a loop that stands still is reset after", amount(watchdog.timeout_ms, "ms"), place),
+        ("resets are told as", causes, place),
+    )
 
 
 def _access(system: System, program: Program) -> Subject:

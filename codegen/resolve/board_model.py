@@ -4,8 +4,9 @@ import re
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
-from codegen.measure import read_amount
+from codegen.measure import read_amount, read_time
 from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Uart, shown_pins
+from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
 from codegen.model.unit import unit_named
 from codegen.source import Place
 
@@ -20,7 +21,8 @@ BAD_BOARD = Rule(
     f"A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, up to {MOST_GPIO}; "
     "those of the converter, the UARTs and the I2C buses are among them; a UART and a bus have a number from 0 to "
     f"{MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, and the "
-    "expression that opens an input has {gpio} in it.",
+    "expression that opens an input has {gpio} in it. The shortest timeout of a watchdog is not above its longest, and "
+    "causes of a reset are numbers of machine.reset_cause().",
 )
 _RUN = re.compile(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 
@@ -51,10 +53,11 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
                 _among(known, _pins(bus.scl, bus.at("scl"), found), bus.at("scl"), found),
             )
     adc = _converter(spec, known, found)
+    watchdog = None if spec.watchdog is None else _watchdog(spec.watchdog, found)
     _among(known, frozenset(taken), spec.at("taken"), found)
     _among(known, frozenset(labels), spec.at("labels"), found)
     report.extend(found)
-    return None if found.has_errors else BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, spec)
+    return None if found.has_errors else BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, watchdog, spec)
 
 
 def _number(key: str, section: str, place: Place, report: Report) -> int | None:
@@ -87,6 +90,24 @@ def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report
         report.add(BAD_BOARD, written.at("opened"), "{gpio} is missing: every input would be the same", hint)
     inputs = _among(pins, _pins(written.pins, written.at("pins"), report), written.at("pins"), report)
     return Converter(inputs, written.bits, reference or Fraction(0), written.opened)
+
+
+def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
+    shortest = read_time(spec.shortest, unit_named("ms"), spec.at("shortest"), report)
+    longest = None if spec.longest is None else read_time(spec.longest, unit_named("ms"), spec.at("longest"), report)
+    if shortest is not None and longest is not None and shortest > longest:
+        report.add(BAD_BOARD, spec.at("shortest"), f"the shortest timeout, {spec.shortest}, is above the longest")
+    causes = {spec.restart: "a restart"}
+    for key, words in spec.causes.items():
+        if key.isdecimal() and key.isascii() and len(key) < 4:
+            causes[int(key)] = words
+        else:
+            place = spec.at(f"causes.{key}")
+            report.add(BAD_BOARD, place, f"{key} is no number of machine.reset_cause()", "causes: {1: power on}")
+    if not spec.hold:
+        hint = "hold: [what stops it, or has a timer feed it]"
+        report.add(BAD_BOARD, spec.at("hold"), "a prompt would be reset as long as nothing holds the watchdog", hint)
+    return BoardWatchdog(shortest or 1, longest, causes, spec)
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:

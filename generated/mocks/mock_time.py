@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: 2fade1d5193b90e2
+# Inputs: e52ac139d5f49011
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -23,6 +23,7 @@ _turns = 0  # of the microseconds, each of PERIOD
 _us = 0
 _ms = 0
 _rest_us = 0  # since the last whole millisecond
+_followers = []
 
 
 def install():
@@ -60,6 +61,12 @@ def _replace(name, old, new):
             setattr(module, name, new)
 
 
+def follow(follower):
+    """Call `follower` with the microseconds each time that some have passed; timers and watchdogs run on that."""
+    if follower not in _followers:
+        _followers.append(follower)
+
+
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
@@ -92,6 +99,8 @@ def advance_us(duration):
     _rest_us += duration
     _ms = _later(_ms, _rest_us // 1000)
     _rest_us %= 1000
+    for follower in _followers:
+        follower(duration)
 
 
 def elapsed_us():

@@ -21,6 +21,7 @@ _turns = 0  # of the microseconds, each of PERIOD
 _us = 0
 _ms = 0
 _rest_us = 0  # since the last whole millisecond
+_followers = []
 
 
 def install():
@@ -58,6 +59,12 @@ def _replace(name, old, new):
             setattr(module, name, new)
 
 
+def follow(follower):
+    """Call `follower` with the microseconds each time that some have passed; timers and watchdogs run on that."""
+    if follower not in _followers:
+        _followers.append(follower)
+
+
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
@@ -90,6 +97,8 @@ def advance_us(duration):
     _rest_us += duration
     _ms = _later(_ms, _rest_us // 1000)
     _rest_us %= 1000
+    for follower in _followers:
+        follower(duration)
 
 
 def elapsed_us():

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 8e4d2538f3da5956
+# Inputs: 1dc0156730da1356
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -45,16 +45,18 @@ class Scheduler:
     """Runs `control`, a callable without arguments, every `period_us` microseconds, and then the jobs that are due.
 
     The first pass starts the grid. Slots that came too late are left out, the phase stays. An exception in control or
-    in a job is logged once until that call works again, and everything goes on.
+    in a job is logged once until that call works again, and everything goes on. One in control is also told to
+    `on_fault`, a callable without arguments that never raises.
 
     `overruns` counts the slots of control that were left out. `load` is the share of the last second that passes
     took, in d%: 0 to 1000. ValueError: a period is not positive, or longer than LONGEST_PERIOD_US, nine minutes.
     """
 
-    def __init__(self, period_us, control, log=print):
+    def __init__(self, period_us, control, log=print, on_fault=None):
         self.overruns = 0
         self.load = 0
         self._log = log
+        self._on_fault = on_fault
         self._guard = Guard()
         self._control = _Slot(period_us, control, "control")
         self._jobs = []
@@ -98,6 +100,21 @@ class Scheduler:
         end_us = ticks_diff(slot.due_us, end_us)
         return end_us if end_us > 0 else 0
 
+    def stalled(self, late_us, forgiven):
+        """Return the name of a call that has had no turn for so long after its time, or that fails; None for none.
+
+        One that failed once has had another turn within half of that time. Those whose names are `forgiven` may fail.
+        """
+        now_us = ticks_us()
+        if ticks_diff(now_us, self._control.due_us) > late_us:
+            return self._control.name
+        for job in self._jobs:
+            if ticks_diff(now_us, job.due_us) > late_us:
+                return job.name
+            if job.is_failing and job.period_us <= late_us // 2 and job.name not in forgiven:
+                return job.name
+        return None
+
     async def run(self):
         """Run passes for ever; other tasks have their turn after each, and all the time that is left."""
         while True:
@@ -137,6 +154,8 @@ class Scheduler:
         elif not slot.is_failing:
             slot.is_failing = True
             self._report(slot.name, self._guard.error)
+            if slot is self._control and self._on_fault is not None:
+                self._on_fault()
 
     def _report(self, name, error):
         with self._guard:

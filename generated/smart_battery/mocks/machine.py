@@ -1,11 +1,12 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: c014eb1536e99d65
+# Inputs: 580d73bbf5539c18
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
 """
 
 import errno
+from array import array
 
 import mock_time
 
@@ -257,7 +258,121 @@ class Reset(SystemExit):
 
 def reset():
     """Start the board again: Reset, which ends a program that does not expect it."""
+    set_reset_cause(cause_of_restart)
     raise Reset
+
+
+class WatchdogReset(Reset):
+    """The watchdog was not fed in time."""
+
+
+PWRON_RESET = 1
+WDT_RESET = 3
+
+watchdog_range_ms = (1, None)  # the shortest and the longest timeout, which the board sets; None for any
+cause_of_restart = None  # what reset_cause() tells after reset(), which the board sets
+_reset_cause = [PWRON_RESET]
+_ENABLED = 0x40000000
+_NOT_FED = 0x6AB73121
+
+
+def reset_cause():
+    """Return what the last reset came from, 1 at first; set_reset_cause() changes it."""
+    return _reset_cause[0]
+
+
+def set_reset_cause(number, by_watchdog=False):
+    """Be a board that was reset so, by a watchdog that was not fed or by something else; no watchdog runs."""
+    reset_watchdog()
+    _reset_cause[0] = number
+    for scratch in _SCRATCHES:
+        mem32[scratch] = _NOT_FED if by_watchdog else 0
+
+
+class _Registers:
+    """Words at addresses: those of the watchdogs of RP2040 and RP2350, as far as the firmware uses them."""
+
+    def __init__(self):
+        self._words = {}
+
+    def __getitem__(self, address):
+        return self._words.get(address, 0)
+
+    def __setitem__(self, address, word):
+        if address in _CLEARED and word & _ENABLED:
+            reset_watchdog()
+        self._words[address] = word
+
+
+_SCRATCHES = (0x4005801C, 0x400D801C)
+_CLEARED = (0x4005B000, 0x400DB000)  # clear bits of the control registers
+mem32 = _Registers()
+_watchdog = array("i", [0, 0, 0])  # microseconds: until it resets the board, its timeout or 0; how often it was fed
+
+
+class WDT:
+    """The watchdog: WatchdogReset is raised wherever the clock goes beyond `timeout` ms since it was fed."""
+
+    def __init__(self, id=0, timeout=5000):  # noqa: A002, ARG002 - the board's own argument names
+        shortest, longest = watchdog_range_ms
+        if timeout < shortest or (longest is not None and timeout > longest):
+            raise ValueError(f"a watchdog of this board does not take {timeout} ms")
+        _watchdog[1] = timeout * 1000
+        for scratch in _SCRATCHES:
+            mem32[scratch] = _NOT_FED
+        mock_time.follow(_count_down)
+        self.feed()
+
+    def feed(self):
+        """Begin its time anew."""
+        _watchdog[0] = _watchdog[1]
+        _watchdog[2] += 1
+
+
+def watchdog():
+    """Return the microseconds until it resets the board, its timeout, 0 while none runs, and how often it was fed."""
+    return tuple(_watchdog)
+
+
+def reset_watchdog():
+    """Let none run, as after a reset."""
+    _watchdog[0] = _watchdog[1] = _watchdog[2] = 0
+
+
+def _count_down(passed_us):
+    if _watchdog[1] == 0:
+        return
+    if passed_us <= _watchdog[0]:
+        _watchdog[0] -= passed_us
+        return
+    set_reset_cause(WDT_RESET, by_watchdog=True)
+    raise WatchdogReset("the watchdog was not fed in time")
+
+
+class Timer:
+    """A timer that calls `callback` every `period` ms as the clock goes on."""
+
+    def __init__(self, id=-1, **settings):  # noqa: A002 - the board's own argument name
+        self.id = id
+        if settings:
+            self.init(**settings)
+
+    def init(self, period, callback):
+        """Begin."""
+        self._period_us = self._left_us = period * 1000
+        self._callback = callback
+        mock_time.follow(self._follow)
+
+    def deinit(self):
+        """Stop it."""
+        self._callback = None
+
+    def _follow(self, passed_us):
+        self._left_us -= passed_us
+        while self._left_us <= 0:
+            self._left_us += self._period_us
+            if self._callback is not None:
+                self._callback(self)
 
 
 def unique_id():
