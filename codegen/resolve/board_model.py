@@ -1,5 +1,6 @@
 """What is known about the board of a project: its pins as sets of numbers."""
 
+import ast
 import re
 from fractions import Fraction
 
@@ -93,6 +94,7 @@ def _converter(spec: BoardModelSpec, pins: frozenset[int] | None, report: Report
 
 
 def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
+    """Its timeouts, and what resets come from in words."""
     shortest = read_time(spec.shortest, unit_named("ms"), spec.at("shortest"), report)
     longest = None if spec.longest is None else read_time(spec.longest, unit_named("ms"), spec.at("longest"), report)
     if shortest is not None and longest is not None and shortest > longest:
@@ -104,10 +106,21 @@ def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
         else:
             place = spec.at(f"causes.{key}")
             report.add(BAD_BOARD, place, f"{key} is no number of machine.reset_cause()", "causes: {1: power on}")
+    _check_code(spec, report)
     if not spec.hold:
         hint = "hold: [what stops it, or has a timer feed it]"
         report.add(BAD_BOARD, spec.at("hold"), "a prompt would be reset as long as nothing holds the watchdog", hint)
     return BoardWatchdog(shortest or 1, longest, causes, spec)
+
+
+def _check_code(spec: BoardWatchdogSpec, report: Report) -> None:
+    for key, mode, codes in (("caused", "eval", (spec.caused,)), ("hold", "exec", spec.hold)):
+        for code in codes:
+            try:
+                ast.parse(code.replace("{timeout}", "1").replace("{period}", "1"), mode=mode)
+            except SyntaxError as fault:
+                message = f"{key} is no {'expression' if mode == 'eval' else 'statement'} of Python: {fault.msg}"
+                report.add(BAD_BOARD, spec.at(key), message, code)
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:

@@ -25,7 +25,8 @@ class SimulatedProgram:
     its boards, one after the other. ``code`` is the file with the user's code, which the program imports as ``module``.
     ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
-    ``mocked`` are the modules that stand in for what its sensors are connected to.
+    ``mocked`` are the modules that stand in for what its sensors are connected to, ``restart_cause`` is what its board
+    tells after a restart.
     """
 
     name: str
@@ -47,6 +48,7 @@ class SimulatedProgram:
     actions: tuple[str, ...] = ()
     guards: tuple[Guard, ...] = ()
     mocked: tuple[str, ...] = ()
+    restart_cause: int | None = None
 
     @property
     def folder(self) -> str:
@@ -69,6 +71,7 @@ class SimulatedProgram:
             "actions": self.actions,
             "mocked": self.mocked,
             "store": store,
+            "reset_cause": None if is_first_start else self.restart_cause,
         }
 
 
@@ -118,6 +121,7 @@ def _program(
         actions=tuple(dict.fromkeys(action.call for action in program.actions)) if program else (),
         guards=guards(system),
         mocked=tuple(_mocked(system)),
+        restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,
     )
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/firmware/program/scheduler.py: do not edit.
-# Inputs: 1dc0156730da1356
+# Inputs: b0bd7127531bbbd1
 """The main loop: a control function at a fixed rate, slower jobs after it, and what is left for other tasks.
 
 Everything is due on a grid: the time of a slot follows from the slot before, not from when that one ran, so that no
@@ -39,6 +39,15 @@ class _Slot:
             return 1
         self.due_us = ticks_add(now_us, self.period_us - late_us % self.period_us)
         return late_us // self.period_us
+
+    def is_stalled(self, late_us, forgiven):
+        """Return whether it has had no turn for so long after its time, or fails, unless its name is `forgiven`.
+
+        One whose turns are seldom may have failed only once.
+        """
+        if ticks_diff(ticks_us(), self.due_us) > late_us:
+            return True
+        return self.is_failing and self.period_us <= late_us // 2 and self.name not in forgiven
 
 
 class Scheduler:
@@ -101,18 +110,12 @@ class Scheduler:
         return end_us if end_us > 0 else 0
 
     def stalled(self, late_us, forgiven):
-        """Return the name of a call that has had no turn for so long after its time, or that fails; None for none.
-
-        One that failed once has had another turn within half of that time. Those whose names are `forgiven` may fail.
-        """
-        now_us = ticks_us()
-        if ticks_diff(now_us, self._control.due_us) > late_us:
+        """Return the name of a call that is_stalled(), None for none."""
+        if self._control.is_stalled(late_us, forgiven):
             return self._control.name
-        for job in self._jobs:
-            if ticks_diff(now_us, job.due_us) > late_us:
-                return job.name
-            if job.is_failing and job.period_us <= late_us // 2 and job.name not in forgiven:
-                return job.name
+        for index in range(len(self._jobs)):  # in few variables: those of a larger function lie on the heap
+            if self._jobs[index].is_stalled(late_us, forgiven):
+                return self._jobs[index].name
         return None
 
     async def run(self):

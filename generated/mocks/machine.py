@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 580d73bbf5539c18
+# Inputs: 7ca6d8edbf95fca5
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -345,7 +345,9 @@ def _count_down(passed_us):
     if passed_us <= _watchdog[0]:
         _watchdog[0] -= passed_us
         return
+    left_us = _watchdog[0]
     set_reset_cause(WDT_RESET, by_watchdog=True)
+    mock_time.advance_us(left_us)
     raise WatchdogReset("the watchdog was not fed in time")
 
 

@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: e52ac139d5f49011
+# Inputs: 3d9421fd3d7f1c6b
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -62,7 +62,7 @@ def _replace(name, old, new):
 
 
 def follow(follower):
-    """Call `follower` with the microseconds each time that some have passed; timers and watchdogs run on that."""
+    """Call `follower` with the microseconds each time that some are about to pass: timers and watchdogs run on that."""
     if follower not in _followers:
         _followers.append(follower)
 
@@ -89,6 +89,8 @@ def advance_us(duration):
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if duration < 0:
         raise ValueError("time does not run backwards")
+    for follower in _followers:
+        follower(duration)
     if duration > _HALF:
         set_ticks_us(elapsed_us() + duration)
         return
@@ -99,8 +101,6 @@ def advance_us(duration):
     _rest_us += duration
     _ms = _later(_ms, _rest_us // 1000)
     _rest_us %= 1000
-    for follower in _followers:
-        follower(duration)
 
 
 def elapsed_us():

@@ -343,7 +343,9 @@ def _count_down(passed_us):
     if passed_us <= _watchdog[0]:
         _watchdog[0] -= passed_us
         return
+    left_us = _watchdog[0]
     set_reset_cause(WDT_RESET, by_watchdog=True)
+    mock_time.advance_us(left_us)
     raise WatchdogReset("the watchdog was not fed in time")
 
 

@@ -60,7 +60,7 @@ def _replace(name, old, new):
 
 
 def follow(follower):
-    """Call `follower` with the microseconds each time that some have passed; timers and watchdogs run on that."""
+    """Call `follower` with the microseconds each time that some are about to pass: timers and watchdogs run on that."""
     if follower not in _followers:
         _followers.append(follower)
 
@@ -87,6 +87,8 @@ def advance_us(duration):
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if duration < 0:
         raise ValueError("time does not run backwards")
+    for follower in _followers:
+        follower(duration)
     if duration > _HALF:
         set_ticks_us(elapsed_us() + duration)
         return
@@ -97,8 +99,6 @@ def advance_us(duration):
     _rest_us += duration
     _ms = _later(_ms, _rest_us // 1000)
     _rest_us %= 1000
-    for follower in _followers:
-        follower(duration)
 
 
 def elapsed_us():

@@ -43,6 +43,15 @@ CASES = [
     Case("bad-program", VEHICLE, "class: Pack", "class: §Vehicle", "cannot be the name of a class"),
     Case("bad-program", VEHICLE, "measure: 10 Hz", "measure: §0.001 Hz", "every 536 s"),
     Case("bad-program", "vehicle.yaml", "arming:\n  force: 21196\n  requirement: FR-00020.10\n", "", "without arming", at="vehicle.yaml:53:3", is_alone=False),
+    Case("bad-watchdog", "vehicle.yaml", "timeout: 2 s", "timeout: §999 ms", "is less than a main loop may stand still"),
+    Case("bad-watchdog", "vehicle.yaml", "timeout: 2 s", "timeout: §8389 ms", "takes 8388 ms at most, not 8389 ms"),
+    Case("bad-watchdog", VEHICLE, "timeout: 2 s", "timeout: §20 s", "Raspberry Pi Pico takes 8388 ms at most"),
+    Case("bad-amount", "vehicle.yaml", "timeout: 2 s", "timeout: §soon"),
+    Case("unit-mismatch", "vehicle.yaml", "timeout: 2 s", "timeout: §2 V"),
+    Case("unknown-aspect", "vehicle.yaml", "{hung: FR-00071.5, fed", "{hang: §FR-00071.5, fed", "did you mean hung"),
+    Case("unknown-requirement", "vehicle.yaml", "told: FR-00071.7", "told: §FR-00071.17", "no criterion 17"),
+    Case("missing-key", "vehicle.yaml", "  timeout: 2 s\n", "", at="vehicle.yaml:15:3"),
+    Case("bad-program", "vehicle.yaml", "call: terminate", "call: §stop_motors", "a call of its own"),
     Case("program-alone", "codegen.yaml", "project: pico-trail", "project: pico-trail\nbase: §.."),
 ]  # fmt: skip
 
