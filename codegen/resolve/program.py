@@ -35,7 +35,7 @@ LONGEST_PERIOD_US = (1 << 29) - 1
 
 _CALLS = {
     *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
-    *("reboot", "run", "run_pass", "act", "stop_motors", "halt"),
+    *("reboot", "run", "run_pass", "act", "stop_motors", "halt_motors"),
 }
 _MODULES = {"main", "vehicle", "board", "state", "parameters", "streams", "telemetry", "messages", "dialect"}
 

@@ -44,7 +44,7 @@ VEHICLE = "firmware/vehicle.py"
 PROGRAM = {
     "control": ((VEHICLE, "Vehicle.run_pass"), ("firmware/scheduler.py", "Scheduler")),
     "storage": ((VEHICLE, "Vehicle._save_step"), ("firmware/storage.py", "Storage")),
-    "arming": ((VEHICLE, "Vehicle.arm"), (VEHICLE, "Vehicle.arming_problem"), (VEHICLE, "Vehicle.halt")),
+    "arming": ((VEHICLE, "Vehicle.arm"), (VEHICLE, "Vehicle.arming_problem"), (VEHICLE, "Vehicle.halt_motors")),
     "services": (
         ("firmware/services.py", "Services"),
         ("firmware/commands.py", "Commands"),

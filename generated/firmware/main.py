@@ -83,7 +83,7 @@ def main():
         hold()
         raise
     finally:
-        vehicle.halt()
+        vehicle.halt_motors()
 
 
 if __name__ == "__main__":

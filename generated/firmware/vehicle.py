@@ -71,7 +71,7 @@ class Vehicle:
         self._started = watchdog.reset_reason()
         self.texts(self._started)
         # The order within a pass (FR-00071): control, readings with their failsafes, arming checks, links.
-        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts, self.halt)
+        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts, self.halt_motors)
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")
         self.scheduler.every(REPORT_US, self._report, "report")
@@ -169,13 +169,13 @@ class Vehicle:
             self.state.vehicle.armed = False
             self._set_status()
             self.texts("Disarmed")
-            self.halt()
+            self.halt_motors()
             with self._guard:
                 self.on_disarm()
             if self._guard.error is not None:
                 self.texts("error: on_disarm() failed:", repr(self._guard.error))
 
-    def halt(self):
+    def halt_motors(self):
         """Stop the motors; a fault of stop_motors() is told, and changes nothing else."""
         with self._guard:
             self.stop_motors()
@@ -206,7 +206,7 @@ class Vehicle:
         await self._keep_parameters()
         for task in tasks:
             task.cancel()
-        self.halt()
+        self.halt_motors()
         machine.reset()
 
     # Jobs of the main loop.

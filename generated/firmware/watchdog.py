@@ -42,7 +42,7 @@ async def watch(vehicle, feed):
             feed()
         elif before is None:
             vehicle.texts("error: The watchdog is about to reset the board:", stalled, "stands still or fails")
-            vehicle.halt()
+            vehicle.halt_motors()
 
 
 def hold():

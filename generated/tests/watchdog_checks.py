@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watchdog_checks.py: do not edit.
-# Inputs: f2fdb946bde88eba
+# Inputs: 5bd2c41ff543a43f
 """The watchdog: what stands still is reset, what works never, and where it came from is told."""
 
 import mock_board  # noqa: F401  the watchdog of this board, in the mocks
@@ -230,7 +230,7 @@ def a_prompt_is_left_alone():
             watchdog.start(print)
             raise KeyboardInterrupt
 
-        def halt(self):
+        def halt_motors(self):
             self.halted += 1
 
     made = Interrupted()

@@ -70,6 +70,8 @@ UNSEEN = {
     "BoardModel.watchdog": "what a program can ask for; what it asks for is compared",
     "BoardWatchdog.shortest_ms": "what a program can ask for; what it asks for is compared",
     "BoardWatchdog.longest_ms": "what a program can ask for; what it asks for is compared",
+    "Watchdog.citation": "compared as one of the program",
+    "Watchdog.aspects": "compared as those of the program",
     "Converter.pins": "what can be connected; what is connected is compared",
     "Converter.bits": "a default, compared with the channels",
     "Converter.reference": "a default, compared with the channels",

@@ -319,7 +319,7 @@ def _running(program: Program) -> str:
             if program.watchdog
             else []
         ),
-        *(["finally:", "    vehicle.halt()"] if program.spec.arming else []),
+        *(["finally:", "    vehicle.halt_motors()"] if program.spec.arming else []),
     ]
     return "\n".join(f"    {line}" if line else "" for line in (["try:", *lines] if len(lines) > 1 else [run]))
 

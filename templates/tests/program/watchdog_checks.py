@@ -228,7 +228,7 @@ def a_prompt_is_left_alone():
             watchdog.start(print)
             raise KeyboardInterrupt
 
-        def halt(self):
+        def halt_motors(self):
             self.halted += 1
 
     made = Interrupted()
