@@ -1,5 +1,5 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: 7ca6d8edbf95fca5
+# Inputs: 8b4163e31c95e752
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
@@ -272,8 +272,11 @@ WDT_RESET = 3
 watchdog_range_ms = (1, None)  # the shortest and the longest timeout, which the board sets; None for any
 cause_of_restart = None  # what reset_cause() tells after reset(), which the board sets
 _reset_cause = [PWRON_RESET]
-_ENABLED = 0x40000000
+# Words at addresses: scratch registers of the watchdogs of RP2040 and RP2350, whose number tells that one was not fed.
+_SCRATCHES = (0x4005801C, 0x400D801C)
 _NOT_FED = 0x6AB73121
+mem32 = dict.fromkeys(_SCRATCHES, 0)
+_CLEARS = (0x4005B000, 0x400DB000)  # clear bits of their control registers: the program stops one there
 
 
 def reset_cause():
@@ -285,28 +288,9 @@ def set_reset_cause(number, by_watchdog=False):
     """Be a board that was reset so, by a watchdog that was not fed or by something else; no watchdog runs."""
     reset_watchdog()
     _reset_cause[0] = number
-    for scratch in _SCRATCHES:
-        mem32[scratch] = _NOT_FED if by_watchdog else 0
+    mem32.update(dict.fromkeys(_SCRATCHES, _NOT_FED if by_watchdog else 0))
 
 
-class _Registers:
-    """Words at addresses: those of the watchdogs of RP2040 and RP2350, as far as the firmware uses them."""
-
-    def __init__(self):
-        self._words = {}
-
-    def __getitem__(self, address):
-        return self._words.get(address, 0)
-
-    def __setitem__(self, address, word):
-        if address in _CLEARED and word & _ENABLED:
-            reset_watchdog()
-        self._words[address] = word
-
-
-_SCRATCHES = (0x4005801C, 0x400D801C)
-_CLEARED = (0x4005B000, 0x400DB000)  # clear bits of the control registers
-mem32 = _Registers()
 _watchdog = array("i", [0, 0, 0])  # microseconds: until it resets the board, its timeout or 0; how often it was fed
 
 
@@ -318,8 +302,8 @@ class WDT:
         if timeout < shortest or (longest is not None and timeout > longest):
             raise ValueError(f"a watchdog of this board does not take {timeout} ms")
         _watchdog[1] = timeout * 1000
-        for scratch in _SCRATCHES:
-            mem32[scratch] = _NOT_FED
+        mem32.update(dict.fromkeys(_SCRATCHES, _NOT_FED))
+        mem32.update(dict.fromkeys(_CLEARS, 0))
         mock_time.follow(_count_down)
         self.feed()
 
@@ -345,36 +329,13 @@ def _count_down(passed_us):
     if passed_us <= _watchdog[0]:
         _watchdog[0] -= passed_us
         return
+    if any(mem32[clear] for clear in _CLEARS):
+        reset_watchdog()
+        return
     left_us = _watchdog[0]
     set_reset_cause(WDT_RESET, by_watchdog=True)
     mock_time.advance_us(left_us)
     raise WatchdogReset("the watchdog was not fed in time")
-
-
-class Timer:
-    """A timer that calls `callback` every `period` ms as the clock goes on."""
-
-    def __init__(self, id=-1, **settings):  # noqa: A002 - the board's own argument name
-        self.id = id
-        if settings:
-            self.init(**settings)
-
-    def init(self, period, callback):
-        """Begin."""
-        self._period_us = self._left_us = period * 1000
-        self._callback = callback
-        mock_time.follow(self._follow)
-
-    def deinit(self):
-        """Stop it."""
-        self._callback = None
-
-    def _follow(self, passed_us):
-        self._left_us -= passed_us
-        while self._left_us <= 0:
-            self._left_us += self._period_us
-            if self._callback is not None:
-                self._callback(self)
 
 
 def unique_id():

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/watchdog_checks.py: do not edit.
-# Inputs: 5bd2c41ff543a43f
+# Inputs: c7d810273b015c1b
 """The watchdog: what stands still is reset, what works never, and where it came from is told."""
 
 import mock_board  # noqa: F401  the watchdog of this board, in the mocks
@@ -7,9 +7,12 @@ import mock_board  # noqa: F401  the watchdog of this board, in the mocks
 import asyncio
 import machine
 import messages
+import sim_machine
 import watchdog
 from program_bench import FORCE_ARM, MEASURED, SECOND_US, Flash, live, main, mock_time, needs, new_craft, run
 from program_facts import CONTROL_US, PARAMETERS, WATCHDOG
+
+sim_machine.install()  # it has timers
 
 TIMEOUT_US = WATCHDOG["timeout_ms"] * 1000
 LOOK_US = WATCHDOG["look_ms"] * 1000
