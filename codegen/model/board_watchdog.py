@@ -22,8 +22,8 @@ class BoardWatchdogSpec(Written):
     )
     restart: int = described("What machine.reset_cause() tells after machine.reset().")
     hold: tuple[str, ...] = described(
-        "Python statements by which it does not reset the board while somebody is at the prompt: what stops it, or has "
-        "a timer feed it; {timeout} stands for its time in ms, {period} for a quarter of that."
+        "Python statements by which it does not reset the board while somebody is at the prompt, nor before the next "
+        "start of the program: what stops it, or has a timer feed it; {period} stands for a quarter of its time in ms."
     )
 
 

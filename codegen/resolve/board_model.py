@@ -117,7 +117,7 @@ def _check_code(spec: BoardWatchdogSpec, report: Report) -> None:
     for key, mode, codes in (("caused", "eval", (spec.caused,)), ("hold", "exec", spec.hold)):
         for code in codes:
             try:
-                ast.parse(code.replace("{timeout}", "1").replace("{period}", "1"), mode=mode)
+                ast.parse(code.replace("{period}", "1"), mode=mode)
             except SyntaxError as fault:
                 message = f"{key} is no {'expression' if mode == 'eval' else 'statement'} of Python: {fault.msg}"
                 report.add(BAD_BOARD, spec.at(key), message, code)

@@ -236,7 +236,7 @@ WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
         ("restart: 2", "restart: 2\n  causes: {on: power}", "bad-board: on is no number of machine.reset_cause()"),
         ("restart: 2", "restart: 2\n  caused: machine.", "bad-board: caused is no expression of Python"),
         ("[pass]", "[]", "bad-board: a prompt would be reset as long as nothing holds the watchdog"),
-        ("[pass]", '["while {timeout}"]', "bad-board: hold is no statement of Python"),
+        ("[pass]", '["while {period}"]', "bad-board: hold is no statement of Python"),
         ("  restart: 2\n", "", "missing-key"),
     ],
 )

@@ -39,9 +39,6 @@ def watchdog_view(program: Program) -> WatchdogView | None:
         late_us=watchdog.timeout_ms * 1000,
         caused=board.spec.caused,
         causes=f"{{{causes}}}",
-        hold=tuple(
-            each.replace("{timeout}", str(watchdog.timeout_ms)).replace("{period}", str(look_ms))
-            for each in board.spec.hold
-        ),
+        hold=tuple(each.replace("{period}", str(look_ms)) for each in board.spec.hold),
         can_halt=program.spec.arming is not None,
     )
