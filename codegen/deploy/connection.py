@@ -66,7 +66,7 @@ class Connection:
             self.run(copied("deploy/on_board.py"))
 
     def begin_anew(self) -> None:
-        """Forget all that was run: the board begins anew, without its program."""
+        """Forget all that was run: the board begins anew, without its program, and no watchdog resets it meanwhile."""
         from mpremote.transport import TransportError  # noqa: PLC0415
 
         try:
@@ -74,6 +74,7 @@ class Connection:
                 self.transport.enter_raw_repl(timeout_overall=self._answer_s)
         except (TransportError, OSError) as fault:
             raise BoardFaultError(BOARD_SILENT, f"no MicroPython answers at {self.port}: {fault}") from None
+        self.run(copied("deploy/hold.py"))
 
     def run(self, code: str) -> str:
         """What the code prints on the board."""

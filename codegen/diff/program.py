@@ -13,6 +13,7 @@ from codegen.model.program_spec import ActionSpec
 from codegen.model.receiver import Receiver
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
+from codegen.source import Place
 
 
 def program_subjects(system: System) -> Iterator[Subject]:
@@ -57,6 +58,7 @@ def _program(program: Program, system: System) -> Subject:
         ("fastest without a stream:", amount(program.fastest, "Hz"), services.at("fastest")),
         ("ground station gone after", amount(program.silence_ms, "ms"), services.at("silence")),
         ("longest slot takes, predicted", _longest(system), spec.control.at("rate")),
+        *_watchdog(program),
         ("own code:", f"{program.module}.{program.class_name}", spec.at("code")),
         ("own code measures every", amount(program.measure_us, "us"), spec.at("code")),
         ("receives", ", ".join(message.name for message in program.services), spec.place),
@@ -77,6 +79,18 @@ def _longest(system: System) -> str:
     budget = loop_budget(system)
     took = budget.longest.busy.likely_us if budget else None
     return "" if took is None else f"{float(took) / 1000:.1f} ms"
+
+
+def _watchdog(program: Program) -> tuple[tuple[str, str, Place], ...]:
+    """What the watchdog does, as far as there is one."""
+    watchdog, place = program.watchdog, program.spec.at("watchdog")
+    if watchdog is None:
+        return (("a loop that stands still is reset after", "", place), ("resets are told as", "", place))
+    causes = ", ".join(f"{number} {words}" for number, words in sorted(watchdog.board.causes.items()))
+    return (
+        ("a loop that stands still is reset after", amount(watchdog.timeout_ms, "ms"), place),
+        ("resets are told as", causes, place),
+    )
 
 
 def _access(system: System, program: Program) -> Subject:

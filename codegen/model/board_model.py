@@ -5,6 +5,7 @@ from enum import StrEnum
 from fractions import Fraction
 
 from codegen.frozen import dataclass
+from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
 from codegen.model.described import Amount, Verbatim, described
 from codegen.source import Written
 
@@ -82,6 +83,7 @@ class BoardModelSpec(Written):
     i2c_pins: UartPins = described(
         "chosen: sda and scl are told to machine.I2C; fixed: each bus has its own.", default=UartPins.CHOSEN
     )
+    watchdog: BoardWatchdogSpec | None = described("Its watchdog. Without it it has none.", default=None)
     usb: bool = described("Whether MicroPython's prompt is on a USB port, which can be a link.")
     wifi: bool = described("Whether it has Wi-Fi.")
     timing: TimingSpec | None = described(
@@ -142,6 +144,7 @@ class BoardModel:
     adc: Converter | None
     uarts: Mapping[int, Uart]
     i2c: Mapping[int, I2c]
+    watchdog: BoardWatchdog | None
     spec: BoardModelSpec
     timing: Timing | None = None
 

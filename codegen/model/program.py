@@ -15,6 +15,7 @@ from codegen.model.dialect import WireMessage
 from codegen.model.failsafe import Failsafe
 from codegen.model.program_spec import ActionSpec, VehicleSpec
 from codegen.model.vehicle import Citation
+from codegen.model.watchdog import Watchdog
 
 
 class LinkKind(Enum):
@@ -75,7 +76,8 @@ class Program:
     or not at all: None. ``cited`` and ``aspects`` are what is cited by the sections of vehicle.yaml, as a whole and for
     single aspects. ``commands`` are those of the project, ``modes`` those that are declared.
     ``priority`` are the actions, the most severe first, or none where each failsafe acts for itself. ``access`` is None
-    where every link is open. ``absences`` are the questions about what it does not have.
+    where every link is open, ``watchdog`` where nothing resets a loop that stands still. ``absences`` are the questions
+    about what it does not have.
     """
 
     control_us: int
@@ -100,6 +102,7 @@ class Program:
     modes: tuple[Mode, ...] = ()
     priority: tuple[ActionSpec, ...] = ()
     access: Access | None = None
+    watchdog: Watchdog | None = None
     absences: tuple[Absence, ...] = ()
 
     @property

@@ -6,6 +6,7 @@ from codegen.frozen import dataclass
 from codegen.model.access_spec import AccessSpec
 from codegen.model.described import Amount, described
 from codegen.model.failsafe_spec import FailsafeSpec
+from codegen.model.watchdog_spec import WatchdogSpec
 from codegen.source import Written
 
 
@@ -55,9 +56,11 @@ class ArmingSpec(Written):
 
     force: int = described("Second parameter of MAV_CMD_COMPONENT_ARM_DISARM that passes over the checks.")
     requirement: str | None = described("Requirement, or criterion of one, that asks for it.", default=None)
-    criteria: Mapping[str, str] = described("Criteria for single aspects: command, reasons.", default_factory=dict)
+    criteria: Mapping[str, str] = described(
+        "Criteria for single aspects: command, reasons, stop (when stop_motors() is called).", default_factory=dict
+    )
 
-    ASPECTS = ("command", "reasons")
+    ASPECTS = ("command", "reasons", "stop")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -135,6 +138,10 @@ class VehicleSpec(Written):
     services: ServicesSpec = described("What the vehicle answers to ground stations.")
     access: AccessSpec | None = described(
         "Who may command the vehicle over which link. Without it every link is open.", default=None
+    )
+    watchdog: WatchdogSpec | None = described(
+        "The watchdog of the board, which resets it when the main loop stands still. Without it nothing does.",
+        default=None,
     )
     system_id: str | None = described("Parameter that sets the MAVLink system id of the vehicle.", default=None)
     component_id: str | None = described(

@@ -1,11 +1,13 @@
 """What is known about the board of a project: its pins as sets of numbers."""
 
+import ast
 import re
 from fractions import Fraction
 
 from codegen.diagnostics import Report, Rule
-from codegen.measure import read_amount
+from codegen.measure import read_amount, read_time
 from codegen.model.board_model import MOST_BITS, BoardModel, BoardModelSpec, Converter, I2c, Timing, Uart, shown_pins
+from codegen.model.board_watchdog import BoardWatchdog, BoardWatchdogSpec
 from codegen.model.unit import decimal, unit_named
 from codegen.source import Place
 
@@ -20,7 +22,9 @@ BAD_BOARD = Rule(
     f"A description of a board contradicts itself: pins are GPIO numbers such as 0..22, 26..28, up to {MOST_GPIO}; "
     "those of the converter, the UARTs and the I2C buses are among them; a UART and a bus have a number from 0 to "
     f"{MOST_PORT}, a count has 8 to {MOST_BITS} bits, its reference is above 0 V and {MOST_VOLTS} V at most, the "
-    "expression that opens an input has {gpio} in it, and its clock runs, with some cycles for each instruction.",
+    "expression that opens an input has {gpio} in it, and its clock runs, with some cycles for each instruction. The "
+    "shortest timeout of a watchdog is not above its longest, and causes of a reset are numbers of "
+    "machine.reset_cause().",
 )
 _RUN = re.compile(r"(\d{1,9})(?:\.\.(\d{1,9}))?")
 
@@ -52,10 +56,13 @@ def resolve_board_model(spec: BoardModelSpec | None, report: Report) -> BoardMod
             )
     adc = _converter(spec, known, found)
     timing = _timing(spec, found)
+    watchdog = None if spec.watchdog is None else _watchdog(spec.watchdog, found)
     _among(known, frozenset(taken), spec.at("taken"), found)
     _among(known, frozenset(labels), spec.at("labels"), found)
     report.extend(found)
-    return None if found.has_errors else BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, spec, timing)
+    if found.has_errors:
+        return None
+    return BoardModel(spec.name, pins, taken, labels, adc, uarts, buses, watchdog, spec, timing)
 
 
 def _number(key: str, section: str, place: Place, report: Report) -> int | None:
@@ -106,6 +113,36 @@ def _timing(spec: BoardModelSpec, report: Report) -> Timing | None:
         hint = f"most_cycles: is cycles: or more, {decimal(written.cycles)}"
         report.add(BAD_BOARD, written.at("most_cycles"), "at most is less than likely", hint)
     return Timing(clock or Fraction(1), written.cycles, written.most_cycles, conversion or Fraction(0))
+
+
+def _watchdog(spec: BoardWatchdogSpec, report: Report) -> BoardWatchdog:
+    """Its timeouts, and what resets come from in words."""
+    shortest = read_time(spec.shortest, unit_named("ms"), spec.at("shortest"), report)
+    longest = None if spec.longest is None else read_time(spec.longest, unit_named("ms"), spec.at("longest"), report)
+    if shortest is not None and longest is not None and shortest > longest:
+        report.add(BAD_BOARD, spec.at("shortest"), f"the shortest timeout, {spec.shortest}, is above the longest")
+    causes = {spec.restart: "a restart"}
+    for key, words in spec.causes.items():
+        if key.isdecimal() and key.isascii() and len(key) < 4:
+            causes[int(key)] = words
+        else:
+            place = spec.at(f"causes.{key}")
+            report.add(BAD_BOARD, place, f"{key} is no number of machine.reset_cause()", "causes: {1: power on}")
+    _check_code(spec, report)
+    if not spec.hold:
+        hint = "hold: [what stops it, or has a timer feed it]"
+        report.add(BAD_BOARD, spec.at("hold"), "a prompt would be reset as long as nothing holds the watchdog", hint)
+    return BoardWatchdog(shortest or 1, longest, causes, spec)
+
+
+def _check_code(spec: BoardWatchdogSpec, report: Report) -> None:
+    for key, mode, codes in (("caused", "eval", (spec.caused,)), ("hold", "exec", spec.hold)):
+        for code in codes:
+            try:
+                ast.parse(code.replace("{period}", "1"), mode=mode)
+            except SyntaxError as fault:
+                message = f"{key} is no {'expression' if mode == 'eval' else 'statement'} of Python: {fault.msg}"
+                report.add(BAD_BOARD, spec.at(key), message, code)
 
 
 def _pins(text: str, place: Place, report: Report) -> frozenset[int]:

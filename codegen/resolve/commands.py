@@ -30,7 +30,7 @@ VEHICLE_NAMES = frozenset(
     (
         *("texts", "connections", "parameters", "storage", "state", "board", "scheduler", "long_commands", "control"),
         *("measure", "check_arming", "on_arm", "on_disarm", "is_armed", "arming_problem", "arm", "disarm", "reboot"),
-        *("run_pass", "run", "check_mode", "set_mode", "act"),
+        *("run_pass", "run", "check_mode", "set_mode", "act", "stop_motors", "halt_motors", "remind"),
     )
 )
 """The attributes and methods that every Vehicle has, or can have."""

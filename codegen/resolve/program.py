@@ -12,7 +12,8 @@ from codegen.model.program import VEHICLE_QUANTITIES, Program
 from codegen.model.program_spec import CodeSpec, VehicleSpec
 from codegen.model.spec import ParametersSpec, Requirement
 from codegen.model.unit import unit_named
-from codegen.model.vehicle import Component, Parameter
+from codegen.model.vehicle import Citation, Cited, Component, Parameter
+from codegen.model.watchdog import Watchdog
 from codegen.resolve.absences import mission_results, resolve_absences
 from codegen.resolve.citation import cite_aspects, cite_optional
 from codegen.resolve.commands import resolve_commands
@@ -34,7 +35,7 @@ LONGEST_PERIOD_US = (1 << 29) - 1
 
 _CALLS = {
     *("control", "measure", "check_arming", "on_arm", "on_disarm", "arm", "disarm"),
-    *("reboot", "run", "run_pass", "act"),
+    *("reboot", "run", "run_pass", "act", "stop_motors", "halt_motors"),
 }
 _MODULES = {"main", "vehicle", "board", "state", "parameters", "streams", "telemetry", "messages", "dialect"}
 
@@ -50,14 +51,15 @@ def resolve_program(
     *,
     commands: CommandsSpec | None,
     access: Access | None,
+    watchdog: Watchdog | None,
     takes_time: bool,
     component_id: int,
     received: frozenset[str],
 ) -> Program | None:
     """The program of vehicle.yaml, with its ``commands``; None, with findings, where it cannot be built.
 
-    ``access`` is resolved already. ``takes_time``: a table has the time since 1970. ``component_id`` is its own;
-    ``received`` are the messages that tables receive.
+    ``access`` and ``watchdog`` are resolved already. ``takes_time``: a table has the time since 1970. Its own is
+    ``component_id``; ``received`` are the messages that tables receive.
     """
     control = read_rate(spec.control.rate, spec.control.at("rate"), report)
     links = read_rate(spec.control.links, spec.control.at("links"), report)
@@ -73,7 +75,7 @@ def resolve_program(
     uses = Uses(takes_time=takes_time, takes_long=takes_long, has_modes=bool(modes), takes_keys=takes_keys)
     services = service_messages(spec, dialect, report, uses)
     absences = resolve_absences(dialect, component_id, received | ({"SET_MODE"} if modes else frozenset()))
-    cited = {}
+    cited: dict[str, Citation] = {}
     for name, text, place in (
         ("control", spec.control.requirement, spec.control.at("requirement")),
         ("storage", spec.storage.requirement, spec.storage.at("requirement")),
@@ -86,9 +88,9 @@ def resolve_program(
             cited[name] = citation
     sections = {"control": spec.control, "storage": spec.storage, "arming": spec.arming, "services": spec.services}
     aspects = {name: cite_aspects(section, index, report) for name, section in sections.items() if section}
-    if access is not None:
-        aspects["access"] = dict(access.aspects)
-        cited |= {"access": access.citation} if access.citation else {}
+    besides = _present(access=access, watchdog=watchdog)
+    aspects |= {name: dict(part.aspects) for name, part in besides.items()}
+    cited |= {name: part.citation for name, part in besides.items() if part.citation}
     code = spec.code or CodeSpec(place=spec.place)
     measure = read_rate(code.measure, code.at("measure"), report) if code.measure is not None else None
     step_limit = read_time(spec.storage.step_limit, unit_named("us"), spec.storage.at("step_limit"), report)
@@ -133,8 +135,14 @@ def resolve_program(
         modes=modes,
         priority=resolve_priority(spec, failsafes, report),
         access=access,
+        watchdog=watchdog,
         absences=absences,
     )
+
+
+def _present(**parts: Cited | None) -> dict[str, Cited]:
+    """The parts of the program that are there, by name."""
+    return {name: part for name, part in parts.items() if part is not None}
 
 
 def _program_problems(spec: VehicleSpec, components: Mapping[str, Component]) -> Iterator[tuple[Place, str]]:

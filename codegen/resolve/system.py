@@ -25,6 +25,7 @@ from codegen.resolve.receives import resolve_reception
 from codegen.resolve.sources import resolve_sources
 from codegen.resolve.state import resolve_components
 from codegen.resolve.vehicle import find_parameter, resolve_channels, resolve_parameters, resolve_streams
+from codegen.resolve.watchdog import resolve_watchdog
 from codegen.source import Place
 
 BAD_PROJECT = Rule(
@@ -70,6 +71,7 @@ def resolve_system(spec: Spec, dialect: Dialect, report: Report) -> System:
             report,
             commands=spec.commands,
             access=resolve_access(spec, spec.vehicle, dialect, index, report),
+            watchdog=resolve_watchdog(spec, spec.vehicle, board, index, report),
             takes_time=Clock.UNIX in tables,
             component_id=1 if component_id is None else component_id,
             received=frozenset(reception.wire.name for reception in receptions),

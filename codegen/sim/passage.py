@@ -5,7 +5,7 @@ import os
 import re
 import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import AbstractContextManager, ExitStack
 from typing import TYPE_CHECKING
 
@@ -125,8 +125,9 @@ class Passage:
             self._end(process, watch)
         elif not self.waits and now_s - self._heard_s > silence_s:
             problem = f"the firmware does not let time pass any more ({silence_s:g} s without a sign of it)"
-            self.recording.problem = problem
-            self.close()
+            self.interrupt(watch)  # it says where it stands
+            where = _place(self.recording.traceback, self._program.mocks)
+            self.recording.problem = problem + where
 
     def interrupt(self, watch: Watch) -> None:
         """End the program, and take in what it still has to say."""
@@ -179,7 +180,7 @@ class Passage:
             return
         if code or recording.reason != "over":
             complaints = recording.traceback or list(process.complaints)
-            recording.problem = _problem(code, complaints)
+            recording.problem = _problem(code, complaints, self._program.mocks)
             recording.add(Kind.STOPPED, recording.problem)
             for line in complaints:
                 recording.add(Kind.CONSOLE, line)
@@ -190,7 +191,7 @@ class Passage:
         self._board = None
 
 
-def _problem(code: int, complaints: list[str]) -> str:
+def _problem(code: int, complaints: list[str], mocks: str) -> str:
     """Why the firmware ended, from its exit code and its traceback, or what it wrote to stderr."""
     if code == 0:
         return "the firmware's main() returned"
@@ -198,6 +199,11 @@ def _problem(code: int, complaints: list[str]) -> str:
         return f"the firmware was ended by a signal: {signal.strsignal(-code)}"
     lines = [line.strip() for line in complaints if line.strip()]
     what = lines[-1] if lines else f"exit code {code}"
-    places = re.findall(r'File "(.+?)", line (\d+)', "\n".join(lines))
-    where = f" ({shown_path(places[-1][0])}:{places[-1][1]})" if places else ""
-    return f"the firmware stopped: {what}{where}"
+    return f"the firmware stopped: {what}{_place(lines, mocks)}"
+
+
+def _place(traceback: Iterable[str], mocks: str) -> str:
+    """`` (rover.py:4)``: where a traceback ends in the program, not in what stands in for its board; or nothing."""
+    places = re.findall(r'File "(.+?)", line (\d+)', "\n".join(traceback))
+    places = [each for each in places if os.path.dirname(each[0]) != mocks] or places
+    return f" ({shown_path(places[-1][0])}:{places[-1][1]})" if places else ""

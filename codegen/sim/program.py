@@ -27,7 +27,7 @@ class SimulatedProgram:
     ``messages`` are the names of those that it sends by number, ``telling`` knows which of them tell of quantities,
     ``lines`` are these; ``watched`` are quantities of its state, ``actions`` the methods that failsafes call.
     ``mocked`` are the modules that stand in for what its sensors are connected to. ``load`` predicts how busy its board
-    is, or says why nothing does.
+    is, or says why nothing does. ``restart_cause`` is what its board tells after a restart.
     """
 
     name: str
@@ -50,6 +50,7 @@ class SimulatedProgram:
     guards: tuple[Guard, ...] = ()
     mocked: tuple[str, ...] = ()
     load: TrafficLoad | str = ""
+    restart_cause: int | None = None
 
     @property
     def folder(self) -> str:
@@ -72,6 +73,7 @@ class SimulatedProgram:
             "actions": self.actions,
             "mocked": self.mocked,
             "store": store,
+            "reset_cause": None if is_first_start else self.restart_cause,
         }
 
 
@@ -122,6 +124,7 @@ def _program(
         guards=guards(system),
         mocked=tuple(_mocked(system)),
         load=traffic_load(system),
+        restart_cause=program.watchdog.board.spec.restart if program and program.watchdog else None,
     )
 
 

@@ -185,7 +185,7 @@ class Recording:
                 self._take_frame(bytes.fromhex(record["data"]))
             case "messages":
                 self._take_messages(record)
-            case "failed":
+            case "failed" | "stood":
                 self.traceback = record["traceback"].splitlines()
             case "end":
                 self.reason = record["reason"]

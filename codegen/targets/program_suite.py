@@ -40,6 +40,9 @@ ACCESS_CHECKS = "tests/access_checks.py"
 TWIN_CHECKS = "tests/twin_checks.py"
 """What there is to check where a parameter gives the component id: two of the program can have the same one."""
 
+WATCHDOG_CHECKS = "tests/watchdog_checks.py"
+"""What there is to check about a watchdog."""
+
 LEFT_TO_THE_PROJECT = ("tests/day_checks.py", "tests/heap_checks.py")
 """What a further program's suite does without: it takes long, and is about modules that all programs share."""
 
@@ -125,6 +128,7 @@ def left_out(system: System, program: Program) -> tuple[str, ...]:
         *(() if has_commands else (COMMAND_CHECKS,)),
         *(() if guards else (ACCESS_CHECKS,)),
         *(() if system.component_parameter else (TWIN_CHECKS,)),
+        *(() if program.watchdog else (WATCHDOG_CHECKS,)),
     )
 
 

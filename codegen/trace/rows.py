@@ -106,6 +106,7 @@ def _program(system: System, symbols: Symbols) -> Iterator[Row]:
         "arming": program.spec.arming,
         "services": program.spec.services,
         "access": program.spec.access,
+        "watchdog": program.spec.watchdog,
         "measure": program.spec.code,
     }
     for name, citation in program.cited.items():

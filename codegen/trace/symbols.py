@@ -44,13 +44,14 @@ VEHICLE = "firmware/vehicle.py"
 PROGRAM = {
     "control": ((VEHICLE, "Vehicle.run_pass"), ("firmware/scheduler.py", "Scheduler")),
     "storage": ((VEHICLE, "Vehicle._save_step"), ("firmware/storage.py", "Storage")),
-    "arming": ((VEHICLE, "Vehicle.arm"), (VEHICLE, "Vehicle.arming_problem")),
+    "arming": ((VEHICLE, "Vehicle.arm"), (VEHICLE, "Vehicle.arming_problem"), (VEHICLE, "Vehicle.halt_motors")),
     "services": (
         ("firmware/services.py", "Services"),
         ("firmware/commands.py", "Commands"),
         ("firmware/parameter_service.py", "ParameterService"),
     ),
     "measure": ((VEHICLE, "Vehicle.measure"),),
+    "watchdog": (("firmware/watchdog.py", "watch"), ("firmware/watchdog.py", "reset_reason")),
 }
 """The parts of the program by their keys in vehicle.yaml: their modules are copied or rendered as a whole."""
 

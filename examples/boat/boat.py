@@ -81,6 +81,10 @@ class Boat(Vehicle):
         """Remember where home is."""
         self.home = (self.state.gps.lat_dege7, self.state.gps.lon_dege7)
 
+    def stop_motors(self):
+        """Stop the propeller: control() has failed, or the program ends."""
+        self.state.helm.throttle_us = STOP_US
+
     def pump(self, duration):
         """Begin to pump for so many seconds (MAV_CMD_USER_1)."""
         self.state.bilge.pumping = True

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 3b5905ceef9dda79
+# Inputs: d3babb6813b8aa98
 """Answers about what this vehicle does not have: whoever asks for it waits for an answer, and asks again without one.
 
 services.py loads this module with the first such question. Its messages are known by numbers alone, fields by their

@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 614b53746c8c0b6e
+# Inputs: ab31c14dcbb9b504
 """Numbers of the dialect that the program uses."""
 
 MAV_CMD_REQUEST_MESSAGE = 512

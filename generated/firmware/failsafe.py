@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 9d4bf4ade1d6662a
+# Inputs: d49327ebdbf5fec0
 """Failsafes: what is done when a value stays beyond a threshold."""
 
 import time

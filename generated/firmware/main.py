@@ -1,5 +1,5 @@
 # Generated from specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 614b53746c8c0b6e
+# Inputs: ab31c14dcbb9b504
 """The program: what the board starts."""
 
 import asyncio
@@ -28,19 +28,35 @@ def vehicle_class():
 
 def new_vehicle():
     """Return the user's vehicle; where its code is faulty, one that says so and cannot be armed."""
+    made = None
     try:
-        return vehicle_class()()
+        made = object.__new__(vehicle_class())
+        made.__init__()
+        return made
     except Exception as error:
         if hasattr(sys, "print_exception"):  # CPython has none
             sys.print_exception(error)
         problem = f"rover: {error!r}"
+    fault = None if made is None else stopped(made)
+    made = None
     gc.collect()
     from vehicle import Vehicle  # noqa: PLC0415
 
     spare = Vehicle()
     spare.check_arming = lambda: problem
     spare.texts("error:", problem)
+    if fault is not None:
+        spare.texts("error: stop_motors() failed:", fault)
     return spare
+
+
+def stopped(made):
+    """Stop the motors of a vehicle that is only half made; return what went wrong, as a text, or None."""
+    try:
+        made.stop_motors()
+    except Exception as error:
+        return repr(error)
+    return None
 
 
 def collect_often(is_often):
@@ -59,7 +75,15 @@ def main():
     collect_often(True)
     vehicle = new_vehicle()
     collect_often(False)
-    asyncio.run(vehicle.run())
+    try:
+        asyncio.run(vehicle.run())
+    except KeyboardInterrupt:  # somebody is at the prompt
+        from watchdog import hold  # noqa: PLC0415
+
+        hold()
+        raise
+    finally:
+        vehicle.halt_motors()
 
 
 if __name__ == "__main__":

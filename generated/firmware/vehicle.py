@@ -1,6 +1,6 @@
 # Generated from specs/board.yaml, specs/codegen.yaml, specs/parameters.yaml, specs/state.yaml,
 #   specs/vehicle.yaml, dialect common: do not edit.
-# Inputs: 9d4bf4ade1d6662a
+# Inputs: d49327ebdbf5fec0
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -8,6 +8,7 @@ import gc
 import time
 
 import machine
+import watchdog
 from board import Board
 from connection import Connection
 from failsafe import battery_failsafes
@@ -67,8 +68,10 @@ class Vehicle:
         self.state = SystemState(self.parameters, self.texts)
         self.restart_ms = None
         self._reported = 0
+        self._started = watchdog.reset_reason()
+        self.texts(self._started)
         # The order within a pass (FR-00071): control, readings with their failsafes, arming checks, links.
-        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
+        self.scheduler = Scheduler(CONTROL_US, self.control, self.texts, self.halt_motors)
         self.scheduler.every(100000, self._watch_battery, "battery")  # FR-00067.1
         self.scheduler.every(LINKS_US, self._communicate, "links")
         self.scheduler.every(REPORT_US, self._report, "report")
@@ -91,6 +94,9 @@ class Vehicle:
 
     def on_disarm(self):
         """The vehicle was disarmed."""
+
+    def stop_motors(self):
+        """Stop whatever moves: called when it is disarmed, when control() fails, and before the program ends."""
 
     def return_to_launch(self):
         """Drive back to where the vehicle was armed."""
@@ -163,10 +169,18 @@ class Vehicle:
             self.state.vehicle.armed = False
             self._set_status()
             self.texts("Disarmed")
+            self.halt_motors()
             with self._guard:
                 self.on_disarm()
             if self._guard.error is not None:
                 self.texts("error: on_disarm() failed:", repr(self._guard.error))
+
+    def halt_motors(self):
+        """Stop the motors; a fault of stop_motors() is told, and changes nothing else."""
+        with self._guard:
+            self.stop_motors()
+        if self._guard.error is not None:
+            self.texts("error: stop_motors() failed:", repr(self._guard.error))
 
     def reboot(self, force=False):
         """Save the parameters and start again soon; not while armed, but for `force`. Return why not, or None."""
@@ -185,9 +199,14 @@ class Vehicle:
     async def run(self):
         """Run until somebody asks for a restart."""
         gc.collect()
-        loop = asyncio.create_task(self.scheduler.run())
+        tasks = [asyncio.create_task(self.scheduler.run())]
+        feed = watchdog.start(self.texts)
+        if feed is not None:
+            tasks.append(asyncio.create_task(watchdog.watch(self, feed)))
         await self._keep_parameters()
-        loop.cancel()
+        for task in tasks:
+            task.cancel()
+        self.halt_motors()
         machine.reset()
 
     # Jobs of the main loop.
@@ -237,6 +256,7 @@ class Vehicle:
     def remind(self):
         """Let what stands be said within a second: somebody has come who has not heard it."""
         self._quiet_s = 1
+        self.texts(self._started)
 
     def _remind(self):
         """Say again while disarmed what was lost and what speaks against arming."""
@@ -334,11 +354,12 @@ class Vehicle:
         self._credit_ms -= _COST_MS
         with self._guard:
             self.storage.begin(self.parameters.dump())
+        problem = self._guard.error  # others use the guard meanwhile
         while self.storage.is_saving:
             if self._may_save():
                 longest_us = max(longest_us, self._save_step())
             await asyncio.sleep_ms(1)
-        problem = self._guard.error or self.storage.problem
+        problem = problem or self.storage.problem
         if problem is None:
             # What was damaged is written over as well: once more, for the saves take turns.
             self._saved = changes if self._stored_problem is None else None

@@ -1,11 +1,12 @@
 # Generated from templates/mocks/machine.py: do not edit.
-# Inputs: c014eb1536e99d65
+# Inputs: 8b4163e31c95e752
 """The board's module `machine`, as far as the firmware uses it: pins, and ADC inputs that follow a script.
 
 analog(gpio) is the script of one input; it works on all ADC objects of that GPIO, made before or after.
 """
 
 import errno
+from array import array
 
 import mock_time
 
@@ -257,7 +258,84 @@ class Reset(SystemExit):
 
 def reset():
     """Start the board again: Reset, which ends a program that does not expect it."""
+    set_reset_cause(cause_of_restart)
     raise Reset
+
+
+class WatchdogReset(Reset):
+    """The watchdog was not fed in time."""
+
+
+PWRON_RESET = 1
+WDT_RESET = 3
+
+watchdog_range_ms = (1, None)  # the shortest and the longest timeout, which the board sets; None for any
+cause_of_restart = None  # what reset_cause() tells after reset(), which the board sets
+_reset_cause = [PWRON_RESET]
+# Words at addresses: scratch registers of the watchdogs of RP2040 and RP2350, whose number tells that one was not fed.
+_SCRATCHES = (0x4005801C, 0x400D801C)
+_NOT_FED = 0x6AB73121
+mem32 = dict.fromkeys(_SCRATCHES, 0)
+_CLEARS = (0x4005B000, 0x400DB000)  # clear bits of their control registers: the program stops one there
+
+
+def reset_cause():
+    """Return what the last reset came from, 1 at first; set_reset_cause() changes it."""
+    return _reset_cause[0]
+
+
+def set_reset_cause(number, by_watchdog=False):
+    """Be a board that was reset so, by a watchdog that was not fed or by something else; no watchdog runs."""
+    reset_watchdog()
+    _reset_cause[0] = number
+    mem32.update(dict.fromkeys(_SCRATCHES, _NOT_FED if by_watchdog else 0))
+
+
+_watchdog = array("i", [0, 0, 0])  # microseconds: until it resets the board, its timeout or 0; how often it was fed
+
+
+class WDT:
+    """The watchdog: WatchdogReset is raised wherever the clock goes beyond `timeout` ms since it was fed."""
+
+    def __init__(self, id=0, timeout=5000):  # noqa: A002, ARG002 - the board's own argument names
+        shortest, longest = watchdog_range_ms
+        if timeout < shortest or (longest is not None and timeout > longest):
+            raise ValueError(f"a watchdog of this board does not take {timeout} ms")
+        _watchdog[1] = timeout * 1000
+        mem32.update(dict.fromkeys(_SCRATCHES, _NOT_FED))
+        mem32.update(dict.fromkeys(_CLEARS, 0))
+        mock_time.follow(_count_down)
+        self.feed()
+
+    def feed(self):
+        """Begin its time anew."""
+        _watchdog[0] = _watchdog[1]
+        _watchdog[2] += 1
+
+
+def watchdog():
+    """Return the microseconds until it resets the board, its timeout, 0 while none runs, and how often it was fed."""
+    return tuple(_watchdog)
+
+
+def reset_watchdog():
+    """Let none run, as after a reset."""
+    _watchdog[0] = _watchdog[1] = _watchdog[2] = 0
+
+
+def _count_down(passed_us):
+    if _watchdog[1] == 0:
+        return
+    if passed_us <= _watchdog[0]:
+        _watchdog[0] -= passed_us
+        return
+    if any(mem32[clear] for clear in _CLEARS):
+        reset_watchdog()
+        return
+    left_us = _watchdog[0]
+    set_reset_cause(WDT_RESET, by_watchdog=True)
+    mock_time.advance_us(left_us)
+    raise WatchdogReset("the watchdog was not fed in time")
 
 
 def unique_id():

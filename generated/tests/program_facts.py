@@ -9,7 +9,7 @@
 #   specs/messages/protocol_version.yaml, specs/messages/smart_battery_info.yaml,
 #   specs/messages/sys_status.yaml, specs/parameters.yaml, specs/receiver.yaml,
 #   specs/state.yaml, specs/streams.yaml, specs/vehicle.yaml: do not edit.
-# Inputs: 249149392c7a626a
+# Inputs: 7110f7d44b183bec
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 2500
@@ -35,10 +35,18 @@ ANSWERED = ()
 # The links on which signed frames count, frames of listed systems, and a new key; and the file of the key.
 ACCESS = None
 
+# The timeout of the watchdog, how often it is fed, and what resets come from by their numbers; None without one.
+WATCHDOG = {
+    "timeout_ms": 2000,
+    "look_ms": 500,
+    "causes": {3: "a restart", 1: "power on"},
+}
+
 # The criteria that the specification names for each aspect of the program; a check of another one is no evidence.
 CRITERIA = {
     "arming.command": ("FR-00070.5",),
     "arming.reasons": ("FR-00020.10",),
+    "arming.stop": ("FR-00071.8",),
     "component.allocation": ("FR-00067.4",),
     "component.mock": ("NFR-00062.1",),
     "component.off": ("FR-00073.7",),
@@ -85,6 +93,7 @@ CRITERIA = {
     "pair.reasons": ("FR-00020.10",),
     "pair.second": ("FR-00020.2",),
     "pair.status": ("FR-00020.9",),
+    "pair.stop": ("FR-00071.8",),
     "pair.text": ("FR-00020.7",),
     "pair.timer": ("FR-00020.3",),
     "quantity.calibration": ("FR-00069.6",),
@@ -135,6 +144,9 @@ CRITERIA = {
     "storage.wear": ("NFR-00061.10",),
     "streams.fixed": ("FR-00068.8", "FR-00076.6"),
     "streams.rate": ("FR-00068.9", "FR-00068.2", "FR-00072"),
+    "watchdog.fed": ("FR-00071.6",),
+    "watchdog.hung": ("FR-00071.5",),
+    "watchdog.told": ("FR-00071.7",),
 }
 
 # Measured components: where they are read, how counts become stored steps, and when a value is given up.

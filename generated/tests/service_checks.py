@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/service_checks.py: do not edit.
-# Inputs: 8784aaff9e38a60b
+# Inputs: 36d552f679efdd1f
 """What ground stations send, and what the whole vehicle answers."""
 
 from program_bench import (
@@ -317,7 +317,7 @@ def what_stands_is_told_again():
     station.send(messages.Heartbeat, type=dialect.MAV_TYPE_GCS)
     run(craft, 2 * SECOND_US)
     said = [text.text for text in station.received(messages.Statustext)]
-    assert said[:1] == [craft.said(lost)[-1][1][:50]], said
+    assert said.count(craft.said(lost)[-1][1][:50]) == 1, said
     if FORCE_ARM is not None:
         craft.check_arming = lambda: "no"
         craft._has_lost = False  # as a save leaves it

@@ -21,6 +21,7 @@ _turns = 0  # of the microseconds, each of PERIOD
 _us = 0
 _ms = 0
 _rest_us = 0  # since the last whole millisecond
+_followers = []
 
 
 def install():
@@ -58,6 +59,12 @@ def _replace(name, old, new):
             setattr(module, name, new)
 
 
+def follow(follower):
+    """Call `follower` with the microseconds each time that some are about to pass: timers and watchdogs run on that."""
+    if follower not in _followers:
+        _followers.append(follower)
+
+
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
@@ -80,6 +87,8 @@ def advance_us(duration):
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if duration < 0:
         raise ValueError("time does not run backwards")
+    for follower in _followers:
+        follower(duration)
     if duration > _HALF:
         set_ticks_us(elapsed_us() + duration)
         return

@@ -19,7 +19,9 @@ gets a line of JSON for whatever happens, with the scenario's time in ms:
     event      name, text                  what the scenario did: refused, reboot
     messages   counts                      by name: frames and bytes that went out; also parameters, link statistics
     turn                                   the end of the turn is reached: a line is waited for
-    failed     traceback                   the firmware raised an exception that nobody caught (then this exits with 1)
+    failed     traceback                   the firmware raised an exception that nobody caught, or the watchdog was
+                                           not fed (then this exits with 1)
+    stood      traceback                   where the firmware was when this was interrupted
     end        reason                      over, reset (then this exits with 3), returned, failed, stopped
 """
 
@@ -67,6 +69,8 @@ class Simulation:
         self.records = Records(settings["records"], self.now_ms)
         self._turns = sim_pace.Turns(settings["turns"], settings["until_ms"], self.records)
         self._store = settings["store"]
+        if settings["reset_cause"] is not None:
+            machine.set_reset_cause(settings["reset_cause"])
         self._wire = Wire(self.records, settings["names"], settings["told"], self._sum_up)
         self._watch = Watch(self.records, settings["watched"], settings["actions"])
         self._watched = None
@@ -89,11 +93,15 @@ class Simulation:
         code = 0
         try:
             reason = self._run_main()
+        except machine.WatchdogReset as error:
+            reason = "failed"
+            code = 1
+            self.records.put("failed", traceback=traceback_of(error))
         except SystemExit as leaving:
             reason = "reset" if EXIT_RESET in leaving.args else "returned"
             code = EXIT_RESET if reason == "reset" else 0
-        except KeyboardInterrupt:
-            pass  # whoever started this ends it
+        except KeyboardInterrupt as error:  # whoever started this ends it, and may want to know where it stood
+            self.records.put("stood", traceback=traceback_of(error))
         except Exception as error:
             reason = "failed"
             code = 1
@@ -259,7 +267,16 @@ def store_parameters(store):
         raise OSError(storage.problem)
 
 
+def interrupted(_number, _frame):
+    """Let Ctrl-C end whatever runs: asyncio of CPython would wait for its tasks."""
+    raise KeyboardInterrupt
+
+
 if __name__ == "__main__":
+    if sys.implementation.name != "micropython":
+        import signal
+
+        signal.signal(signal.SIGINT, interrupted)
     with open(sys.argv[1]) as file:
         SETTINGS = json.load(file)
     sys.exit(Simulation(SETTINGS).run())

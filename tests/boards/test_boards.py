@@ -243,6 +243,70 @@ def test_numbers_out_of_range(old, new, message, hint, tmp_path):
     assert hint in found.hint
 
 
+WATCHED = "usb: false\nwatchdog:\n  restart: 2\n  hold: [pass]\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "wanted"),
+    [
+        (
+            "restart: 2",
+            "restart: 2\n  shortest: 9 s\n  longest: 8 s",
+            "bad-board: the shortest timeout, 9 s,",
+        ),
+        ("restart: 2", "restart: 2\n  causes: {on: power}", "bad-board: on is no number of machine.reset_cause()"),
+        ("restart: 2", "restart: 2\n  caused: machine.", "bad-board: caused is no expression of Python"),
+        ("[pass]", "[]", "bad-board: a prompt would be reset as long as nothing holds the watchdog"),
+        ("[pass]", '["while {period}"]', "bad-board: hold is no statement of Python"),
+        ("  restart: 2\n", "", "missing-key"),
+    ],
+)
+def test_a_watchdog_that_contradicts_itself(old, new, wanted, tmp_path):
+    """Each fault is a finding in the file of the board, at its line."""
+    (tmp_path / "specs" / "boards").mkdir(parents=True)
+    path = tmp_path / "specs" / "boards" / "own.yaml"
+    path.write_text(OWN.replace("usb: false", WATCHED.replace(old, new)))
+    report = Report()
+    resolve_board_model(decode_record_file(str(path), BoardModelSpec, report), report)
+    found = [f"{each.place.line} {each.rule.id}: {each.message}" for each in report]
+    assert len(found) == 1, found
+    assert wanted in found[0], found
+    assert int(found[0].split(" ")[0]) >= 7
+
+
+@pytest.mark.parametrize(
+    ("board", "timeout", "wanted"),
+    [
+        ("pico", "8388 ms", ""),
+        (
+            "pico",
+            "8389 ms",
+            "Raspberry Pi Pico takes 8388 ms at most, not 8389 ms (timeout: 8388 ms or less",
+        ),
+        ("esp32", "60 s", ""),
+        (
+            "esp32",
+            "0.9 s",
+            "a main loop may stand still where flash is erased (timeout: 1000 ms or more",
+        ),
+        ("pyboard", "32767 ms", ""),
+        ("pyboard", "33 s", "the watchdog of pyboard v1.1 takes 32767 ms at most, not 33 s"),
+        ("own", "2 s", "has no watchdog (leave watchdog out, or state under watchdog of the board's file"),
+        ("", "2 s", "nothing is known of the watchdog of this board (say in board.yaml which it is, such as board:"),
+    ],
+)
+def test_a_watchdog_that_the_board_cannot_do(board, timeout, wanted, tmp_path):
+    """A finding at the timeout, with what to write; a timeout at the limit is none."""
+    project = with_board(tmp_path, board)
+    (tmp_path / "specs" / "boards").mkdir()
+    (tmp_path / "specs" / "boards" / "own.yaml").write_text(OWN)
+    vehicle = tmp_path / "specs" / "vehicle.yaml"
+    vehicle.write_text(f"{vehicle.read_text()}watchdog: {{timeout: {timeout}}}\n")
+    found = [each for each in findings(project) if "bad-watchdog" in each]
+    assert len(found) == bool(wanted), found
+    assert all(wanted in each and each.startswith("vehicle.yaml:") for each in found), found
+
+
 def test_a_file_that_nothing_names(tmp_path):
     """A description that board.yaml does not name is told, with the line that would name it."""
     project = with_board(tmp_path, "pico")

@@ -360,7 +360,7 @@ CASES = [
     Case("unknown-key", "vehicle.yaml", "    health: health", "    §heath: health", "did you mean health"),
     Case("unknown-key", "vehicle.yaml", "low: {below: ", "low: {§belo: ", "did you mean below", is_alone=False),
     Case("unknown-key", "vehicle.yaml", "disarm: true", "§disarms: true", "did you mean disarm"),
-    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:36:3"),
+    Case("missing-key", "vehicle.yaml", "  fastest: 10 Hz\n", "", "fastest", at="vehicle.yaml:42:3"),
     # failsafes
     Case(
         "bad-failsafe", "vehicle.yaml", "watches: battery.voltage", "watches: §batery.voltage", "did you mean battery"

@@ -227,6 +227,47 @@ def failures_are_logged_once_and_survived():
     assert (control.calls, job.calls, other.calls) == (1200, 30, 1200)
 
 
+def faults_of_control_are_told():
+    """Once until it works again, and nobody is told of those of jobs."""
+    mock_time.set_ticks_us(0)
+    told = Count()
+    control, job = Count(), Count()
+    scheduler = Scheduler(2500, control, Log(), told)
+    scheduler.every(100000, job)
+    job.error = OSError(5)
+    for times in (1, 2):
+        control.error = ValueError("no lift")
+        run_until(scheduler, (2 * times - 1) * SECOND)
+        assert told.calls == times, told.calls
+        control.error = None
+        run_until(scheduler, 2 * times * SECOND)
+        assert told.calls == times, told.calls
+
+
+def what_stands_still_is_found():
+    """What is late by more than asked for, or fails; not what may fail, nor what is asked too seldom to be sure."""
+    scheduler, _, job, _ = fresh()
+    scheduler.every(1500000, job.count, "seldom")
+    scheduler.run_pass()
+    assert scheduler.stalled(SECOND, ()) is None
+    mock_time.advance_us(SECOND + 2500)
+    assert scheduler.stalled(SECOND, ()) is None
+    mock_time.advance_us(1)
+    assert scheduler.stalled(SECOND, ()) == "control"
+    scheduler._control.due_us = mock_time.ticks_us()
+    mock_time.advance_us(100000)
+    assert scheduler.stalled(SECOND, ()) == "job 1"
+    scheduler.run_pass()
+    assert scheduler.stalled(SECOND, ()) is None
+    job.error = OSError(5)
+    run_until(scheduler, 4 * SECOND)
+    assert scheduler.stalled(SECOND, ()) == "job 1"
+    assert scheduler.stalled(SECOND, ("job 1",)) is None
+    assert scheduler.stalled(3 * SECOND, ("job 1",)) == "seldom"
+    job.error = None
+    assert allocated(lambda: scheduler.stalled(SECOND, ("job 1",))) == 0
+
+
 def broken_log_is_survived():
     def broken(*_words):
         raise OSError(5)
@@ -339,6 +380,8 @@ run(
     pause_of_any_length_is_survived,
     load_is_measured,
     failures_are_logged_once_and_survived,
+    faults_of_control_are_told,
+    what_stands_still_is_found,
     broken_log_is_survived,
     reset_is_not_held_up,
     periods_have_limits,

@@ -151,6 +151,7 @@ def _program_files(system: System, layout: Layout) -> dict[str, str]:
         "commands.py": (view, [vehicle]),
         **({"absences.py": (absences_view(program.absences), [vehicle])} if program.absences else {}),
         **({"failsafe.py": (failsafes, paths)} if failsafes else {}),
+        **({"watchdog.py": (view.watchdog, [vehicle])} if view.watchdog else {}),
         **({"command_table.py": (command_table_view(system, program), [commands])} if program.commands else {}),
     }
     for name, (shown, sources) in read.items():

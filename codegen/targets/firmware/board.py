@@ -60,7 +60,8 @@ class BoardView:
     ``hardware`` is its name with that of the microcontroller, ``opened`` the expression that opens an input.
 
     ``head`` are the lines above the class, with an empty one behind the imports and behind the constants. ``adc_pins``
-    are the GPIO numbers that the converter measures, ``mocks`` modules that stand in for further hardware on a host.
+    are the GPIO numbers that the converter measures, ``watchdog`` the lines that tell the mock what the
+    board's watchdog can do, ``mocks`` modules that stand in for further hardware on a host.
     """
 
     board: str
@@ -73,6 +74,7 @@ class BoardView:
     links: tuple[LinkView, ...]
     has_pins: bool
     adc_pins: tuple[int, ...]
+    watchdog: str = ""
     mocks: tuple[str, ...] = ()
 
 
@@ -94,7 +96,16 @@ def board_view(system: System) -> BoardView:
         links=links,
         has_pins=has_pins,
         adc_pins=tuple(sorted(system.board.adc.pins & system.board.free)) if system.board and system.board.adc else (),
+        watchdog=_watchdog(system),
     )
+
+
+def _watchdog(system: System) -> str:
+    watchdog = system.board.watchdog if system.board else None
+    if watchdog is None:
+        return ""
+    timeouts = f"machine.watchdog_range_ms = ({watchdog.shortest_ms}, {watchdog.longest_ms})"
+    return f"{timeouts}\nmachine.cause_of_restart = {watchdog.spec.restart}"
 
 
 def _imports(readers: tuple[ReaderView, ...], links: tuple[LinkView, ...], *, has_pins: bool) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ from codegen.targets.firmware.failsafe import FailsafesView, FailsafeView
 from codegen.targets.firmware.main_loop import CallView, JobView, call_views, job_views
 from codegen.targets.firmware.receiving import call_name, received_beside
 from codegen.targets.firmware.sending import number_at
+from codegen.targets.firmware.watchdog import WatchdogView, watchdog_view
 from codegen.targets.firmware.watching import watched, watching
 from codegen.targets.imports import import_lines, one_by_one, tuple_text
 from codegen.targets.naming import class_names, parameter_attribute, prose
@@ -99,6 +100,8 @@ class ProgramView:
     connecting: tuple[str, ...]
     access: str
     keeping: str
+    watchdog: WatchdogView | None
+    running: str
     received_calls: tuple[CallOnReceiving, ...]
     commands: tuple[AnsweredView, ...]
     methods: tuple[MethodView, ...]
@@ -156,6 +159,8 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
         connecting=_connecting(system, program),
         access=_access(program),
         keeping=_keeping(program),
+        watchdog=watchdog_view(program),
+        running=_running(program),
         commands=tuple(AnsweredView(each.name, each.method) for each in program.built_in if each.method),
         methods=method_views(program),
         takes_long=_takes_long(program),
@@ -172,6 +177,7 @@ def program_view(system: System, program: Program, whole: FailsafesView | None) 
 def _imports(system: System, program: Program, failsafes: tuple[FailsafeView, ...]) -> tuple[str, ...]:
     dialect = ["dialect"] if program.spec.arming else []
     modules = ["asyncio", "gc", "machine", *(["messages"] if program.received_besides else []), "time", *dialect]
+    modules += ["watchdog"] if program.watchdog else []
     access = program.access
     names = [
         *([("access", "Access")] if access and access.signed else []),
@@ -296,6 +302,27 @@ def _keeping(program: Program) -> str:
     return (
         f"            if not self.is_armed:\n                {call}" if program.spec.arming else f"            {call}"
     )
+
+
+def _running(program: Program) -> str:
+    """The statements that run the vehicle until its program ends."""
+    run = "asyncio.run(vehicle.run())"
+    lines = [
+        f"    {run}",
+        *(
+            [
+                "except KeyboardInterrupt:  # somebody is at the prompt",
+                "    from watchdog import hold  # noqa: PLC0415",
+                "",
+                "    hold()",
+                "    raise",
+            ]
+            if program.watchdog
+            else []
+        ),
+        *(["finally:", "    vehicle.halt_motors()"] if program.spec.arming else []),
+    ]
+    return "\n".join(f"    {line}" if line else "" for line in (["try:", *lines] if len(lines) > 1 else [run]))
 
 
 def _received(system: System, program: Program) -> tuple[str, ...]:

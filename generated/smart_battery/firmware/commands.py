@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 0f08342d88c7b9e4
+# Inputs: da3081d7f91c27b1
 """Commands (COMMAND_LONG and COMMAND_INT): each gets one COMMAND_ACK, whatever its parameters are."""
 
 from struct import pack_into, unpack_from

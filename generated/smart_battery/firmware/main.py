@@ -1,5 +1,5 @@
 # Generated from specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 0f08342d88c7b9e4
+# Inputs: da3081d7f91c27b1
 """The program: what the board starts."""
 
 import asyncio
@@ -59,7 +59,13 @@ def main():
     collect_often(True)
     vehicle = new_vehicle()
     collect_often(False)
-    asyncio.run(vehicle.run())
+    try:
+        asyncio.run(vehicle.run())
+    except KeyboardInterrupt:  # somebody is at the prompt
+        from watchdog import hold  # noqa: PLC0415
+
+        hold()
+        raise
 
 
 if __name__ == "__main__":

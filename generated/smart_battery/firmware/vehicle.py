@@ -1,7 +1,7 @@
 # Generated from specs/smart_battery/board.yaml, specs/smart_battery/codegen.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/vehicle.yaml, dialect common: do not edit.
-# Inputs: 096d16611b2a3bd9
+# Inputs: 07d85e5d68c93c71
 """The vehicle: all that the program consists of, and the calls that the user's code overrides."""
 
 import asyncio
@@ -10,6 +10,7 @@ import time
 
 import machine
 import messages
+import watchdog
 from board import Board
 from connection import Connection
 from guard import Guard
@@ -62,6 +63,8 @@ class Vehicle:
         self.state = SystemState(self.parameters, self.texts)
         self.restart_ms = None
         self._reported = 0
+        self._started = watchdog.reset_reason()
+        self.texts(self._started)
         # The order within a pass (FR-00071): control, readings, links.
         self.scheduler = Scheduler(CONTROL_US, self.control, self.texts)
         self.scheduler.every(100000, self.measure, "measure")  # FR-00074.9
@@ -96,9 +99,13 @@ class Vehicle:
     async def run(self):
         """Run until somebody asks for a restart."""
         gc.collect()
-        loop = asyncio.create_task(self.scheduler.run())
+        tasks = [asyncio.create_task(self.scheduler.run())]
+        feed = watchdog.start(self.texts)
+        if feed is not None:
+            tasks.append(asyncio.create_task(watchdog.watch(self, feed)))
         await self._keep_parameters()
-        loop.cancel()
+        for task in tasks:
+            task.cancel()
         machine.reset()
 
     # Jobs of the main loop.
@@ -122,6 +129,7 @@ class Vehicle:
     def remind(self):
         """Let what stands be said within a second: somebody has come who has not heard it."""
         self._quiet_s = 1
+        self.texts(self._started)
 
     def _remind(self):
         """Say again what was lost."""
@@ -201,10 +209,11 @@ class Vehicle:
         self._credit_ms -= _COST_MS
         with self._guard:
             self.storage.begin(self.parameters.dump())
+        problem = self._guard.error  # others use the guard meanwhile
         while self.storage.is_saving:
             longest_us = max(longest_us, self._save_step())
             await asyncio.sleep_ms(1)
-        problem = self._guard.error or self.storage.problem
+        problem = problem or self.storage.problem
         if problem is None:
             # What was damaged is written over as well: once more, for the saves take turns.
             self._saved = changes if self._stored_problem is None else None

@@ -9,6 +9,8 @@ mock_time.install()
 import machine  # noqa: E402  the clock has to be in place before the firmware looks at it
 from board import Board  # noqa: E402
 
+machine.watchdog_range_ms = (1, 8388)
+machine.cause_of_restart = 3
 machine.adc_pins = (26, 27, 28)
 
 

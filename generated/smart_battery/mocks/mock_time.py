@@ -1,5 +1,5 @@
 # Generated from templates/mocks/mock_time.py: do not edit.
-# Inputs: 2fade1d5193b90e2
+# Inputs: 3d9421fd3d7f1c6b
 """A clock that stands still until it is told to go on, in place of the board's module `time`.
 
 Tests call install() before they import the firmware, which then sees this clock when it imports `time`. Ticks wrap as
@@ -23,6 +23,7 @@ _turns = 0  # of the microseconds, each of PERIOD
 _us = 0
 _ms = 0
 _rest_us = 0  # since the last whole millisecond
+_followers = []
 
 
 def install():
@@ -60,6 +61,12 @@ def _replace(name, old, new):
             setattr(module, name, new)
 
 
+def follow(follower):
+    """Call `follower` with the microseconds each time that some are about to pass: timers and watchdogs run on that."""
+    if follower not in _followers:
+        _followers.append(follower)
+
+
 def set_ticks_us(now):
     """Set the clock to `now` microseconds since the start, not wrapped: milliseconds wrap at 2**30 * 1000."""
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
@@ -82,6 +89,8 @@ def advance_us(duration):
     global _turns, _us, _ms, _rest_us  # noqa: PLW0603 - there is one clock
     if duration < 0:
         raise ValueError("time does not run backwards")
+    for follower in _followers:
+        follower(duration)
     if duration > _HALF:
         set_ticks_us(elapsed_us() + duration)
         return

@@ -1,8 +1,9 @@
 # Generated from templates/mocks/sim_machine.py: do not edit.
-# Inputs: 02ea6897af4aa950
-"""What code of the user may find on a board in a simulation, and the firmware does not use: SPI and PWM."""
+# Inputs: 250786df7a8e0651
+"""What code of the user may find on a board in a simulation, and the firmware hardly uses: SPI, PWM and timers."""
 
 import machine
+import mock_time
 
 
 class PWM:
@@ -93,8 +94,34 @@ class SoftSPI(SPI):
         SPI.__init__(self, None, baudrate, **settings)
 
 
+class Timer:
+    """A timer that calls `callback` every `period` ms as the clock goes on."""
+
+    def __init__(self, id=-1, **settings):  # noqa: A002 - the board's own argument name
+        self.id = id
+        if settings:
+            self.init(**settings)
+
+    def init(self, period, callback):
+        """Begin."""
+        self._period_us = self._left_us = period * 1000
+        self._callback = callback
+        mock_time.follow(self._follow)
+
+    def deinit(self):
+        """Stop it."""
+        self._callback = None
+
+    def _follow(self, passed_us):
+        self._left_us -= passed_us
+        while self._left_us <= 0:
+            self._left_us += self._period_us
+            if self._callback is not None:
+                self._callback(self)
+
+
 def install():
     """Let modules find them in `machine`, unless that has its own."""
-    for cls in (PWM, SPI, SoftSPI):
+    for cls in (PWM, SPI, SoftSPI, Timer):
         if not hasattr(machine, cls.__name__):
             setattr(machine, cls.__name__, cls)

@@ -1,5 +1,5 @@
 # Generated from templates/tests/program/program_bench.py: do not edit.
-# Inputs: 04c20550c2e189c2
+# Inputs: 3f3d30c07f789573
 """A whole vehicle on a host: a clock that is moved by hand, flash in memory, and ports that record.
 
 The check scripts beside this file import it first, so that the clock is in place before the firmware looks at it.
@@ -257,6 +257,7 @@ class Craft(Vehicle):
     """A vehicle that notes which of the user's calls were made; `problem` is what check_arming() returns."""
 
     def __init__(self, flash=None, ports=None, texts=None, at_us=0, board=None):
+        machine.reset_watchdog()
         mock_time.set_ticks_us(at_us)
         self.calls = []
         self.problem = None

@@ -11,7 +11,7 @@
 #   specs/smart_battery/messages/smart_battery_info.yaml,
 #   specs/smart_battery/parameters.yaml, specs/smart_battery/state.yaml,
 #   specs/smart_battery/streams.yaml, specs/smart_battery/vehicle.yaml: do not edit.
-# Inputs: f3a00c0e0052a1c8
+# Inputs: 7048cd7050fa5318
 """What the specification says about the program, for the checks of the program to compare with."""
 
 CONTROL_US = 50000
@@ -36,6 +36,13 @@ ANSWERED = ()
 
 # The links on which signed frames count, frames of listed systems, and a new key; and the file of the key.
 ACCESS = None
+
+# The timeout of the watchdog, how often it is fed, and what resets come from by their numbers; None without one.
+WATCHDOG = {
+    "timeout_ms": 2000,
+    "look_ms": 500,
+    "causes": {3: "a restart", 1: "power on"},
+}
 
 # The criteria that the specification names for each aspect of the program; a check of another one is no evidence.
 CRITERIA = {
@@ -88,6 +95,9 @@ CRITERIA = {
     "storage.steps": ("NFR-00061.4",),
     "streams.fixed": ("FR-00074.1", "FR-00074.4"),
     "streams.rate": ("FR-00074.3",),
+    "watchdog.fed": ("FR-00071.6",),
+    "watchdog.hung": ("FR-00071.5",),
+    "watchdog.told": ("FR-00071.7",),
 }
 
 # Measured components: where they are read, how counts become stored steps, and when a value is given up.

@@ -38,22 +38,33 @@ class _Slot:
         self.due_us = ticks_add(now_us, self.period_us - late_us % self.period_us)
         return late_us // self.period_us
 
+    def is_stalled(self, late_us, forgiven):
+        """Return whether it has had no turn for so long after its time, or fails, unless its name is `forgiven`.
+
+        One whose turns are seldom may have failed only once.
+        """
+        if ticks_diff(ticks_us(), self.due_us) > late_us:
+            return True
+        return self.is_failing and self.period_us <= late_us // 2 and self.name not in forgiven
+
 
 class Scheduler:
     """Runs `control`, a callable without arguments, every `period_us` microseconds, and then the jobs that are due.
 
     The first pass starts the grid. Slots that came too late are left out, the phase stays. An exception in control or
-    in a job is logged once until that call works again, and everything goes on.
+    in a job is logged once until that call works again, and everything goes on. One in control is also told to
+    `on_fault`, a callable without arguments that never raises.
 
     `overruns` counts the slots of control that were left out. `load` is the share of the last second that passes
     took, in d%: 0 to 1000; it is found where jobs run. ValueError: a period is not positive, or longer than
     LONGEST_PERIOD_US, nine minutes.
     """
 
-    def __init__(self, period_us, control, log=print):
+    def __init__(self, period_us, control, log=print, on_fault=None):
         self.overruns = 0
         self.load = 0
         self._log = log
+        self._on_fault = on_fault
         self._guard = Guard()
         self._control = _Slot(period_us, control, "control")
         self._jobs = []
@@ -72,6 +83,15 @@ class Scheduler:
     def run_pass(self):
         """Do what is due now, and return the microseconds until the next pass: 0 if that is late already."""
         return self._turn(None)
+
+    def stalled(self, late_us, forgiven):
+        """Return the name of a call that is_stalled(), None for none."""
+        if self._control.is_stalled(late_us, forgiven):
+            return self._control.name
+        for index in range(len(self._jobs)):  # in few variables: those of a larger function lie on the heap
+            if self._jobs[index].is_stalled(late_us, forgiven):
+                return self._jobs[index].name
+        return None
 
     async def run(self):
         """Run passes for ever; other tasks have their turn after each, and all the time that is left."""
@@ -154,6 +174,8 @@ class Scheduler:
             slot.is_failing = True
             with self._guard:
                 self._log(f"error: {slot.name} failed:", type(error).__name__, error)
+            if slot is self._control and self._on_fault is not None:
+                self._on_fault()
 
     def _measure(self, window_us, busy_us):
         if window_us > 0:  # otherwise the ticks went half round, and nobody knows how long that was

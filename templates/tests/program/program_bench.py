@@ -255,6 +255,7 @@ class Craft(Vehicle):
     """A vehicle that notes which of the user's calls were made; `problem` is what check_arming() returns."""
 
     def __init__(self, flash=None, ports=None, texts=None, at_us=0, board=None):
+        machine.reset_watchdog()
         mock_time.set_ticks_us(at_us)
         self.calls = []
         self.problem = None

@@ -4,14 +4,18 @@ The unix port of MicroPython runs it: `board.py IMAGE SETTINGS`, the terminal be
 the flash while the power is off. SETTINGS is JSON: `told`, what sys.implementation says in place of the host's own;
 `writes`, after how many blocks written the power goes; `path`, folders of the host whose modules it has besides;
 `deaf`, that it answers nothing.
+`watchdog`: seconds after which the watchdog of an RP2350 that an earlier program started resets the board; it is
+stopped as there, or fed. `fed`: seconds of one that nothing stops.
 `counts`: what ADC.read_u16() gives, one after the other, again and again; without it there is no ADC.
 `starts`: that a restart runs main.py. With power it waits, as if Ctrl-C had come; what runs cannot be interrupted.
 """
 
 import json
 import os
+import select
 import struct
 import sys
+import time
 import vfs
 
 BLOCK = 4096
@@ -58,14 +62,69 @@ class Adc:
         return counts[self._turn % len(counts)] << 4
 
 
+class Watchdog:
+    """The watchdog that runs on from an earlier program: without being stopped or fed, the power goes with it."""
+
+    def __init__(self, seconds, stops):
+        self._end_ms = time.ticks_add(time.ticks_ms(), int(seconds * 1000))
+        self._stops = stops
+        self._timer = None
+
+    def __getitem__(self, _address):
+        return 0
+
+    def __setitem__(self, address, word):
+        if self._stops and address == 0x400DB000 and word == 0x40000000:
+            self._end_ms = None
+
+    def wdt(self, timeout):
+        """machine.WDT()."""
+        self._timeout_ms = timeout
+        return self
+
+    def feed(self):
+        self._end_ms = time.ticks_add(time.ticks_ms(), self._timeout_ms)
+
+    def timer(self, _number):
+        """machine.Timer()."""
+        return self
+
+    def init(self, period, callback):
+        self._timer = [period, time.ticks_ms(), callback]
+
+    def soft_reset(self):
+        """Timers end with it."""
+        self._timer = None
+
+    def look(self):
+        now_ms = time.ticks_ms()
+        if self._timer is not None and time.ticks_diff(now_ms, self._timer[1]) >= self._timer[0]:
+            self._timer[1] = now_ms
+            self._timer[2](self)
+        if self._end_ms is not None and time.ticks_diff(now_ms, self._end_ms) > 0:
+            sys.exit(9)
+
+
 class Machine:
     """What the unix port lacks of `machine`."""
 
     Pin = int
+    WDT_RESET = 3
+    mem32 = {0x400D801C: 0}  # noqa: RUF012
+
+    @staticmethod
+    def reset_cause():
+        return 1
+
+    @staticmethod
+    def WDT(timeout):  # noqa: N802
+        return WATCHDOG.wdt(timeout) if WATCHDOG is not None else Watchdog(timeout / 1000, True)
 
     def __getattr__(self, name):
         if name == "ADC" and "counts" in SETTINGS:
             return Adc
+        if name == "Timer" and WATCHDOG is not None:
+            return WATCHDOG.timer
         return getattr(MACHINE, name)
 
     @staticmethod
@@ -97,6 +156,8 @@ def say(text):
 
 
 def take(count=1):
+    while WATCHDOG is not None and not POLL.poll(10):
+        WATCHDOG.look()
     data = IN.read(count)
     if not data:
         sys.exit(0)
@@ -151,6 +212,13 @@ def start():
         sys.print_exception(fault, OUT)
 
 
+def begun_anew():
+    """The names of a board after a soft reset, which ends timers and no watchdog."""
+    if WATCHDOG is not None:
+        WATCHDOG.soft_reset()
+    return {"__name__": "__main__"}
+
+
 def serve():
     """The REPL, until the power goes."""
     is_raw = False
@@ -180,7 +248,7 @@ def serve():
             code = bytearray()
         elif byte == b"\x04":
             say(b"OK\r\nMPY: soft reboot\r\n" if is_raw else b"\r\nMPY: soft reboot\r\n")
-            names = {"__name__": "__main__"}
+            names = begun_anew()
             if is_raw:
                 say(b"raw REPL; CTRL-B to exit\r\n>")
             else:
@@ -200,6 +268,11 @@ def execute(code, names):
 
 image, SETTINGS = sys.argv[1], json.loads(sys.argv[2])
 IN, OUT = sys.stdin.buffer, sys.stdout.buffer
+POLL = select.poll()
+POLL.register(sys.stdin, select.POLLIN)
+WATCHDOG = None
+if "watchdog" in SETTINGS or "fed" in SETTINGS:
+    WATCHDOG = Machine.mem32 = Watchdog(SETTINGS.get("watchdog") or SETTINGS["fed"], "watchdog" in SETTINGS)
 MACHINE = __import__("machine")
 size = os.stat(image)[6]
 flash = Flash(open(image, "r+b"), size // BLOCK, SETTINGS.get("writes", -1))
