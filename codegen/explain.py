@@ -180,18 +180,7 @@ def _cells(row: FieldRow) -> Iterator[tuple[str, ...]]:
 
 
 def _table(rows: Sequence[FieldRow]) -> list[str]:
-    """Columns as wide as their widest cell; numbers to the right."""
-    cells = [_COLUMNS, *(line for row in rows for line in _cells(row))]
-    widths = [max(len(row[column]) for row in cells) for column in range(len(_COLUMNS))]
-    lines = []
-    for row in cells:
-        columns = [
-            cell.rjust(width) if column < 2 else cell.ljust(width)
-            for column, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        lines.append("  ".join(columns).rstrip())
-    lines.insert(1, "  ".join("-" * width for width in widths))
-    return lines
+    return columns([_COLUMNS, *(cells for row in rows for cells in _cells(row))], numbers=2, is_ruled=True)
 
 
 def _field(message: PopulatedMessage, name: str, system: System) -> str | None:

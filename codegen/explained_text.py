@@ -19,7 +19,13 @@ def facts(titled: Iterable[tuple[str, str]]) -> list[str]:
     return [f"{name:<12} {text}" for name, text in titled if text]
 
 
-def columns(rows: Sequence[tuple[str, ...]]) -> list[str]:
-    """Columns as wide as their widest cell."""
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    return ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
+def columns(rows: Sequence[tuple[str, ...]], *, numbers: int = 0, is_ruled: bool = False) -> list[str]:
+    """Return lines with columns as wide as their widest cell, the first ``numbers`` of them to the right.
+
+    ``is_ruled``: a line is drawn below the first row, which is the heading.
+    """
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    aligned = [str.rjust] * numbers + [str.ljust] * (len(widths) - numbers)
+    if is_ruled:
+        rows = [rows[0], tuple("-" * width for width in widths), *rows[1:]]
+    return ["  ".join(map(lambda align, *cell: align(*cell), aligned, row, widths)).rstrip() for row in rows]

@@ -4,9 +4,8 @@ import argparse
 import sys
 import time
 
-from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
-from codegen.cli.output import add_output_options, is_plain, nonsense, up_to_date
+from codegen.cli.output import ARCHITECTURES, add_output_options, is_plain, nonsense, up_to_date
 
 TYPE_CHECKING = False  # typing takes longer to import than --help may take
 if TYPE_CHECKING:

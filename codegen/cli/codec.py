@@ -5,9 +5,8 @@ import os
 import sys
 from typing import Any
 
-from codegen.cli.architectures import ARCHITECTURES
 from codegen.cli.depfile import add_depfile_options, depfile_nonsense, write_depfile
-from codegen.cli.output import add_output_options, nonsense
+from codegen.cli.output import ARCHITECTURES, add_output_options, nonsense
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:

@@ -6,14 +6,14 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from codegen.diagnostics import Report
     from codegen.start import Wish
 
 
 def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
     """Add the command's arguments (``commands``: argparse's collection of sub-commands)."""
-    from codegen.start_kinds import start_kinds
-
     kinds = start_kinds()
     parser = commands.add_parser(
         "init",
@@ -34,6 +34,16 @@ def add_command(commands: Any, common: argparse.ArgumentParser) -> None:
         "--dialect", metavar="D", help="a dialect that pymavlink ships, such as common, or an XML file, which is copied"
     )
     parser.set_defaults(run=run)
+
+
+def start_kinds() -> "Mapping[str, str]":
+    """Return each kind of ``templates/start/kinds.json``, and what it is, in a few words."""
+    import json
+
+    from codegen.template_files import copied
+
+    kinds: dict[str, str] = json.loads(copied("start/kinds.json"))
+    return kinds
 
 
 def run(arguments: argparse.Namespace) -> int:

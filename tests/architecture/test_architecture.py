@@ -71,7 +71,6 @@ MAY_IMPORT: dict[str, set[str]] = {
     "codec": {*READING, "targets", "model", *GROUND},
     "depfile": set(),
     "start": {"decode", "load", "template_files", "model", *GROUND},
-    "start_kinds": {"template_files"},
     "stamp": {"emit", "output_files", "tool"},
     "sim": {"loop", "render", "model", *GROUND},
     "explained_corrections": {"load", "model", *GROUND},
@@ -100,7 +99,7 @@ MAY_IMPORT: dict[str, set[str]] = {
             "sim",
         ),
         *("emit", "sim", "deploy", "output_files", "document_findings"),
-        *("project_files", "trace", "findings", "waivers", "start", "start_kinds", "schemas"),
+        *("project_files", "trace", "findings", "waivers", "start", "template_files", "schemas"),
         *(
             "documents",
             "claims",
@@ -133,7 +132,11 @@ VAGUE = {"util", "utils", "helper", "helpers", "manager", "managers", "core", "c
 ON_THE_BOARD = {"firmware", "mocks"}
 """Folders of kinds of sensors with MicroPython, which is no part of codegen."""
 
-MODULES = sorted(path for path in PACKAGE.rglob("*.py") if path.parent.name not in ON_THE_BOARD)
+MODULES = sorted(
+    path
+    for path in PACKAGE.rglob("*.py")
+    if path.parent.name not in ON_THE_BOARD or not path.is_relative_to(PACKAGE / "sources")
+)
 
 
 def name_of(path: Path) -> str:

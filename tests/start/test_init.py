@@ -6,9 +6,9 @@ import pytest
 
 from codegen import pipeline
 from codegen.cli import main
+from codegen.cli.init import start_kinds
 from codegen.diagnostics import Report
 from codegen.start import boards
-from codegen.start_kinds import start_kinds
 from codegen.template_files import templates_folder
 
 KINDS = start_kinds()

@@ -8,6 +8,16 @@ from codegen.model.program import Program
 from codegen.model.system import System
 from codegen.model.vehicle import Parameter
 from codegen.targets.firmware.failsafe_arguments import Argument, Settled, arguments_of
+from codegen.targets.firmware.failsafe_condition import (
+    comparison,
+    due_lines,
+    guarded,
+    ignored,
+    inverted,
+    is_due_lines,
+    limit_lines,
+    of_parameter,
+)
 from codegen.targets.firmware.failsafe_table import Columns, condition_rows, inverted_rows, table_lines
 from codegen.targets.firmware.failsafe_text import shows, text_lines
 from codegen.targets.firmware.words import Layout
@@ -131,28 +141,28 @@ def failsafe_views(system: System, program: Program, layout: Layout) -> Failsafe
         watching="self._is_watching()" if " " in watching else watching or "True",
         is_resting=watching and f"not {'self._is_watching()' if ' ' in watching else watching}",
         is_watching=tuple(_is_watching(found)) if " " in watching else (),
-        is_ignored=_ignored(columns, has_silence=has_silence, has_unknown=has_unknown),
+        is_ignored=ignored(columns, has_silence=has_silence, has_unknown=has_unknown),
         is_over="(due[_LEVEL] if due else OK) < self.level"
         + ("" if found.is_same("is_latched") else " and not self._is_latched"),
-        is_unknown=_guarded(
+        is_unknown=guarded(
             found.only_some("watched_at"),
             found("watched_at"),
             f"self._component.words[{found('watched_at')}] == _UNKNOWN",
         ),
-        is_problem=_guarded(has_silence, columns("PLACE"), "self._holds(condition)"),
+        is_problem=guarded(has_silence, columns("PLACE"), "self._holds(condition)"),
         last_problem="self._mixed_up()" if found.has("inverted") else "None",
-        limit=tuple(_limit(columns)),
-        comparison=_comparison(columns),
+        limit=tuple(limit_lines(columns)),
+        comparison=comparison(columns),
         place=columns("PLACE"),
         level=columns("LEVEL"),
         sign=columns("SIGN"),
-        due=tuple(_due(columns)),
-        is_due=tuple(_is_due(columns)),
+        due=tuple(due_lines(columns)),
+        is_due=tuple(is_due_lines(columns)),
         loops_apart=not (found.is_same("count") and (found.is_same("timed_from") or not found.has("timed_from"))),
         why=columns("WHY"),
-        is_inverted=f"{pair[2]} if {_inverted(columns)} else None" if pair else _inverted(columns),
-        milder=_of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
-        worse=_of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse"),
+        is_inverted=f"{pair[2]} if {inverted(columns)} else None" if pair else inverted(columns),
+        milder=of_parameter(columns, f"self._conditions[{pair[0]}]" if pair else "milder"),
+        worse=of_parameter(columns, f"self._conditions[{pair[1]}]" if pair else "worse"),
         has_pairs=not pair,
         timed=f"range({found('timed_from')}, {found('count')})"
         if found.has("timed_from")
@@ -277,14 +287,10 @@ def _level_words(found: Settled) -> str:
     return "it stays while anything of it holds" + ("" if found.is_same("is_latched") else ", or is latched")
 
 
-def _guarded(is_needed: bool, place: str, expression: str) -> str:
-    return f"{place} is not None and {expression}" if is_needed else expression
-
-
 def _off(found: Settled) -> str:
     place = found("switch_at")
     return (
-        _guarded(found.only_some("switch_at"), place, f"not self._component.words[{place}]")
+        guarded(found.only_some("switch_at"), place, f"not self._component.words[{place}]")
         if found.has("switch_at")
         else ""
     )
@@ -326,87 +332,6 @@ def _watching(found: Settled) -> str:
     disabled = _disabled(found)
     enabled = f"not {disabled}" if disabled.startswith("(") else disabled.replace("== 0", "!= 0")
     return " and ".join(filter(None, (armed, enabled)))
-
-
-def _ignored(columns: Columns, *, has_silence: bool, has_unknown: bool) -> str:
-    word = f"self._component.words[{columns('PLACE')}]"
-    floors = columns.values("FLOOR")
-    known = f"{word} == _UNKNOWN" if floors == {"_UNKNOWN"} else f"{word} <= {columns('FLOOR')}"
-    if has_unknown:  # where there is silence, too, its conditions have no sign either
-        return f"{columns('SIGN')} != 0 and {known}"
-    return _guarded(has_silence, columns("PLACE"), known)
-
-
-def _limit(columns: Columns) -> Iterable[str]:
-    """The statements that find out what a value is compared with."""
-    has_amounts, has_parameters = _kinds(columns, "LIMIT")
-    own = f"getattr(self._vehicle.parameters, {columns('LIMIT')})"
-    factor = "" if columns.same.get("FACTOR") == "1" else f" * {columns('FACTOR')}"
-    offs = columns.values("OFF")
-    off = [] if offs == {"None"} else [f"if limit == {columns('OFF')}:  # switched off", "    return False"]
-    if not has_amounts:
-        yield f"limit = {own}{factor}"
-        yield from off
-    elif not has_parameters:
-        yield f"limit = {columns('FACTOR')}"
-    else:
-        yield f"limit = {columns('FACTOR')}"
-        yield f"if {columns('LIMIT')} is not None:"
-        yield f"    limit *= {own}"
-        yield from (f"    {line}" for line in off)
-    if columns.values("SLACK") != {"0"}:
-        yield f"if self.level >= {columns('LEVEL')}:  # it is over once the value is better by so much"
-        yield f"    limit -= {columns('SIGN')} * {columns('SLACK')}"
-
-
-def _due(columns: Columns) -> Iterable[str]:
-    """The statements that return the condition once it has held for long enough."""
-    has_amounts, has_parameters = _kinds(columns, "AFTER")
-    if not has_amounts:
-        yield f"limit_ms = getattr(self._vehicle.parameters, {columns('AFTER')}) * {columns('MS')}"
-        yield "return condition if 0 < limit_ms <= held_ms else None  # 0 switches it off"
-    elif not has_parameters:
-        yield f"return condition if held_ms >= {columns('MS')} else None"
-    else:
-        yield "return condition if self._is_due(condition, held_ms) else None"
-
-
-def _is_due(columns: Columns) -> Iterable[str]:
-    """The body of the method that says so, where some times are parameters and others are not."""
-    if _kinds(columns, "AFTER") == (True, True):
-        yield f"limit_ms = {columns('MS')}"
-        yield f"if {columns('AFTER')} is not None:"
-        yield f"    limit_ms *= getattr(self._vehicle.parameters, {columns('AFTER')})"
-        yield "    if limit_ms == 0:  # switched off"
-        yield "        return False"
-        yield "return held_ms >= limit_ms"
-
-
-def _kinds(columns: Columns, column: str) -> tuple[bool, bool]:
-    """Whether there are amounts, and whether there are parameters."""
-    values = columns.values(column)
-    return "None" in values, bool(values - {"None"})
-
-
-def _of_parameter(columns: Columns, condition: str) -> str:
-    factor = "" if columns.same.get("FACTOR") == "1" else f" * {columns('FACTOR', condition)}"
-    return f"getattr(self._vehicle.parameters, {columns('LIMIT', condition)}){factor}"
-
-
-def _inverted(columns: Columns) -> str:
-    """Whether ``second``, the threshold of the worse level, is no worse than ``first``, and both are on."""
-    offs, signs = columns.values("OFF"), columns.values("SIGN") - {"0"}
-    if offs == {"0"} and len(signs) == 1:
-        return "0 < first <= second" if signs == {"-1"} else "0 < second <= first"
-    off = f"first != {columns('OFF', 'milder')} and second != {columns('OFF', 'worse')} and "
-    return f"{'' if offs == {'None'} else off}(second - first) * {columns('SIGN', 'worse')} <= 0"
-
-
-def _comparison(columns: Columns) -> str:
-    signs = columns.values("SIGN") - {"0"}
-    if len(signs) == 1:
-        return "value < limit" if signs == {"-1"} else "value > limit"
-    return f"value < limit if {columns('SIGN')} < 0 else value > limit"
 
 
 def _set_level(found: Settled) -> str:
